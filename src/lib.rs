@@ -1,1 +1,4 @@
 //! objdict
+pub mod diagnostic;
+pub mod model;
+pub mod source;

@@ -1,0 +1,90 @@
+//! Where findings are collected.
+
+use std::collections::BTreeMap;
+
+use super::{Diagnostic, Severity};
+
+/// So many findings of one rule are kept of one file; the rest is counted. A hostile file cannot fill the memory.
+pub const MAX_PER_RULE: u32 = 1000;
+
+/// The findings of one file.
+#[derive(Debug, Default)]
+pub struct Findings {
+    kept: Vec<Diagnostic>,
+    seen: BTreeMap<&'static str, u32>,
+}
+
+impl Findings {
+    /// No findings yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes a finding, or only counts it when its rule has [`MAX_PER_RULE`] already.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        let seen = self.seen.entry(diagnostic.rule.id).or_default();
+        *seen = seen.saturating_add(1);
+        if *seen <= MAX_PER_RULE {
+            self.kept.push(diagnostic);
+        }
+    }
+
+    /// Takes all findings of `other`.
+    pub fn append(&mut self, other: Findings) {
+        for (rule, count) in other.seen {
+            let kept = other.kept.iter().filter(|diagnostic| diagnostic.rule.id == rule).count();
+            let seen = self.seen.entry(rule).or_default();
+            *seen = seen.saturating_add(count.saturating_sub(kept as u32));
+        }
+        for diagnostic in other.kept {
+            self.push(diagnostic);
+        }
+    }
+
+    /// The findings that were kept.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.kept.iter()
+    }
+
+    /// The findings that were kept, as a list.
+    pub fn into_vec(self) -> Vec<Diagnostic> {
+        self.kept
+    }
+
+    /// Whether nothing was found.
+    pub fn is_empty(&self) -> bool {
+        self.kept.is_empty()
+    }
+
+    /// Number of findings kept.
+    pub fn len(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// The gravest severity found.
+    pub fn worst(&self) -> Option<Severity> {
+        self.kept.iter().map(|diagnostic| diagnostic.severity).max()
+    }
+
+    /// Whether there is a finding of severity error.
+    pub fn has_errors(&self) -> bool {
+        self.worst() == Some(Severity::Error)
+    }
+
+    /// The rules that found more than was kept, each with the number left out.
+    pub fn omitted(&self) -> impl Iterator<Item = (&'static str, u32)> + '_ {
+        self.seen
+            .iter()
+            .filter(|&(_, &seen)| seen > MAX_PER_RULE)
+            .map(|(&rule, &seen)| (rule, seen - MAX_PER_RULE))
+    }
+}
+
+impl<'a> IntoIterator for &'a Findings {
+    type Item = &'a Diagnostic;
+    type IntoIter = std::slice::Iter<'a, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}

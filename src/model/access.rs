@@ -1,0 +1,95 @@
+//! Access types and PDO mapping (CiA 306-1 §4.6.3.2, CiA 301 §7.4.5).
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// Who may read and write an entry over the network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Access {
+    /// Read only; the device may change the value.
+    Ro,
+    /// Write only.
+    Wo,
+    /// Read and write.
+    Rw,
+    /// Read and write; a process input, so for a TPDO.
+    Rwr,
+    /// Read and write; a process output, so for an RPDO.
+    Rww,
+    /// Read only, and the value never changes.
+    Const,
+}
+
+impl Access {
+    /// All access types, in the order of CiA 306-1.
+    pub const ALL: [Self; 6] = [Self::Ro, Self::Wo, Self::Rw, Self::Rwr, Self::Rww, Self::Const];
+
+    /// The spelling in an EDS.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ro => "ro",
+            Self::Wo => "wo",
+            Self::Rw => "rw",
+            Self::Rwr => "rwr",
+            Self::Rww => "rww",
+            Self::Const => "const",
+        }
+    }
+
+    /// The access type of a word, whatever its case.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|access| access.name().eq_ignore_ascii_case(name))
+    }
+
+    /// Whether an SDO upload may read the value.
+    pub const fn is_readable(self) -> bool {
+        !matches!(self, Self::Wo)
+    }
+
+    /// Whether an SDO download may write the value.
+    pub const fn is_writable(self) -> bool {
+        !matches!(self, Self::Ro | Self::Const)
+    }
+
+    /// Whether a TPDO may carry the value.
+    pub const fn fits_tpdo(self) -> bool {
+        matches!(self, Self::Ro | Self::Rw | Self::Rwr | Self::Const)
+    }
+
+    /// Whether an RPDO may write the value.
+    pub const fn fits_rpdo(self) -> bool {
+        matches!(self, Self::Wo | Self::Rw | Self::Rww)
+    }
+}
+
+impl fmt::Display for Access {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Whether a PDO may carry an entry. An EDS only knows [`No`](Self::No) and [`Optional`](Self::Optional).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PdoMapping {
+    /// Never.
+    #[default]
+    No,
+    /// In either direction that the access type allows.
+    Optional,
+    /// Mapped by default.
+    Default,
+    /// Only in a TPDO.
+    Tpdo,
+    /// Only in an RPDO.
+    Rpdo,
+}
+
+impl PdoMapping {
+    /// Whether any PDO may carry the entry.
+    pub const fn is_mappable(self) -> bool {
+        !matches!(self, Self::No)
+    }
+}

@@ -1,0 +1,165 @@
+//! Data types (CiA 301 §7.4.7, table 44).
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// A data type, named by the index of its definition in the object dictionary.
+///
+/// 0001h to 001Bh are the static types of CiA 301; 0020h to 0025h its predefined structures; from 0040h on a device or
+/// a profile defines its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct DataType(pub u16);
+
+/// What the values of a data type are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TypeKind {
+    /// One bit in a PDO, one byte in an SDO.
+    Boolean,
+    /// Two's complement integer of so many bits.
+    Signed(u8),
+    /// Integer of so many bits.
+    Unsigned(u8),
+    /// IEEE 754 binary32.
+    Real32,
+    /// IEEE 754 binary64.
+    Real64,
+    /// ISO 646 text.
+    VisibleString,
+    /// Bytes.
+    OctetString,
+    /// UTF-16 text.
+    UnicodeString,
+    /// Milliseconds of the day and days since 1984-01-01, 48 bits.
+    TimeOfDay,
+    /// Milliseconds and days, 48 bits.
+    TimeDifference,
+    /// A block of data of any size.
+    Domain,
+    /// A structure that CiA 301 defines (0020h-0025h).
+    Structure,
+    /// Defined by the device, a profile or a manufacturer (0040h-025Fh).
+    Defined,
+    /// No type has this index.
+    Reserved,
+}
+
+macro_rules! static_types {
+    ($($NAME:ident = $index:literal, $kind:expr;)*) => {
+        impl DataType {
+            $(#[doc = concat!("The data type ", stringify!($NAME), ".")] pub const $NAME: Self = Self($index);)*
+
+            /// The types 0001h to 001Bh that exist, in order of their indexes.
+            pub const STATIC: &'static [Self] = &[$(Self::$NAME),*];
+
+            /// The name in CiA 301; `None` for types that it does not name.
+            pub const fn name(self) -> Option<&'static str> {
+                match self.0 {
+                    $($index => Some(stringify!($NAME)),)*
+                    0x20 => Some("PDO_COMMUNICATION_PARAMETER"),
+                    0x21 => Some("PDO_MAPPING"),
+                    0x22 => Some("SDO_PARAMETER"),
+                    0x23 => Some("IDENTITY"),
+                    0x24 => Some("OS_DEBUG"),
+                    0x25 => Some("OS_COMMAND"),
+                    _ => None,
+                }
+            }
+
+            /// What values of this type are.
+            pub const fn kind(self) -> TypeKind {
+                match self.0 {
+                    $($index => $kind,)*
+                    0x20..=0x25 => TypeKind::Structure,
+                    0x40..=0x25F => TypeKind::Defined,
+                    _ => TypeKind::Reserved,
+                }
+            }
+        }
+    };
+}
+
+static_types! {
+    BOOLEAN = 0x01, TypeKind::Boolean;
+    INTEGER8 = 0x02, TypeKind::Signed(8);
+    INTEGER16 = 0x03, TypeKind::Signed(16);
+    INTEGER32 = 0x04, TypeKind::Signed(32);
+    UNSIGNED8 = 0x05, TypeKind::Unsigned(8);
+    UNSIGNED16 = 0x06, TypeKind::Unsigned(16);
+    UNSIGNED32 = 0x07, TypeKind::Unsigned(32);
+    REAL32 = 0x08, TypeKind::Real32;
+    VISIBLE_STRING = 0x09, TypeKind::VisibleString;
+    OCTET_STRING = 0x0A, TypeKind::OctetString;
+    UNICODE_STRING = 0x0B, TypeKind::UnicodeString;
+    TIME_OF_DAY = 0x0C, TypeKind::TimeOfDay;
+    TIME_DIFFERENCE = 0x0D, TypeKind::TimeDifference;
+    DOMAIN = 0x0F, TypeKind::Domain;
+    INTEGER24 = 0x10, TypeKind::Signed(24);
+    REAL64 = 0x11, TypeKind::Real64;
+    INTEGER40 = 0x12, TypeKind::Signed(40);
+    INTEGER48 = 0x13, TypeKind::Signed(48);
+    INTEGER56 = 0x14, TypeKind::Signed(56);
+    INTEGER64 = 0x15, TypeKind::Signed(64);
+    UNSIGNED24 = 0x16, TypeKind::Unsigned(24);
+    UNSIGNED40 = 0x18, TypeKind::Unsigned(40);
+    UNSIGNED48 = 0x19, TypeKind::Unsigned(48);
+    UNSIGNED56 = 0x1A, TypeKind::Unsigned(56);
+    UNSIGNED64 = 0x1B, TypeKind::Unsigned(64);
+}
+
+impl DataType {
+    /// Bits of a value in a PDO; `None` where the length varies or is not known.
+    pub const fn bit_length(self) -> Option<u8> {
+        match self.kind() {
+            TypeKind::Boolean => Some(1),
+            TypeKind::Signed(bits) | TypeKind::Unsigned(bits) => Some(bits),
+            TypeKind::Real32 => Some(32),
+            TypeKind::Real64 => Some(64),
+            TypeKind::TimeOfDay | TypeKind::TimeDifference => Some(48),
+            _ => None,
+        }
+    }
+
+    /// Bytes of a value in an SDO; `None` where the length varies or is not known.
+    pub const fn byte_length(self) -> Option<u8> {
+        match self.bit_length() {
+            Some(bits) => Some(bits.div_ceil(8)),
+            None => None,
+        }
+    }
+
+    /// Whether values are whole numbers (BOOLEAN is not one).
+    pub const fn is_integer(self) -> bool {
+        matches!(self.kind(), TypeKind::Signed(_) | TypeKind::Unsigned(_))
+    }
+
+    /// Whether values can be compared with limits: integers, REAL and BOOLEAN.
+    pub const fn is_numeric(self) -> bool {
+        self.is_integer() || matches!(self.kind(), TypeKind::Boolean | TypeKind::Real32 | TypeKind::Real64)
+    }
+
+    /// The smallest and the largest value of an integer type or BOOLEAN.
+    pub const fn integer_range(self) -> Option<(i128, i128)> {
+        match self.kind() {
+            TypeKind::Boolean => Some((0, 1)),
+            TypeKind::Signed(bits) => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
+            TypeKind::Unsigned(bits) => Some((0, (1 << bits) - 1)),
+            _ => None,
+        }
+    }
+
+    /// Whether the type may stand in an RPDO mapping as a filler (CiA 301 §7.4.7.1).
+    pub const fn is_dummy(self) -> bool {
+        matches!(self.0, 0x01..=0x07 | 0x10 | 0x12..=0x16 | 0x18..=0x1B)
+    }
+}
+
+impl fmt::Display for DataType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.name() {
+            Some(name) => f.write_str(name),
+            None => write!(f, "{:04X}h", self.0),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The device: everything that a description says.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    Commissioning, DataType, DeviceInfo, DynamicChannels, ExtraSection, FileInfo, Misfits, Modules, Object,
+    ObjectList, Tool,
+};
+
+/// A device description, whatever format it came from.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Device {
+    /// Whether this describes a device type or one configured node.
+    pub kind: DeviceKind,
+    /// Facts about the file; `None` when it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file_info: Option<FileInfo>,
+    /// Facts about the device; `None` when the file has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub device_info: Option<DeviceInfo>,
+    /// Which data types may be dummies in an RPDO; `None` when the file does not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dummy_usage: Option<DummyUsage>,
+    /// The lines of `Comments`; `None` when the file has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub comments: Option<Vec<String>>,
+    /// The node that the device was configured for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub commissioning: Option<Commissioning>,
+    /// The lists that name the objects.
+    pub lists: ObjectLists,
+    /// The objects by index.
+    #[serde(with = "super::index_keys")]
+    pub objects: BTreeMap<u16, Object>,
+    /// The modules of a modular device; `None` when it is not one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modules: Option<Modules>,
+    /// The dynamic channels (CiA 302-4).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dynamic_channels: Option<DynamicChannels>,
+    /// The tools that can be started from the description.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tools: Vec<Tool>,
+    /// Sections that the model does not know.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub extra: Vec<ExtraSection>,
+}
+
+/// What a description describes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DeviceKind {
+    /// A type of device (EDS, XDD).
+    #[default]
+    Type,
+    /// One node, configured (DCF, XDC).
+    Node,
+}
+
+/// The lists that name a device's objects; `None` for a list that the file does not have.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ObjectLists {
+    /// `MandatoryObjects`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mandatory: Option<Vec<u16>>,
+    /// `OptionalObjects`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub optional: Option<Vec<u16>>,
+    /// `ManufacturerObjects`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub manufacturer: Option<Vec<u16>>,
+}
+
+impl ObjectLists {
+    /// The indexes of a list; empty for one that the file does not have.
+    pub fn get(&self, list: ObjectList) -> &[u16] {
+        let indexes = match list {
+            ObjectList::Mandatory => &self.mandatory,
+            ObjectList::Optional => &self.optional,
+            ObjectList::Manufacturer => &self.manufacturer,
+        };
+        indexes.as_deref().unwrap_or_default()
+    }
+
+    /// A list, for writing.
+    pub fn get_mut(&mut self, list: ObjectList) -> &mut Option<Vec<u16>> {
+        match list {
+            ObjectList::Mandatory => &mut self.mandatory,
+            ObjectList::Optional => &mut self.optional,
+            ObjectList::Manufacturer => &mut self.manufacturer,
+        }
+    }
+
+    /// Every listed index with its list, in the order of the file.
+    pub fn iter(&self) -> impl Iterator<Item = (ObjectList, u16)> + '_ {
+        ObjectList::ALL.into_iter().flat_map(|list| self.get(list).iter().map(move |&index| (list, index)))
+    }
+}
+
+/// Which data types may be dummies in an RPDO (CiA 306-1 §4.6.2).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct DummyUsage {
+    /// Data types with whether they may.
+    pub types: BTreeMap<DataType, bool>,
+    /// Texts that are no values of their fields.
+    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    pub misfits: Misfits,
+    /// Keys that the model does not know.
+    #[serde(skip_serializing_if = "super::Extra::is_empty")]
+    pub extra: super::Extra,
+}
+
+impl Device {
+    /// The object of an index.
+    pub fn object(&self, index: u16) -> Option<&Object> {
+        self.objects.get(&index)
+    }
+
+    /// The entry of an index and a sub-index; see [`Object::entry`].
+    pub fn entry(&self, index: u16, sub: u8) -> Option<std::borrow::Cow<'_, super::Entry>> {
+        self.object(index)?.entry(sub)
+    }
+
+    /// The node-ID that the device was configured for, where it is one.
+    pub fn node_id(&self) -> Option<u8> {
+        self.commissioning.as_ref()?.node_id.filter(|id| (1..=127).contains(id))
+    }
+
+    /// The number of the device profile: the low word of 1000h, 0 for none; `None` where 1000h has no value.
+    pub fn profile(&self) -> Option<u16> {
+        let device_type = self.entry(0x1000, 0)?.value()?.as_integer()?;
+        u16::try_from(device_type & 0xFFFF).ok()
+    }
+
+    /// Whether modules may add objects, so that a reference to a missing object may be right.
+    pub fn is_modular(&self) -> bool {
+        self.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty())
+    }
+}

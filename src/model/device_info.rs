@@ -1,0 +1,127 @@
+//! Facts about the device (CiA 306-1 §4.5).
+
+use serde::{Deserialize, Serialize};
+
+use super::{Extra, Field, Misfits};
+
+/// Vendor, product and general features of the device.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct DeviceInfo {
+    /// `VendorName`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vendor_name: Option<String>,
+    /// `VendorNumber`: the vendor-ID, as in 1018h sub-index 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vendor_number: Option<u32>,
+    /// `ProductName`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product_name: Option<String>,
+    /// `ProductNumber`: the product code, as in 1018h sub-index 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product_number: Option<u32>,
+    /// `RevisionNumber`, as in 1018h sub-index 3.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub revision_number: Option<u32>,
+    /// `OrderCode`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order_code: Option<String>,
+    /// `BaudRate_x`: which bit rates the device supports.
+    pub baud_rates: BaudRates,
+    /// `SimpleBootUpMaster`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simple_boot_up_master: Option<bool>,
+    /// `SimpleBootUpSlave`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simple_boot_up_slave: Option<bool>,
+    /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 when the mapping is fixed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub granularity: Option<u8>,
+    /// `DynamicChannelsSupported` (CiA 302-4); 0 for no.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dynamic_channels_supported: Option<u8>,
+    /// `GroupMessaging`: whether the device supports multiplexed PDOs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub group_messaging: Option<bool>,
+    /// `NrOfRXPDO`: number of RPDOs, implicit ones included.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rpdo_count: Option<u16>,
+    /// `NrOfTXPDO`: number of TPDOs, implicit ones included.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tpdo_count: Option<u16>,
+    /// `LSS_Supported`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lss_supported: Option<bool>,
+    /// `CompactPDO`: bit n is set when sub-index n + 1 of the communication record of an implicit PDO exists.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compact_pdo: Option<u8>,
+    /// `CANopenSafetySupported` (CiA 306-1 annex A).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safety_supported: Option<bool>,
+    /// Keys that the model does not know, the ones left over from EDS 3.0 among them.
+    #[serde(skip_serializing_if = "Extra::is_empty")]
+    pub extra: Extra,
+    /// Texts that are no values of their fields.
+    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    pub misfits: Misfits,
+}
+
+/// What a description says of each bit rate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BaudRates {
+    /// 10 kbit/s.
+    #[serde(rename = "10", skip_serializing_if = "Option::is_none")]
+    pub kbit_10: Option<bool>,
+    /// 20 kbit/s.
+    #[serde(rename = "20", skip_serializing_if = "Option::is_none")]
+    pub kbit_20: Option<bool>,
+    /// 50 kbit/s.
+    #[serde(rename = "50", skip_serializing_if = "Option::is_none")]
+    pub kbit_50: Option<bool>,
+    /// 125 kbit/s.
+    #[serde(rename = "125", skip_serializing_if = "Option::is_none")]
+    pub kbit_125: Option<bool>,
+    /// 250 kbit/s.
+    #[serde(rename = "250", skip_serializing_if = "Option::is_none")]
+    pub kbit_250: Option<bool>,
+    /// 500 kbit/s.
+    #[serde(rename = "500", skip_serializing_if = "Option::is_none")]
+    pub kbit_500: Option<bool>,
+    /// 800 kbit/s.
+    #[serde(rename = "800", skip_serializing_if = "Option::is_none")]
+    pub kbit_800: Option<bool>,
+    /// 1000 kbit/s.
+    #[serde(rename = "1000", skip_serializing_if = "Option::is_none")]
+    pub kbit_1000: Option<bool>,
+    /// Detection of the bit rate.
+    #[serde(rename = "auto", skip_serializing_if = "Option::is_none")]
+    pub auto: Option<bool>,
+}
+
+impl BaudRates {
+    /// Every bit rate of CiA 301 in kbit/s with its field and what the description says of it.
+    pub fn iter(&self) -> impl Iterator<Item = (u16, Field, Option<bool>)> {
+        [
+            (10, Field::BaudRate10, self.kbit_10),
+            (20, Field::BaudRate20, self.kbit_20),
+            (50, Field::BaudRate50, self.kbit_50),
+            (125, Field::BaudRate125, self.kbit_125),
+            (250, Field::BaudRate250, self.kbit_250),
+            (500, Field::BaudRate500, self.kbit_500),
+            (800, Field::BaudRate800, self.kbit_800),
+            (1000, Field::BaudRate1000, self.kbit_1000),
+        ]
+        .into_iter()
+    }
+
+    /// What the description says of a bit rate in kbit/s; `None` too for a rate that CiA 301 does not have.
+    pub fn get(&self, kbit: u16) -> Option<bool> {
+        self.iter().find(|(rate, ..)| *rate == kbit).and_then(|(.., supported)| supported)
+    }
+
+    /// The bit rates in kbit/s that the device supports.
+    pub fn supported(&self) -> impl Iterator<Item = u16> {
+        self.iter().filter(|(.., supported)| *supported == Some(true)).map(|(rate, ..)| rate)
+    }
+}

@@ -1,0 +1,47 @@
+//! Dynamic channels and tools (CiA 302-4, CiA 306-3).
+
+use serde::{Deserialize, Serialize};
+
+use super::{DataType, Extra, Misfits};
+
+/// The segments of the process image that network variables live in (CiA 302-4).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct DynamicChannels {
+    /// The segments, in the order of the file.
+    pub segments: Vec<Segment>,
+    /// Keys that the model does not know.
+    #[serde(skip_serializing_if = "Extra::is_empty")]
+    pub extra: Extra,
+    /// Texts that are no values of their fields.
+    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    pub misfits: Misfits,
+}
+
+/// A range of indexes for network variables of one data type and direction.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Segment {
+    /// `TypeN`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub data_type: Option<DataType>,
+    /// `DirN`: `ro` for data to the network, `rww` or `wo` for data from it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<Box<str>>,
+    /// `RangeN`: first and last index.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<(u16, u16)>,
+    /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub offset: Option<Box<str>>,
+}
+
+/// A program that a configuration tool can start.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Tool {
+    /// `Name`.
+    pub name: String,
+    /// `Command`, with the placeholders `$DCF`, `$EDS` and `$NODEID`.
+    pub command: String,
+}

@@ -1,0 +1,131 @@
+//! Entries: what a sub-index holds.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Access, DataType, Extra, Misfits, ObjectType, PdoMapping, Value};
+
+/// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Entry {
+    /// `ParameterName`; empty when missing.
+    pub name: Box<str>,
+    /// `ObjectType`; missing means VAR.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub object_type: Option<ObjectType>,
+    /// `DataType`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub data_type: Option<DataType>,
+    /// `AccessType`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub access: Option<Access>,
+    /// `PDOMapping`; missing means no.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pdo_mapping: Option<PdoMapping>,
+    /// `DefaultValue`: the value after the defaults were restored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<Value>,
+    /// `LowLimit`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub low_limit: Option<Value>,
+    /// `HighLimit`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub high_limit: Option<Value>,
+    /// `ObjFlags`; missing means none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flags: Option<ObjFlags>,
+    /// What a DCF adds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub configured: Option<Box<Configured>>,
+    /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safety: Option<Box<Safety>>,
+    /// Keys that the model does not know.
+    #[serde(skip_serializing_if = "Extra::is_empty")]
+    pub extra: Extra,
+    /// Texts that are no values of their fields.
+    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    pub misfits: Misfits,
+}
+
+/// How a configuration tool treats an entry (CiA 306-1 §4.6.3.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ObjFlags(pub u32);
+
+impl ObjFlags {
+    /// Bit 0: the tool must not write the entry when it downloads a configuration.
+    pub const fn refuses_write(self) -> bool {
+        self.0 & 1 != 0
+    }
+
+    /// Bit 1: the tool must not read the entry when it scans a device.
+    pub const fn refuses_read(self) -> bool {
+        self.0 & 2 != 0
+    }
+}
+
+/// What a DCF says of an entry (CiA 306-1 §5.3).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Configured {
+    /// `ParameterValue`: the value that the node shall have.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<Value>,
+    /// `Denotation`: the name in the application.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub denotation: Option<Box<str>>,
+    /// `UploadFile`: where data read from a DOMAIN go.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub upload_file: Option<Box<str>>,
+    /// `DownloadFile`: where data written to a DOMAIN come from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub download_file: Option<Box<str>>,
+    /// `ParamRefd`: the reference designator of the parameter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference_designator: Option<Box<str>>,
+}
+
+/// What a safety device says of an entry (CiA 306-1 annex A).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Safety {
+    /// `SRDOMapping`: whether an SRDO may carry the entry.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub srdo_mapping: Option<bool>,
+    /// `InvertedSRAD`: index (upper 16 bits) and sub-index of the entry with the inverted value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inverted_srad: Option<u32>,
+}
+
+impl Entry {
+    /// Whether a PDO may carry the entry.
+    pub fn is_mappable(&self) -> bool {
+        self.pdo_mapping.is_some_and(PdoMapping::is_mappable)
+    }
+
+    /// The flags; none where the description has none.
+    pub fn flags(&self) -> ObjFlags {
+        self.flags.unwrap_or_default()
+    }
+
+    /// What a DCF configures; `None` where it leaves the default.
+    pub fn configured_value(&self) -> Option<&Value> {
+        self.configured.as_ref()?.value.as_ref()
+    }
+
+    /// The value that the node has after it was configured: what the DCF says, else the default.
+    pub fn value(&self) -> Option<&Value> {
+        self.configured_value().or(self.default.as_ref())
+    }
+
+    /// What a DCF adds, for writing.
+    pub fn configured_mut(&mut self) -> &mut Configured {
+        self.configured.get_or_insert_default()
+    }
+
+    /// The safety facts, for writing.
+    pub fn safety_mut(&mut self) -> &mut Safety {
+        self.safety.get_or_insert_default()
+    }
+}

@@ -1,0 +1,150 @@
+//! The names of the model's fields.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+macro_rules! fields {
+    ($($name:ident $text:literal,)*) => {
+        /// A field of a part of the model. The names are the keys of CiA 306-1, for that is what the field calls them,
+        /// whatever format a description has.
+        #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Field {
+            $(#[doc = concat!("`", $text, "`.")] $name,)*
+            /// A numbered key: the `3` of `3=0x1018` in a list.
+            Item(u32),
+            /// Any other key, such as `Dummy0005`, `Line3` or one of a manufacturer.
+            Named(Box<str>),
+        }
+
+        impl Field {
+            /// Every field with a fixed name.
+            pub const NAMED: &'static [(&'static str, Field)] = &[$(($text, Field::$name)),*];
+
+            /// The name, as CiA 306-1 spells it.
+            pub fn name(&self) -> Cow<'_, str> {
+                match self {
+                    $(Self::$name => Cow::Borrowed($text),)*
+                    Self::Item(number) => Cow::Owned(number.to_string()),
+                    Self::Named(name) => Cow::Borrowed(name),
+                }
+            }
+        }
+    };
+}
+
+fields! {
+    FileName "FileName",
+    FileVersion "FileVersion",
+    FileRevision "FileRevision",
+    EdsVersion "EDSVersion",
+    Description "Description",
+    CreationTime "CreationTime",
+    CreationDate "CreationDate",
+    CreatedBy "CreatedBy",
+    ModificationTime "ModificationTime",
+    ModificationDate "ModificationDate",
+    ModifiedBy "ModifiedBy",
+    LastEds "LastEDS",
+    VendorName "VendorName",
+    VendorNumber "VendorNumber",
+    ProductName "ProductName",
+    ProductNumber "ProductNumber",
+    RevisionNumber "RevisionNumber",
+    OrderCode "OrderCode",
+    BaudRate10 "BaudRate_10",
+    BaudRate20 "BaudRate_20",
+    BaudRate50 "BaudRate_50",
+    BaudRate125 "BaudRate_125",
+    BaudRate250 "BaudRate_250",
+    BaudRate500 "BaudRate_500",
+    BaudRate800 "BaudRate_800",
+    BaudRate1000 "BaudRate_1000",
+    BaudRateAuto "BaudRate_auto",
+    SimpleBootUpMaster "SimpleBootUpMaster",
+    SimpleBootUpSlave "SimpleBootUpSlave",
+    Granularity "Granularity",
+    DynamicChannelsSupported "DynamicChannelsSupported",
+    GroupMessaging "GroupMessaging",
+    NrOfRxPdo "NrOfRXPDO",
+    NrOfTxPdo "NrOfTXPDO",
+    LssSupported "LSS_Supported",
+    CompactPdo "CompactPDO",
+    CanOpenSafetySupported "CANopenSafetySupported",
+    Lines "Lines",
+    SupportedObjects "SupportedObjects",
+    NrOfEntries "NrOfEntries",
+    ParameterName "ParameterName",
+    ObjectType "ObjectType",
+    DataType "DataType",
+    LowLimit "LowLimit",
+    HighLimit "HighLimit",
+    AccessType "AccessType",
+    DefaultValue "DefaultValue",
+    PdoMapping "PDOMapping",
+    ObjFlags "ObjFlags",
+    SubNumber "SubNumber",
+    CompactSubObj "CompactSubObj",
+    SrdoMapping "SRDOMapping",
+    InvertedSrad "InvertedSRAD",
+    ParameterValue "ParameterValue",
+    Denotation "Denotation",
+    UploadFile "UploadFile",
+    DownloadFile "DownloadFile",
+    ParamRefd "ParamRefd",
+    ObjectLinks "ObjectLinks",
+    Count "Count",
+    ObjExtend "ObjExtend",
+    ProductVersion "ProductVersion",
+    ProductRevision "ProductRevision",
+    NodeId "NodeID",
+    NodeName "NodeName",
+    NodeRefd "NodeRefd",
+    Baudrate "Baudrate",
+    NetNumber "NetNumber",
+    NetworkName "NetworkName",
+    NetRefd "NetRefd",
+    CanOpenManager "CANopenManager",
+    LssSerialNumber "LSS_SerialNumber",
+    NrOfSeg "NrOfSeg",
+    Items "Items",
+    Name "Name",
+    Command "Command",
+}
+
+impl Field {
+    /// The field of a name, whatever the case of its letters. Digits make an [`Item`](Self::Item), everything that is
+    /// not a fixed name a [`Named`](Self::Named).
+    pub fn from_name(name: &str) -> Self {
+        let fixed = Self::NAMED.iter().find(|(text, _)| text.eq_ignore_ascii_case(name));
+        match fixed {
+            Some((_, field)) => field.clone(),
+            None => Self::item(name).unwrap_or_else(|| Self::Named(name.into())),
+        }
+    }
+
+    /// The item of a decimal number without leading zero.
+    pub fn item(name: &str) -> Option<Self> {
+        let plain = !name.starts_with('0') && name.bytes().all(|byte| byte.is_ascii_digit());
+        if plain { name.parse().ok().map(Self::Item) } else { None }
+    }
+}
+
+impl fmt::Display for Field {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name())
+    }
+}
+
+impl Serialize for Field {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for Field {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer).map(|name| Self::from_name(&name))
+    }
+}

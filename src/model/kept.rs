@@ -1,0 +1,139 @@
+//! What a description says and the model has no field for, so that nothing is lost.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::Field;
+
+/// Keys and values that the model does not know, in the order of the file.
+///
+/// One text holds them all (a line each), so that a file full of unknown keys takes no more memory than its text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Extra(Option<Box<String>>);
+
+impl Extra {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// Adds a key with its value. No line of an INI file gives a key with `=` or a line feed, or a value with a line
+    /// feed; from elsewhere they become blanks.
+    pub fn push(&mut self, key: &str, value: &str) {
+        let text = self.0.get_or_insert_default();
+        text.reserve_exact(key.len() + value.len() + 2);
+        text.extend(key.chars().map(|c| if matches!(c, '\n' | '=') { ' ' } else { c }));
+        text.push('=');
+        text.extend(value.chars().map(|c| if c == '\n' { ' ' } else { c }));
+        text.push('\n');
+    }
+
+    /// All keys with their values.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        let text = self.0.as_ref().map_or("", |text| text.as_str());
+        text.split_terminator('\n').filter_map(|line| line.split_once('='))
+    }
+
+    /// The value of a key, whatever the case of its letters.
+    pub fn get(&self, key: &str) -> Option<&str> {
+        self.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, value)| value)
+    }
+}
+
+impl Serialize for Extra {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for Extra {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut extra = Self::default();
+        for (key, value) in Vec::<(String, String)>::deserialize(deserializer)? {
+            extra.push(&key, &value);
+        }
+        Ok(extra)
+    }
+}
+
+/// A section that the model does not know.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ExtraSection {
+    /// The name, without brackets.
+    pub name: Box<str>,
+    /// What stands in it.
+    #[serde(default, skip_serializing_if = "Extra::is_empty")]
+    pub entries: Extra,
+}
+
+/// Why a text is no value of its field.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// Not a number in any spelling.
+    NotANumber,
+    /// A number with a leading zero, so octal, with a digit 8 or 9.
+    NotOctal,
+    /// A number outside the range of its type or field.
+    OutOfRange {
+        /// The smallest number that fits.
+        low: i64,
+        /// The largest number that fits.
+        high: u64,
+    },
+    /// Not a REAL number, or one that is too large for the type.
+    NotReal,
+    /// Not pairs of hex digits.
+    NotHexBytes,
+    /// Not a TIME_OF_DAY or TIME_DIFFERENCE.
+    NotATime,
+    /// `$NODEID` with something else than `+` and a number.
+    NotAFormula,
+    /// A formula where the type is no integer.
+    FormulaForType,
+    /// None of the words that the field knows.
+    UnknownWord,
+    /// Not a date `mm-dd-yyyy`.
+    NotADate,
+    /// Not a time `hh:mmAM`.
+    NotAClockTime,
+    /// Not of the form that the field asks for.
+    Malformed,
+}
+
+/// A text that stands in a known field and is no value of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Misfit {
+    /// The field.
+    pub field: Field,
+    /// The text as it was written.
+    pub text: Box<str>,
+    /// What is wrong with it.
+    pub reason: Reason,
+}
+
+/// The misfits of one part of the model. The typed fields hold no value for them.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Misfits(Option<Box<Vec<Misfit>>>);
+
+impl Misfits {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// Adds one.
+    pub fn push(&mut self, field: Field, text: &str, reason: Reason) {
+        self.0.get_or_insert_default().push(Misfit { field, text: text.into(), reason });
+    }
+
+    /// All of them, in the order of the file.
+    pub fn iter(&self) -> std::slice::Iter<'_, Misfit> {
+        self.0.as_ref().map_or(&[][..], |misfits| misfits.as_slice()).iter()
+    }
+
+    /// The misfit of a field.
+    pub fn get(&self, field: &Field) -> Option<&Misfit> {
+        self.iter().find(|misfit| misfit.field == *field)
+    }
+}

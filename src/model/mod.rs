@@ -1,0 +1,40 @@
+//! The one typed dictionary. It knows no files, no spans and no text formats; every stage after reading takes a
+//! [`Device`].
+//!
+//! Names mirror the field's: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an entry
+//! has a *data type*, an *access* type and *values*. Where a description says something that is no value of its field,
+//! the typed field stays empty and the text is among the [`Misfits`]; what the model does not know is in [`Extra`].
+
+mod access;
+mod commissioning;
+mod data_type;
+mod device;
+mod device_info;
+mod dynamic;
+mod entry;
+mod field;
+mod file_info;
+mod kept;
+mod module;
+mod object;
+mod object_type;
+mod place;
+mod serial;
+mod value;
+
+pub use access::{Access, PdoMapping};
+pub use commissioning::Commissioning;
+pub use data_type::{DataType, TypeKind};
+pub use device::{Device, DeviceKind, DummyUsage, ObjectLists};
+pub use device_info::{BaudRates, DeviceInfo};
+pub use dynamic::{DynamicChannels, Segment, Tool};
+pub use entry::{Configured, Entry, ObjFlags, Safety};
+pub use field::Field;
+pub use file_info::{ClockTime, Date, FileInfo};
+pub use kept::{Extra, ExtraSection, Misfit, Misfits, Reason};
+pub use module::{Extension, ExtensionCount, Module, Modules};
+pub use object::{Compact, Object, Subs};
+pub use object_type::ObjectType;
+pub use place::{ModulePart, ObjectList, Part, Place};
+pub(crate) use serial::{hex_text, index_keys, real_text};
+pub use value::{Time, Value};

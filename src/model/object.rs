@@ -1,0 +1,293 @@
+//! Objects: what an index holds.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
+
+/// An object of the dictionary.
+///
+/// The value of a VAR or DOMAIN is described by [`main`](Self::main); an ARRAY, RECORD or DEFSTRUCT describes its
+/// entries in [`subs`](Self::subs), or, stored compactly, in [`compact`](Self::compact). [`Object::entries`] shows all
+/// of them alike.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Object {
+    /// What stands in the object's own section; of an ARRAY or RECORD mostly just name and object type.
+    #[serde(flatten)]
+    pub main: Entry,
+    /// `SubNumber`: the number of described sub-indexes, FFh not counted, as the description states it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sub_number: Option<u8>,
+    /// `CompactSubObj` and what goes with it; `None` where it is missing or 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compact: Option<Box<Compact>>,
+    /// The described entries.
+    #[serde(skip_serializing_if = "Subs::is_empty")]
+    pub subs: Subs,
+    /// `ObjectLinks`: indexes that belong to this object, for the eyes of a tool (CiA 306-1 §4.6.4).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub links: Vec<u16>,
+}
+
+/// Described entries in ascending order of their sub-indexes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Subs(Vec<(u8, Entry)>);
+
+impl Subs {
+    /// Whether no entry is described.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Number of described entries.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The entry of a sub-index.
+    pub fn get(&self, sub: u8) -> Option<&Entry> {
+        self.position(sub).ok().map(|at| &self.0[at].1)
+    }
+
+    /// The entry of a sub-index, for writing.
+    pub fn get_mut(&mut self, sub: u8) -> Option<&mut Entry> {
+        self.position(sub).ok().map(|at| &mut self.0[at].1)
+    }
+
+    /// Puts an entry; returns the one that was there.
+    pub fn insert(&mut self, sub: u8, entry: Entry) -> Option<Entry> {
+        match self.position(sub) {
+            Ok(at) => Some(std::mem::replace(&mut self.0[at].1, entry)),
+            Err(at) => {
+                self.0.insert(at, (sub, entry));
+                None
+            }
+        }
+    }
+
+    /// Takes an entry away.
+    pub fn remove(&mut self, sub: u8) -> Option<Entry> {
+        self.position(sub).ok().map(|at| self.0.remove(at).1)
+    }
+
+    /// Sub-indexes and entries in ascending order.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (u8, &Entry)> + Clone {
+        self.0.iter().map(|(sub, entry)| (*sub, entry))
+    }
+
+    /// Sub-indexes and entries in ascending order, for writing.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (u8, &mut Entry)> {
+        self.0.iter_mut().map(|(sub, entry)| (*sub, entry))
+    }
+
+    fn position(&self, sub: u8) -> Result<usize, usize> {
+        match self.0.last() {
+            // descriptions list sub-indexes in order, so most inserts go to the end
+            Some((last, _)) if *last < sub => Err(self.0.len()),
+            _ => self.0.binary_search_by_key(&sub, |(sub, _)| *sub),
+        }
+    }
+}
+
+impl FromIterator<(u8, Entry)> for Subs {
+    fn from_iter<T: IntoIterator<Item = (u8, Entry)>>(entries: T) -> Self {
+        let mut subs = Self::default();
+        for (sub, entry) in entries {
+            subs.insert(sub, entry);
+        }
+        subs
+    }
+}
+
+/// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` are alike but for
+/// names and values.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Compact {
+    /// `CompactSubObj`: the highest sub-index, 1 to 254.
+    pub count: u8,
+    /// Names of single entries; the others are called like the object with their number behind it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub names: Vec<(u8, Box<str>)>,
+    /// Configured values of single entries (DCF).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub values: Vec<(u8, Value)>,
+    /// Denotations of single entries (DCF).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub denotations: Vec<(u8, Box<str>)>,
+    /// Texts that are no values of their fields.
+    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    pub misfits: Misfits,
+    /// Keys that the model does not know.
+    #[serde(skip_serializing_if = "Extra::is_empty")]
+    pub extra: Extra,
+}
+
+fn of_sub<T>(list: &[(u8, T)], sub: u8) -> Option<&T> {
+    list.iter().find(|(number, _)| *number == sub).map(|(_, item)| item)
+}
+
+impl Object {
+    /// The object type; VAR where the description has none.
+    pub fn object_type(&self) -> ObjectType {
+        self.main.object_type.unwrap_or(ObjectType::Var)
+    }
+
+    /// `ParameterName`; empty when missing.
+    pub fn name(&self) -> &str {
+        &self.main.name
+    }
+
+    /// The entry of a sub-index, whether it is described, stored compactly, or the value of a VAR (sub-index 0).
+    pub fn entry(&self, sub: u8) -> Option<Cow<'_, Entry>> {
+        if let Some(entry) = self.subs.get(sub) {
+            return Some(Cow::Borrowed(entry));
+        }
+        if let Some(compact) = &self.compact {
+            return self.compact_entry(compact, sub).map(Cow::Owned);
+        }
+        (sub == 0 && !self.object_type().has_subs()).then_some(Cow::Borrowed(&self.main))
+    }
+
+    /// All entries that the device has, in ascending order of their sub-indexes.
+    pub fn entries(&self) -> impl Iterator<Item = (u8, Cow<'_, Entry>)> {
+        let compact = self.compact.as_ref().map(|compact| compact.count);
+        let implied = compact.map(|count| 0..=count).into_iter().flatten();
+        let single = compact.is_none() && !self.object_type().has_subs() && self.subs.get(0).is_none();
+        let single = single.then_some((0, Cow::Borrowed(&self.main))).into_iter();
+        let implied = implied
+            .filter(|&sub| self.subs.get(sub).is_none())
+            .filter_map(|sub| self.entry(sub).map(|entry| (sub, entry)));
+        let described = self.subs.iter().map(|(sub, entry)| (sub, Cow::Borrowed(entry)));
+        merge_by_sub(single.chain(implied), described)
+    }
+
+    /// What the description states: the object's own section, then each described sub-index. A rule about the text of
+    /// single fields looks at these; compact entries have no text of their own.
+    pub fn described(&self) -> impl Iterator<Item = (Option<u8>, &Entry)> {
+        std::iter::once((None, &self.main)).chain(self.subs.iter().map(|(sub, entry)| (Some(sub), entry)))
+    }
+
+    /// The highest sub-index there is, FFh not counted.
+    pub fn highest_sub(&self) -> Option<u8> {
+        let described = self.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub != 0xFF).max();
+        let compact = self.compact.as_ref().map(|compact| compact.count);
+        described.max(compact).or_else(|| (!self.object_type().has_subs()).then_some(0))
+    }
+
+    fn compact_entry(&self, compact: &Compact, sub: u8) -> Option<Entry> {
+        if sub == 0 {
+            return Some(compact_count(compact.count));
+        }
+        if sub > compact.count {
+            return None;
+        }
+        let name = match of_sub(&compact.names, sub) {
+            Some(name) => name.clone(),
+            None => format!("{}{sub}", self.main.name).into(),
+        };
+        let mut entry = Entry {
+            name,
+            object_type: Some(ObjectType::Var),
+            data_type: self.main.data_type,
+            access: self.main.access,
+            pdo_mapping: self.main.pdo_mapping,
+            default: self.main.default.clone(),
+            low_limit: self.main.low_limit.clone(),
+            high_limit: self.main.high_limit.clone(),
+            flags: self.main.flags,
+            ..Entry::default()
+        };
+        if let Some(value) = of_sub(&compact.values, sub) {
+            entry.configured_mut().value = Some(value.clone());
+        }
+        if let Some(denotation) = of_sub(&compact.denotations, sub) {
+            entry.configured_mut().denotation = Some(denotation.clone());
+        }
+        Some(entry)
+    }
+}
+
+/// Sub-index 0 of a compactly stored object.
+fn compact_count(count: u8) -> Entry {
+    Entry {
+        name: "NrOfObjects".into(),
+        object_type: Some(ObjectType::Var),
+        data_type: Some(DataType::UNSIGNED8),
+        access: Some(Access::Ro),
+        pdo_mapping: Some(PdoMapping::No),
+        default: Some(Value::Unsigned(u64::from(count))),
+        ..Entry::default()
+    }
+}
+
+/// Two ascending sequences as one.
+fn merge_by_sub<'a>(
+    left: impl Iterator<Item = (u8, Cow<'a, Entry>)>,
+    right: impl Iterator<Item = (u8, Cow<'a, Entry>)>,
+) -> impl Iterator<Item = (u8, Cow<'a, Entry>)> {
+    let (mut left, mut right) = (left.peekable(), right.peekable());
+    std::iter::from_fn(move || match (left.peek(), right.peek()) {
+        (Some((a, _)), Some((b, _))) if a < b => left.next(),
+        (_, Some(_)) => right.next(),
+        (_, None) => left.next(),
+    })
+}
+
+/// Keys such as `0x0A`: a text, for JSON has no other keys.
+impl Serialize for Subs {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter().map(|(sub, entry)| (format!("0x{sub:02X}"), entry)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Subs {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let sub = |text: &str| u8::from_str_radix(text.strip_prefix("0x")?, 16).ok();
+        let entries = BTreeMap::<String, Entry>::deserialize(deserializer)?;
+        let entries = entries.into_iter().map(|(key, entry)| match sub(&key) {
+            Some(sub) => Ok((sub, entry)),
+            None => Err(serde::de::Error::custom(format!("`{key}` is no sub-index such as `0x0A`"))),
+        });
+        entries.collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn compact() -> Object {
+        let main =
+            Entry { name: "Channel".into(), data_type: Some(DataType::UNSIGNED16), ..Entry::default() };
+        let compact = Compact { count: 3, names: vec![(2, "Middle".into())], ..Compact::default() };
+        let main = Entry { object_type: Some(ObjectType::Array), ..main };
+        Object { main, compact: Some(Box::new(compact)), ..Object::default() }
+    }
+
+    #[test]
+    fn compact_entries_are_named_by_number_unless_they_have_a_name() {
+        let names: Vec<String> = compact().entries().map(|(_, entry)| entry.name.to_string()).collect();
+        assert_eq!(names, ["NrOfObjects", "Channel1", "Middle", "Channel3"]);
+    }
+
+    #[test]
+    fn a_described_entry_comes_before_the_compact_one() {
+        let mut object = compact();
+        object.subs.insert(3, Entry { name: "Own".into(), ..Entry::default() });
+        object.subs.insert(9, Entry { name: "Above".into(), ..Entry::default() });
+        let names: Vec<(u8, String)> =
+            object.entries().map(|(sub, entry)| (sub, entry.name.to_string())).collect();
+        assert_eq!(names[3..], [(3, "Own".to_owned()), (9, "Above".to_owned())]);
+    }
+
+    #[test]
+    fn a_var_is_its_own_sub_index_0() {
+        let object = Object::default();
+        assert_eq!(object.entries().count(), 1);
+        assert!(object.entry(0).is_some() && object.entry(1).is_none());
+    }
+}

@@ -1,0 +1,209 @@
+//! Text encodings of description files: detected, remembered, restored.
+//!
+//! CiA 306-1 §4.2 demands ISO 646 (seven bits). Real files also come in UTF-8, with and without byte order mark, in
+//! Windows-1252, in UTF-16 and in the code page 850 of DOS; the last one cannot be told from Windows-1252 by its bytes.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// How the bytes of a file stand for characters.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Encoding {
+    /// UTF-8 without byte order mark; every ISO 646 file is one.
+    #[default]
+    Utf8,
+    /// UTF-8 behind the byte order mark EF BB BF.
+    Utf8Bom,
+    /// Windows-1252, the usual superset of Latin-1. All 256 bytes are characters.
+    Windows1252,
+    /// Code page 850 (DOS, Western Europe); only on request.
+    Cp850,
+    /// UTF-16, low byte first, behind the byte order mark FF FE.
+    Utf16Le,
+    /// UTF-16, high byte first, behind the byte order mark FE FF.
+    Utf16Be,
+}
+
+const UTF8_BOM: &[u8] = b"\xEF\xBB\xBF";
+const UTF16LE_BOM: &[u8] = b"\xFF\xFE";
+const UTF16BE_BOM: &[u8] = b"\xFE\xFF";
+
+impl Encoding {
+    /// Names that [`Encoding::from_str`] knows, one an encoding.
+    pub const NAMES: [&'static str; 6] =
+        ["utf-8", "utf-8-bom", "windows-1252", "cp850", "utf-16le", "utf-16be"];
+
+    /// The encoding that `bytes` seem to be in: by the byte order mark, else UTF-8 where they are valid, else Windows-1252.
+    pub fn detect(bytes: &[u8]) -> Self {
+        if bytes.starts_with(UTF16LE_BOM) {
+            Self::Utf16Le
+        } else if bytes.starts_with(UTF16BE_BOM) {
+            Self::Utf16Be
+        } else if std::str::from_utf8(bytes).is_err() {
+            Self::Windows1252
+        } else if bytes.starts_with(UTF8_BOM) {
+            Self::Utf8Bom
+        } else {
+            Self::Utf8
+        }
+    }
+
+    /// The text of `bytes`, without a byte order mark. What is no character becomes U+FFFD.
+    pub fn decode(self, bytes: Vec<u8>) -> String {
+        match self {
+            Self::Utf8 => String::from_utf8(bytes)
+                .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()),
+            Self::Utf8Bom => {
+                let body = bytes.strip_prefix(UTF8_BOM).unwrap_or(&bytes);
+                String::from_utf8_lossy(body).into_owned()
+            }
+            Self::Windows1252 => encoding_rs::WINDOWS_1252.decode_without_bom_handling(&bytes).0.into_owned(),
+            Self::Cp850 => bytes.iter().map(|&byte| cp850_char(byte)).collect(),
+            Self::Utf16Le => encoding_rs::UTF_16LE.decode_with_bom_removal(&bytes).0.into_owned(),
+            Self::Utf16Be => encoding_rs::UTF_16BE.decode_with_bom_removal(&bytes).0.into_owned(),
+        }
+    }
+
+    /// The bytes of `text` in this encoding, with the byte order mark where it has one.
+    ///
+    /// # Errors
+    /// The first character that the encoding does not have.
+    pub fn encode(self, text: &str) -> Result<Vec<u8>, Unencodable> {
+        match self {
+            Self::Utf8 => Ok(text.as_bytes().to_vec()),
+            Self::Utf8Bom => Ok([UTF8_BOM, text.as_bytes()].concat()),
+            Self::Windows1252 => self.encode_bytes(text, |c| {
+                let mut buffer = [0; 4];
+                let (bytes, _, unmappable) = encoding_rs::WINDOWS_1252.encode(c.encode_utf8(&mut buffer));
+                if unmappable { None } else { bytes.first().copied() }
+            }),
+            Self::Cp850 => self.encode_bytes(text, cp850_byte),
+            Self::Utf16Le => Ok(encode_utf16(text, UTF16LE_BOM, u16::to_le_bytes)),
+            Self::Utf16Be => Ok(encode_utf16(text, UTF16BE_BOM, u16::to_be_bytes)),
+        }
+    }
+
+    fn encode_bytes(self, text: &str, byte_of: impl Fn(char) -> Option<u8>) -> Result<Vec<u8>, Unencodable> {
+        text.chars()
+            .map(|character| {
+                if character.is_ascii() {
+                    return Ok(character as u8);
+                }
+                byte_of(character).ok_or(Unencodable { character, encoding: self })
+            })
+            .collect()
+    }
+}
+
+impl fmt::Display for Encoding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Utf8 => "utf-8",
+            Self::Utf8Bom => "utf-8-bom",
+            Self::Windows1252 => "windows-1252",
+            Self::Cp850 => "cp850",
+            Self::Utf16Le => "utf-16le",
+            Self::Utf16Be => "utf-16be",
+        })
+    }
+}
+
+impl FromStr for Encoding {
+    type Err = UnknownEncoding;
+
+    fn from_str(name: &str) -> Result<Self, UnknownEncoding> {
+        match name.to_ascii_lowercase().as_str() {
+            "utf-8" | "utf8" | "ascii" => Ok(Self::Utf8),
+            "utf-8-bom" => Ok(Self::Utf8Bom),
+            "windows-1252" | "cp1252" | "latin1" | "latin-1" | "iso-8859-1" => Ok(Self::Windows1252),
+            "cp850" | "ibm850" => Ok(Self::Cp850),
+            "utf-16le" => Ok(Self::Utf16Le),
+            "utf-16be" => Ok(Self::Utf16Be),
+            _ => Err(UnknownEncoding { name: name.to_owned() }),
+        }
+    }
+}
+
+/// A name that is no [`Encoding`].
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown encoding `{name}`, expected one of {}", Encoding::NAMES.join(", "))]
+pub struct UnknownEncoding {
+    name: String,
+}
+
+/// A character that an [`Encoding`] does not have.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the encoding {encoding} has no character `{character}`")]
+pub struct Unencodable {
+    /// The character.
+    pub character: char,
+    /// The encoding asked for.
+    pub encoding: Encoding,
+}
+
+fn encode_utf16(text: &str, bom: &[u8], to_bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
+    let mut bytes = bom.to_vec();
+    bytes.extend(text.encode_utf16().flat_map(to_bytes));
+    bytes
+}
+
+/// The upper half of code page 850; its lower half is ISO 646.
+const CP850: [char; 128] = [
+    'Ç', 'ü', 'é', 'â', 'ä', 'à', 'å', 'ç', 'ê', 'ë', 'è', 'ï', 'î', 'ì', 'Ä', 'Å', 'É', 'æ', 'Æ', 'ô', 'ö',
+    'ò', 'û', 'ù', 'ÿ', 'Ö', 'Ü', 'ø', '£', 'Ø', '×', 'ƒ', 'á', 'í', 'ó', 'ú', 'ñ', 'Ñ', 'ª', 'º', '¿', '®',
+    '¬', '½', '¼', '¡', '«', '»', '░', '▒', '▓', '│', '┤', 'Á', 'Â', 'À', '©', '╣', '║', '╗', '╝', '¢', '¥',
+    '┐', '└', '┴', '┬', '├', '─', '┼', 'ã', 'Ã', '╚', '╔', '╩', '╦', '╠', '═', '╬', '¤', 'ð', 'Ð', 'Ê', 'Ë',
+    'È', 'ı', 'Í', 'Î', 'Ï', '┘', '┌', '█', '▄', '¦', 'Ì', '▀', 'Ó', 'ß', 'Ô', 'Ò', 'õ', 'Õ', 'µ', 'þ', 'Þ',
+    'Ú', 'Û', 'Ù', 'ý', 'Ý', '¯', '´', '\u{AD}', '±', '‗', '¾', '¶', '§', '÷', '¸', '°', '¨', '·', '¹', '³',
+    '²', '■', '\u{A0}',
+];
+
+fn cp850_char(byte: u8) -> char {
+    match byte {
+        0..=0x7F => char::from(byte),
+        _ => CP850[usize::from(byte - 0x80)],
+    }
+}
+
+fn cp850_byte(character: char) -> Option<u8> {
+    let position = CP850.iter().position(|&c| c == character)?;
+    u8::try_from(position + 0x80).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn single_byte_encodings_restore_every_byte() {
+        let bytes: Vec<u8> = (0..=255).collect();
+        for encoding in [Encoding::Windows1252, Encoding::Cp850] {
+            assert_eq!(encoding.encode(&encoding.decode(bytes.clone())), Ok(bytes.clone()), "{encoding}");
+        }
+    }
+
+    #[test]
+    fn byte_order_marks_decide() {
+        assert_eq!(Encoding::detect(b"\xEF\xBB\xBF[A]"), Encoding::Utf8Bom);
+        assert_eq!(Encoding::detect(b"\xFF\xFE[\0"), Encoding::Utf16Le);
+        assert_eq!(Encoding::detect(b"\xFE\xFF\0["), Encoding::Utf16Be);
+        assert_eq!(Encoding::detect("°".as_bytes()), Encoding::Utf8);
+        assert_eq!(Encoding::detect(b"\xB0"), Encoding::Windows1252);
+    }
+
+    #[test]
+    fn names_read_back() {
+        for name in Encoding::NAMES {
+            assert_eq!(name.parse::<Encoding>().map(|e| e.to_string()), Ok(name.to_owned()));
+        }
+        assert!("ebcdic".parse::<Encoding>().is_err());
+    }
+
+    #[test]
+    fn what_an_encoding_lacks_is_an_error() {
+        assert_eq!(
+            Encoding::Cp850.encode("a€"),
+            Err(Unencodable { character: '€', encoding: Encoding::Cp850 })
+        );
+    }
+}
