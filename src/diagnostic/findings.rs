@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::{Diagnostic, Severity};
+use super::{Diagnostic, RuleInfo, Severity};
 
 /// So many findings of one rule are kept of one file; the rest is counted. A hostile file cannot fill the memory.
 pub const MAX_PER_RULE: u32 = 1000;
 
 /// The findings of one file.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Findings {
     kept: Vec<Diagnostic>,
     seen: BTreeMap<&'static str, u32>,
@@ -29,6 +29,11 @@ impl Findings {
         }
     }
 
+    /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
+    pub fn is_full(&self, rule: &RuleInfo) -> bool {
+        self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
+    }
+
     /// Takes all findings of `other`.
     pub fn append(&mut self, other: Findings) {
         for (rule, count) in other.seen {
@@ -44,6 +49,11 @@ impl Findings {
     /// The findings that were kept.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.kept.iter()
+    }
+
+    /// Puts the findings into the order of their keys; equal ones stay as they are.
+    pub fn sort_by_key<K: Ord>(&mut self, key: impl FnMut(&Diagnostic) -> K) {
+        self.kept.sort_by_cached_key(key);
     }
 
     /// The findings that were kept, as a list.

@@ -18,6 +18,7 @@ mod kept;
 mod module;
 mod object;
 mod object_type;
+mod parts;
 mod place;
 mod serial;
 mod value;

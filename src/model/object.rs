@@ -15,6 +15,9 @@ use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Val
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Object {
+    /// Whether only sub-indexes are described and the object itself is not: a defect of the description.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub orphan: bool,
     /// What stands in the object's own section; of an ARRAY or RECORD mostly just name and object type.
     #[serde(flatten)]
     pub main: Entry,
@@ -149,14 +152,15 @@ impl Object {
         if let Some(compact) = &self.compact {
             return self.compact_entry(compact, sub).map(Cow::Owned);
         }
-        (sub == 0 && !self.object_type().has_subs()).then_some(Cow::Borrowed(&self.main))
+        (sub == 0 && !self.orphan && !self.object_type().has_subs()).then_some(Cow::Borrowed(&self.main))
     }
 
     /// All entries that the device has, in ascending order of their sub-indexes.
     pub fn entries(&self) -> impl Iterator<Item = (u8, Cow<'_, Entry>)> {
         let compact = self.compact.as_ref().map(|compact| compact.count);
         let implied = compact.map(|count| 0..=count).into_iter().flatten();
-        let single = compact.is_none() && !self.object_type().has_subs() && self.subs.get(0).is_none();
+        let single =
+            compact.is_none() && !self.orphan && !self.object_type().has_subs() && self.subs.get(0).is_none();
         let single = single.then_some((0, Cow::Borrowed(&self.main))).into_iter();
         let implied = implied
             .filter(|&sub| self.subs.get(sub).is_none())
@@ -165,10 +169,13 @@ impl Object {
         merge_by_sub(single.chain(implied), described)
     }
 
-    /// What the description states: the object's own section, then each described sub-index. A rule about the text of
-    /// single fields looks at these; compact entries have no text of their own.
+    /// What the description states: the object's own section, where it has one, then each described sub-index. A rule
+    /// about the text of single fields looks at these; compact entries have no text of their own.
     pub fn described(&self) -> impl Iterator<Item = (Option<u8>, &Entry)> {
-        std::iter::once((None, &self.main)).chain(self.subs.iter().map(|(sub, entry)| (Some(sub), entry)))
+        (!self.orphan)
+            .then_some((None, &self.main))
+            .into_iter()
+            .chain(self.subs.iter().map(|(sub, entry)| (Some(sub), entry)))
     }
 
     /// The highest sub-index there is, FFh not counted.

@@ -1,0 +1,17 @@
+//! Everything that is wrong with a description: one call for what the text shows and what the model shows.
+
+use crate::diagnostic::Findings;
+use crate::format::Description;
+use crate::lint;
+
+/// All findings about a description, in the order of its text.
+pub fn check(description: &Description) -> Findings {
+    let mut findings = description.findings().clone();
+    findings.append(description.line_findings());
+    findings.append(lint::check(description.device()));
+    findings.sort_by_key(|finding| {
+        let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+        (start, finding.rule.id)
+    });
+    findings
+}

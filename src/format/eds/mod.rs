@@ -1,0 +1,11 @@
+//! EDS and DCF (CiA 306-1).
+
+pub(crate) mod findings;
+mod keys;
+mod locate;
+mod read;
+mod section;
+
+pub(crate) use locate::Locator;
+pub(crate) use read::read;
+pub(crate) use section::section_name;

@@ -1,0 +1,90 @@
+//! An INI file as its text, cut into sections where they are asked for.
+
+use super::{Line, LineKind, Lines};
+use crate::source::{SourceFile, Span};
+
+/// An INI file, healthy or not: its text is the truth, and lines and sections are views of it.
+#[derive(Debug)]
+pub struct Document {
+    source: SourceFile,
+}
+
+/// A section with its entries, as spans of the text. The entries before the first header are one without header.
+#[derive(Clone, Debug, Default)]
+pub struct Section {
+    /// The header line; `None` before the first header.
+    pub header: Option<Header>,
+    /// The entries in their order.
+    pub entries: Vec<Entry>,
+}
+
+/// The header of a section.
+#[derive(Clone, Copy, Debug)]
+pub struct Header {
+    /// The name without brackets and blanks around it.
+    pub name: Span,
+    /// The whole line.
+    pub line: Span,
+}
+
+/// A key with its value.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The key, not empty.
+    pub key: Span,
+    /// The value without blanks around it.
+    pub value: Span,
+}
+
+impl Document {
+    /// A document of a source.
+    pub fn new(source: SourceFile) -> Self {
+        Self { source }
+    }
+
+    /// The source.
+    pub fn source(&self) -> &SourceFile {
+        &self.source
+    }
+
+    /// The decoded text.
+    pub fn text(&self) -> &str {
+        self.source.text()
+    }
+
+    /// The lines, in order.
+    pub fn lines(&self) -> Lines<'_> {
+        Lines::new(self.text())
+    }
+
+    /// The bytes of the file, put together from its lines: always the bytes that were read.
+    pub fn print(&self) -> Vec<u8> {
+        if self.source.is_read_only() {
+            return self.source.to_bytes();
+        }
+        let mut text = String::with_capacity(self.text().len());
+        for line in self.lines() {
+            text.push_str(Span::new(line.span.start, line.next).of(self.text()));
+        }
+        self.source.encode(&text).unwrap_or_else(|_| self.source.to_bytes())
+    }
+
+    /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry. One section
+    /// at a time is in memory, and its list is used again for the next.
+    pub fn visit(&self, mut visit: impl FnMut(&Section), mut other: impl FnMut(&Line)) {
+        let mut section = Section::default();
+        for line in self.lines() {
+            match line.kind {
+                LineKind::Section { name } => {
+                    visit(&section);
+                    section.header = Some(Header { name, line: line.span });
+                    section.entries.clear();
+                }
+                LineKind::Entry { key, value } => section.entries.push(Entry { key, value }),
+                LineKind::Blank => {}
+                LineKind::Comment | LineKind::Junk => other(&line),
+            }
+        }
+        visit(&section);
+    }
+}

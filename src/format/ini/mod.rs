@@ -1,0 +1,8 @@
+//! The INI layer under EDS, DCF and node lists: lossless on bytes, with a span for everything, and never an error.
+
+mod document;
+pub(crate) mod findings;
+mod scan;
+
+pub use document::{Document, Entry, Header, Section};
+pub use scan::{Line, LineKind, Lines};

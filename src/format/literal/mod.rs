@@ -1,0 +1,5 @@
+//! How values are spelled in description files: CiA 306-1 §4.3, and what real files make of it.
+
+mod parse;
+
+pub use parse::{Quirk, Quirks, integer, strip_comment, value};

@@ -1,0 +1,421 @@
+//! Texts to values.
+
+use crate::model::{DataType, Reason, Time, TypeKind, Value, hex_text};
+
+/// A spelling that is understood but is not the standard's, or that other tools read differently.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u16)]
+pub enum Quirk {
+    /// A leading zero: octal by the standard, decimal to some tools.
+    Octal = 1 << 0,
+    /// A leading zero that does not change the number: `07`.
+    LeadingZero = 1 << 1,
+    /// `0x180+$NODEID` instead of `$NODEID+0x180`.
+    NodeIdLast = 1 << 2,
+    /// `$NODEID` with blanks around the `+` or in another case.
+    FormulaSpelling = 1 << 3,
+    /// A comment behind a number or keyword.
+    TrailingComment = 1 << 4,
+    /// A suffix of the C language: `0x10LL`, `1.0f`.
+    CSuffix = 1 << 5,
+    /// A REAL as the hex digits of its bits.
+    RealAsBits = 1 << 6,
+    /// A negative number as hex digits of two's complement.
+    TwosComplement = 1 << 7,
+    /// A text in quotes.
+    Quoted = 1 << 8,
+    /// `true` or `false` for 1 or 0.
+    BooleanWord = 1 << 9,
+    /// Bytes with `0x` before or blanks between them.
+    DecoratedBytes = 1 << 10,
+}
+
+/// A set of [`Quirk`]s.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Quirks(u16);
+
+impl Quirks {
+    /// Whether there are none.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether a quirk is in the set.
+    pub const fn has(self, quirk: Quirk) -> bool {
+        self.0 & quirk as u16 != 0
+    }
+
+    fn add(&mut self, quirk: Quirk) {
+        self.0 |= quirk as u16;
+    }
+}
+
+/// The value of `text`, which is not empty, as `data_type`. What is no static type gives [`Value::Raw`].
+///
+/// # Errors
+/// Why the text is no value of the type.
+pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
+    let Some(data_type) = data_type else { return Ok(Value::Raw(text.into())) };
+    match data_type.kind() {
+        TypeKind::Signed(_) | TypeKind::Unsigned(_) => integer_value(text, data_type, quirks),
+        TypeKind::Boolean => boolean(text, quirks),
+        TypeKind::Real32 => real32(text, quirks),
+        TypeKind::Real64 => real64(text, quirks),
+        TypeKind::VisibleString | TypeKind::UnicodeString => Ok(Value::Text(unquote(text, quirks).into())),
+        TypeKind::OctetString | TypeKind::Domain => bytes(text, quirks),
+        TypeKind::TimeOfDay | TypeKind::TimeDifference => time(text, quirks),
+        TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved => Ok(Value::Raw(text.into())),
+    }
+}
+
+/// A whole number in decimal, hex or octal, signed or not, within `low..=high`.
+///
+/// # Errors
+/// Why the text is no such number.
+pub fn integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
+    let number = number(text, quirks)?;
+    if number.value < i128::from(low) || number.value > i128::from(high) {
+        return Err(Reason::OutOfRange { low, high });
+    }
+    Ok(number.value)
+}
+
+/// The part of a number or keyword before a trailing comment, without blanks at its end.
+pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
+    let slashes = text.find("//");
+    let cut = memchr::memchr2(b';', b'#', text.as_bytes()).into_iter().chain(slashes).min();
+    match cut {
+        Some(at) if at > 0 => {
+            quirks.add(Quirk::TrailingComment);
+            text[..at].trim_ascii_end()
+        }
+        _ => text,
+    }
+}
+
+/// A number as written: hex digits may mean two's complement.
+#[derive(Clone, Copy)]
+struct Number {
+    value: i128,
+    hex: bool,
+}
+
+/// Reads the common spellings first; only what they do not cover pays for the others.
+fn number(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
+    match plain_number(text) {
+        Ok(number) => Ok(number),
+        Err(_) => number_with_quirks(strip_comment(text, quirks), quirks),
+    }
+}
+
+/// Decimal without leading zero, or hex; with or without a sign.
+fn plain_number(text: &str) -> Result<Number, Reason> {
+    let (negative, digits) = match text.as_bytes() {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        all => (false, all),
+    };
+    let (radix, digits) = match digits {
+        [b'0', b'x' | b'X', hex @ ..] => (16, hex),
+        [b'0', _, ..] => return Err(Reason::NotANumber),
+        _ => (10, digits),
+    };
+    let value = i128::from(magnitude(digits, radix)?);
+    Ok(Number { value: if negative { -value } else { value }, hex: radix == 16 })
+}
+
+fn magnitude(digits: &[u8], radix: u32) -> Result<u64, Reason> {
+    let mut value = 0u64;
+    for &byte in digits {
+        let digit = char::from(byte).to_digit(radix).ok_or(Reason::NotANumber)?;
+        let shifted =
+            value.checked_mul(u64::from(radix)).and_then(|value| value.checked_add(u64::from(digit)));
+        value = shifted.ok_or(Reason::OutOfRange { low: i64::MIN, high: u64::MAX })?;
+    }
+    if digits.is_empty() { Err(Reason::NotANumber) } else { Ok(value) }
+}
+
+fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
+    let too_large = match plain_number(text) {
+        Err(reason @ Reason::OutOfRange { .. }) => return Err(reason),
+        Err(reason) => reason,
+        Ok(number) => return Ok(number),
+    };
+    let without_suffix = text.trim_end_matches(['u', 'U', 'l', 'L']);
+    if without_suffix.len() < text.len()
+        && let Ok(number) = plain_number(without_suffix)
+    {
+        quirks.add(Quirk::CSuffix);
+        return Ok(number);
+    }
+    let (negative, digits) = match text.strip_prefix('-') {
+        Some(digits) => (true, digits),
+        None => (false, text),
+    };
+    if !digits.starts_with('0') || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Err(too_large);
+    }
+    let octal = magnitude(digits.as_bytes(), 8).map_err(|reason| match reason {
+        Reason::NotANumber => Reason::NotOctal,
+        other => other,
+    })?;
+    let same = magnitude(digits.as_bytes(), 10) == Ok(octal);
+    quirks.add(if same { Quirk::LeadingZero } else { Quirk::Octal });
+    let value = i128::from(octal);
+    Ok(Number { value: if negative { -value } else { value }, hex: false })
+}
+
+fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result<Value, Reason> {
+    if text.contains('$') {
+        return formula(strip_comment(text, quirks), quirks).map(Value::NodeId);
+    }
+    let number = number(text, quirks)?;
+    let wrapped = match data_type.kind() {
+        TypeKind::Signed(bits)
+            if number.hex && number.value >= 1 << (bits - 1) && number.value < 1 << bits =>
+        {
+            quirks.add(Quirk::TwosComplement);
+            number.value - (1 << bits)
+        }
+        _ => number.value,
+    };
+    Value::from_integer(wrapped, data_type).ok_or_else(|| out_of_range(data_type))
+}
+
+fn out_of_range(data_type: DataType) -> Reason {
+    let (low, high) = data_type.integer_range().unwrap_or_default();
+    Reason::OutOfRange {
+        low: i64::try_from(low).unwrap_or(i64::MIN),
+        high: u64::try_from(high).unwrap_or(u64::MAX),
+    }
+}
+
+const NODE_ID: &str = "$NODEID";
+
+/// The number that a formula adds to the node-ID.
+fn formula(text: &str, quirks: &mut Quirks) -> Result<u64, Reason> {
+    let mut sum = 0u64;
+    let mut node_ids = 0;
+    for (position, term) in text.split('+').enumerate() {
+        let trimmed = term.trim_ascii();
+        if trimmed.len() < term.len() {
+            quirks.add(Quirk::FormulaSpelling);
+        }
+        if trimmed.eq_ignore_ascii_case(NODE_ID) {
+            node_ids += 1;
+            if trimmed != NODE_ID {
+                quirks.add(Quirk::FormulaSpelling);
+            }
+            if position > 0 {
+                quirks.add(Quirk::NodeIdLast);
+            }
+            continue;
+        }
+        let number = number(trimmed, quirks).ok().and_then(|number| u64::try_from(number.value).ok());
+        sum = number.and_then(|number| sum.checked_add(number)).ok_or(Reason::NotAFormula)?;
+    }
+    if node_ids == 1 { Ok(sum) } else { Err(Reason::NotAFormula) }
+}
+
+fn boolean(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
+    if text.contains('$') {
+        return Err(Reason::FormulaForType);
+    }
+    for (word, value) in [("true", true), ("false", false)] {
+        if text.eq_ignore_ascii_case(word) {
+            quirks.add(Quirk::BooleanWord);
+            return Ok(Value::Boolean(value));
+        }
+    }
+    integer(text, 0, 1, quirks).map(|number| Value::Boolean(number == 1))
+}
+
+/// The bits of a hex literal, or the decimal text of a REAL without comment and C suffix.
+fn real_text<'a>(text: &'a str, quirks: &mut Quirks) -> Result<RealText<'a>, Reason> {
+    if text.contains('$') {
+        return Err(Reason::FormulaForType);
+    }
+    let text = strip_comment(text, quirks);
+    if let Some(digits) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        quirks.add(Quirk::RealAsBits);
+        return magnitude(digits.as_bytes(), 16).map(RealText::Bits).map_err(|_| Reason::NotReal);
+    }
+    let decimal = match text.strip_suffix(['f', 'F']) {
+        Some(without) => {
+            quirks.add(Quirk::CSuffix);
+            without
+        }
+        None => text,
+    };
+    let is_decimal =
+        decimal.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E'));
+    if is_decimal { Ok(RealText::Decimal(decimal)) } else { Err(Reason::NotReal) }
+}
+
+enum RealText<'a> {
+    Bits(u64),
+    Decimal(&'a str),
+}
+
+fn real32(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
+    let value = match real_text(text, quirks)? {
+        RealText::Bits(bits) => f32::from_bits(u32::try_from(bits).map_err(|_| Reason::NotReal)?),
+        RealText::Decimal(decimal) => {
+            decimal.parse().ok().filter(|v: &f32| v.is_finite()).ok_or(Reason::NotReal)?
+        }
+    };
+    Ok(Value::Real32(value))
+}
+
+fn real64(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
+    let value = match real_text(text, quirks)? {
+        RealText::Bits(bits) => f64::from_bits(bits),
+        RealText::Decimal(decimal) => {
+            decimal.parse().ok().filter(|v: &f64| v.is_finite()).ok_or(Reason::NotReal)?
+        }
+    };
+    Ok(Value::Real64(value))
+}
+
+fn unquote<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
+    match text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')) {
+        Some(inner) => {
+            quirks.add(Quirk::Quoted);
+            inner
+        }
+        None => text,
+    }
+}
+
+fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
+    if let Some(bytes) = hex_text::parse(text) {
+        return Ok(Value::Bytes(bytes));
+    }
+    let plain: String = strip_comment(text, quirks).split_ascii_whitespace().collect();
+    let plain = plain.strip_prefix("0x").or_else(|| plain.strip_prefix("0X")).unwrap_or(&plain);
+    let bytes = hex_text::parse(plain).ok_or(Reason::NotHexBytes)?;
+    quirks.add(Quirk::DecoratedBytes);
+    Ok(Value::Bytes(bytes))
+}
+
+/// `days milliseconds`, twelve hex digits (the bytes on the wire), or a whole number of 48 bits. CiA 306-1 defines
+/// none of them; all three are found.
+fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
+    let text = strip_comment(text, quirks);
+    let time = if let Some((days, milliseconds)) = text.split_once([' ', '\t']) {
+        let days =
+            integer(days, 0, u64::from(u16::MAX), quirks).ok().and_then(|days| u16::try_from(days).ok());
+        let milliseconds = integer(milliseconds.trim_ascii(), 0, 0x0FFF_FFFF, quirks).ok();
+        let milliseconds = milliseconds.and_then(|milliseconds| u32::try_from(milliseconds).ok());
+        days.zip(milliseconds).map(|(days, milliseconds)| Time { days, milliseconds })
+    } else if let Some(bytes) = hex_text::parse(text).filter(|bytes| bytes.len() == 6) {
+        wire_time(&bytes)
+    } else {
+        let number =
+            integer(text, 0, (1 << 48) - 1, quirks).ok().and_then(|number| u64::try_from(number).ok());
+        number.and_then(|number| wire_time(&number.to_le_bytes()[..6]))
+    };
+    time.map(Value::Time).ok_or(Reason::NotATime)
+}
+
+/// The time of six bytes; none where the void bits are set, for they would be lost.
+fn wire_time(bytes: &[u8]) -> Option<Time> {
+    let bytes: [u8; 6] = bytes.try_into().ok()?;
+    Some(Time::from_bytes(bytes)).filter(|time| time.to_bytes() == bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, data_type: DataType) -> (Result<Value, Reason>, Quirks) {
+        let mut quirks = Quirks::default();
+        (value(text, Some(data_type), &mut quirks), quirks)
+    }
+
+    fn clean(text: &str, data_type: DataType) -> Value {
+        let (value, quirks) = read(text, data_type);
+        assert!(quirks.is_empty(), "{text}: {quirks:?}");
+        value.unwrap()
+    }
+
+    fn quirky(text: &str, data_type: DataType, quirk: Quirk) -> Value {
+        let (value, quirks) = read(text, data_type);
+        assert!(quirks.has(quirk), "{text}: {quirks:?}");
+        value.unwrap()
+    }
+
+    #[test]
+    fn integers_in_the_standard_spellings() {
+        assert_eq!(clean("0x0A", DataType::UNSIGNED8), Value::Unsigned(10));
+        assert_eq!(clean("-128", DataType::INTEGER8), Value::Signed(-128));
+        assert_eq!(clean("18446744073709551615", DataType::UNSIGNED64), Value::Unsigned(u64::MAX));
+        assert_eq!(clean("0", DataType::BOOLEAN), Value::Boolean(false));
+    }
+
+    #[test]
+    fn what_does_not_fit_never_wraps() {
+        let out = |low, high| Err(Reason::OutOfRange { low, high });
+        assert_eq!(read("256", DataType::UNSIGNED8).0, out(0, 255));
+        assert_eq!(read("-1", DataType::UNSIGNED8).0, out(0, 255));
+        assert_eq!(read("0x1FF", DataType::INTEGER8).0, out(-128, 127));
+        assert_eq!(read("18446744073709551616", DataType::UNSIGNED64).0, out(i64::MIN, u64::MAX));
+        assert_eq!(read("1e39", DataType::REAL32).0, Err(Reason::NotReal));
+        assert_eq!(read("inf", DataType::REAL64).0, Err(Reason::NotReal));
+    }
+
+    #[test]
+    fn other_spellings_are_understood() {
+        assert_eq!(quirky("010", DataType::UNSIGNED8, Quirk::Octal), Value::Unsigned(8));
+        assert_eq!(quirky("07", DataType::UNSIGNED8, Quirk::LeadingZero), Value::Unsigned(7));
+        assert_eq!(quirky("0xFFFF", DataType::INTEGER16, Quirk::TwosComplement), Value::Signed(-1));
+        assert_eq!(quirky("0x10LL", DataType::UNSIGNED64, Quirk::CSuffix), Value::Unsigned(16));
+        assert_eq!(quirky("5 # five", DataType::UNSIGNED8, Quirk::TrailingComment), Value::Unsigned(5));
+        assert_eq!(quirky("true", DataType::BOOLEAN, Quirk::BooleanWord), Value::Boolean(true));
+        assert_eq!(read("018", DataType::UNSIGNED8).0, Err(Reason::NotOctal));
+    }
+
+    #[test]
+    fn formulas_in_any_case_order_and_spacing() {
+        assert_eq!(clean("$NODEID+0x180", DataType::UNSIGNED32), Value::NodeId(0x180));
+        assert_eq!(clean("$NODEID", DataType::UNSIGNED8), Value::NodeId(0));
+        assert_eq!(clean("$NODEID+0x80000000+0x180", DataType::UNSIGNED32), Value::NodeId(0x8000_0180));
+        let spaced = quirky("$NodeId + 384", DataType::UNSIGNED32, Quirk::FormulaSpelling);
+        assert_eq!(spaced, Value::NodeId(0x180));
+        assert_eq!(quirky("0x180+$NODEID", DataType::UNSIGNED32, Quirk::NodeIdLast), Value::NodeId(0x180));
+        for text in ["$NODEID-1", "$NODEID*2", "$MY_NODE_ID+1", "$NODEID+$NODEID", "$NODEID+", "+$NODEID"] {
+            assert_eq!(read(text, DataType::UNSIGNED32).0, Err(Reason::NotAFormula), "{text}");
+        }
+        assert_eq!(read("$NODEID+1", DataType::REAL32).0, Err(Reason::FormulaForType));
+        assert_eq!(clean("$NODEID+1", DataType::VISIBLE_STRING), Value::Text("$NODEID+1".into()));
+    }
+
+    #[test]
+    fn real_numbers_and_their_bits() {
+        assert_eq!(clean("12.345", DataType::REAL32), Value::Real32(12.345));
+        assert_eq!(clean("-1e3", DataType::REAL64), Value::Real64(-1000.0));
+        assert_eq!(quirky("0x3F800000", DataType::REAL32, Quirk::RealAsBits), Value::Real32(1.0));
+        assert_eq!(quirky("0.5f", DataType::REAL32, Quirk::CSuffix), Value::Real32(0.5));
+    }
+
+    #[test]
+    fn texts_keep_semicolon_and_hash() {
+        assert_eq!(clean("Motor #1; left", DataType::VISIBLE_STRING), Value::Text("Motor #1; left".into()));
+        assert_eq!(quirky("\"IOCB\"", DataType::VISIBLE_STRING, Quirk::Quoted), Value::Text("IOCB".into()));
+    }
+
+    #[test]
+    fn bytes_and_times() {
+        assert_eq!(clean("01a1FF", DataType::OCTET_STRING), Value::Bytes([1, 0xA1, 0xFF].into()));
+        assert_eq!(
+            quirky("0x01 A1", DataType::DOMAIN, Quirk::DecoratedBytes),
+            Value::Bytes([1, 0xA1].into())
+        );
+        assert_eq!(read("123", DataType::OCTET_STRING).0, Err(Reason::NotHexBytes));
+        let time = Value::Time(Time { days: 2, milliseconds: 1000 });
+        assert_eq!(clean("2 1000", DataType::TIME_OF_DAY), time);
+        assert_eq!(clean("E80300000200", DataType::TIME_OF_DAY), time);
+        assert_eq!(clean("0x2000003E8", DataType::TIME_DIFFERENCE), time);
+        assert_eq!(read("FFFFFFFF0000", DataType::TIME_OF_DAY).0, Err(Reason::NotATime));
+    }
+}

@@ -1,0 +1,140 @@
+//! Description files: what a file is, and from its bytes to the model.
+
+pub(crate) mod eds;
+pub mod ini;
+pub mod literal;
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use self::eds::Locator;
+use self::ini::Document;
+use crate::diagnostic::{At, Findings, RuleInfo};
+use crate::model::{Device, DeviceKind, Place};
+use crate::source::{SourceError, SourceFile, SourceOptions, Span};
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Electronic data sheet: a type of device (CiA 306-1).
+    Eds,
+    /// Device configuration file: a node (CiA 306-1).
+    Dcf,
+}
+
+impl Format {
+    /// The format of a file name: what its last known ending says, so `drive.eds.txt` is an EDS.
+    pub fn from_name(name: &str) -> Option<Self> {
+        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
+            "eds" => Some(Self::Eds),
+            "dcf" => Some(Self::Dcf),
+            _ => None,
+        })
+    }
+
+    /// What the format is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Eds => "EDS",
+            Self::Dcf => "DCF",
+        }
+    }
+}
+
+/// Why a file is no description.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// It could not be opened.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+}
+
+/// A description that was read: the device, the text that it came from, and what the reader found.
+#[derive(Debug)]
+pub struct Description {
+    format: Format,
+    document: Document,
+    device: Device,
+    findings: Findings,
+    locator: OnceLock<Locator>,
+}
+
+/// Reads the file at `path`; its name decides what it is, and an unknown name is taken for an EDS.
+///
+/// # Errors
+/// When the file cannot be opened. What is wrong in it is among the findings.
+pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
+    let source = SourceFile::open(path, options)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Ok(read(source, Format::from_name(&name).unwrap_or(Format::Eds)))
+}
+
+/// Reads a source in a format.
+pub fn read(source: SourceFile, format: Format) -> Description {
+    let document = Document::new(source);
+    let kind = match format {
+        Format::Eds => DeviceKind::Type,
+        Format::Dcf => DeviceKind::Node,
+    };
+    let (device, findings) = eds::read(&document, kind);
+    Description { format, document, device, findings, locator: OnceLock::new() }
+}
+
+impl Description {
+    /// The format that it was read as.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// The source.
+    pub fn source(&self) -> &SourceFile {
+        self.document.source()
+    }
+
+    /// The text as lines.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The device.
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// The device, without its text.
+    pub fn into_device(self) -> Device {
+        self.device
+    }
+
+    /// Where a place of the model stands in the text; `None` for what has no text.
+    pub fn locate(&self, place: &Place) -> Option<Span> {
+        self.locator.get_or_init(|| Locator::new(&self.document)).locate(&self.document, place)
+    }
+
+    /// Where a label points in the text; the start of the text for what has none.
+    pub fn span_of(&self, at: &At) -> Span {
+        match at {
+            At::Span(span) => *span,
+            At::Place(place) => self.locate(place).unwrap_or_default(),
+        }
+    }
+
+    /// What the reader of the format found: in the spelling and structure of the text.
+    pub fn findings(&self) -> &Findings {
+        &self.findings
+    }
+
+    /// What the lines of the text show, healthy or not; not looked for until it is asked for.
+    pub fn line_findings(&self) -> Findings {
+        let mut findings = Findings::new();
+        ini::findings::check(&self.document, &mut findings);
+        findings
+    }
+}
+
+/// The rules that the readers raise themselves.
+pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
+    ini::findings::RULES.iter().chain(eds::findings::RULES).copied()
+}

@@ -1,0 +1,73 @@
+//! What a rule about the model is made of.
+
+use crate::diagnostic::{Findings, RuleInfo};
+use crate::model::{Device, Entry, Field, Object, Place};
+
+/// A rule about the model.
+pub(crate) struct Rule {
+    /// Its id, severity and page.
+    pub info: RuleInfo,
+    /// What it looks at.
+    pub check: Check,
+}
+
+/// What a rule looks at. The linter walks over the device once and asks each rule at its places.
+#[derive(Clone, Copy)]
+pub(crate) enum Check {
+    /// The device as a whole.
+    Device(fn(&Device, &mut Findings)),
+    /// Each object with its index; one without a section of its own ([`Object::orphan`]) too.
+    Object(fn(&Device, u16, &Object, &mut Findings)),
+    /// Each entry that the description states: an object's own section, or a sub-index.
+    Entry(fn(&EntryAt<'_>, &mut Findings)),
+}
+
+/// An entry with where it is.
+#[derive(Clone, Copy)]
+pub(crate) struct EntryAt<'a> {
+    pub device: &'a Device,
+    pub index: u16,
+    pub object: &'a Object,
+    /// The sub-index; `None` for the object's own section.
+    pub sub: Option<u8>,
+    pub entry: &'a Entry,
+}
+
+impl EntryAt<'_> {
+    /// The entry as a place.
+    pub(crate) fn place(&self) -> Place {
+        match self.sub {
+            Some(sub) => Place::entry(self.index, sub),
+            None => Place::object(self.index),
+        }
+    }
+
+    /// A field of the entry as a place.
+    pub(crate) fn field(&self, field: Field) -> Place {
+        self.place().field(field)
+    }
+
+    /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or what a compact object's sub-indexes
+    /// share; not the bare header of an ARRAY or RECORD.
+    pub(crate) fn holds_value(&self) -> bool {
+        self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()
+    }
+}
+
+/// Declares a rule about the model: a `static RULE` whose page is its doc comment.
+///
+/// `rule! { /// page … "cia306/name", Error, Entry(check) }`
+macro_rules! rule {
+    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path)) => {
+        $(#[doc = $doc])+
+        pub(crate) static RULE: $crate::lint::Rule = $crate::lint::Rule {
+            info: $crate::diagnostic::RuleInfo {
+                id: $id,
+                severity: $crate::diagnostic::Severity::$severity,
+                docs: concat!($($doc, "\n"),+),
+            },
+            check: $crate::lint::Check::$kind($check),
+        };
+    };
+}
+pub(crate) use rule;

@@ -1,0 +1,98 @@
+//! Walks over every part of a device that keeps texts of its own.
+
+use super::{Device, Entry, Extra, Field, Misfits, ModulePart, Object, Part};
+
+impl Device {
+    /// Every part that has misfits, with them.
+    pub fn misfits(&self) -> Vec<(Part, &Misfits)> {
+        let mut found = Vec::new();
+        self.visit_parts(&mut |part, misfits, _| {
+            if !misfits.is_empty() {
+                found.push((part.clone(), misfits));
+            }
+        });
+        found
+    }
+
+    /// Every part of which the description has keys that the model does not know, with them. Sections that are unknown
+    /// as a whole are in [`Device::extra`].
+    pub fn extras(&self) -> Vec<(Part, &Extra)> {
+        let mut found = Vec::new();
+        self.visit_parts(&mut |part, _, extra| {
+            if !extra.is_empty() {
+                found.push((part.clone(), extra));
+            }
+        });
+        found
+    }
+
+    fn visit_parts<'a>(&'a self, visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra)) {
+        if let Some(info) = &self.file_info {
+            visit(&Part::FileInfo, &info.misfits, &info.extra);
+        }
+        if let Some(info) = &self.device_info {
+            visit(&Part::DeviceInfo, &info.misfits, &info.extra);
+        }
+        if let Some(usage) = &self.dummy_usage {
+            visit(&Part::DummyUsage, &usage.misfits, &usage.extra);
+        }
+        if let Some(node) = &self.commissioning {
+            visit(&Part::Commissioning, &node.misfits, &node.extra);
+        }
+        for (&index, object) in &self.objects {
+            let part_of = |sub: Option<u8>| sub.map_or(Part::Object(index), |sub| Part::Entry(index, sub));
+            visit_object(object, &part_of, visit);
+            if let Some(compact) = &object.compact {
+                visit(&Part::CompactValues(index), &compact.misfits, &compact.extra);
+            }
+        }
+        if let Some(modules) = &self.modules {
+            visit(&Part::SupportedModules, &modules.misfits, &modules.extra);
+            for (&number, module) in &modules.supported {
+                visit(&Part::Module(number, ModulePart::Info), &module.misfits, &module.extra);
+                for (&index, object) in &module.fixed {
+                    let part_of = |sub: Option<u8>| match sub {
+                        Some(sub) => Part::Module(number, ModulePart::FixedEntry(index, sub)),
+                        None => Part::Module(number, ModulePart::Fixed(index)),
+                    };
+                    visit_object(object, &part_of, visit);
+                }
+                for (&index, extension) in &module.extensions {
+                    let part = Part::Module(number, ModulePart::SubExt(index));
+                    visit_entry(&extension.entry, &part, visit);
+                }
+            }
+        }
+        if let Some(channels) = &self.dynamic_channels {
+            visit(&Part::DynamicChannels, &channels.misfits, &channels.extra);
+        }
+    }
+
+    /// The data type of the entry at a part, for telling why a text does not fit.
+    pub fn data_type_of(&self, part: &Part, field: &Field) -> Option<super::DataType> {
+        let is_value =
+            matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue);
+        match part {
+            Part::Object(index) if is_value => self.object(*index)?.main.data_type,
+            Part::Entry(index, sub) if is_value => self.object(*index)?.subs.get(*sub)?.data_type,
+            Part::CompactValues(index) => self.object(*index)?.main.data_type,
+            _ => None,
+        }
+    }
+}
+
+fn visit_object<'a>(
+    object: &'a Object,
+    part_of: &dyn Fn(Option<u8>) -> Part,
+    visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra),
+) {
+    for (sub, entry) in object.described() {
+        visit_entry(entry, &part_of(sub), visit);
+    }
+}
+
+fn visit_entry<'a>(entry: &'a Entry, part: &Part, visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra)) {
+    if !entry.misfits.is_empty() || !entry.extra.is_empty() {
+        visit(part, &entry.misfits, &entry.extra);
+    }
+}
