@@ -1,10 +1,13 @@
 //! objdict
 mod check;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod diagnostic;
 pub mod format;
 pub mod lint;
 pub mod model;
 pub mod registry;
+pub mod report;
 pub mod source;
 
 pub use check::check;

@@ -1,1 +1,7 @@
-fn main() {}
+//! The command `objdict`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    objdict::cli::run()
+}

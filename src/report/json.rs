@@ -1,0 +1,175 @@
+//! One JSON document for all files; `docs/json.md` describes it.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::{Location, Report, Tally};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::format::Description;
+
+/// The version of the document. It changes when a field is removed or means something else, not when one is added.
+const VERSION: u32 = 1;
+
+/// Findings as a JSON document, one finding a line.
+#[derive(Debug)]
+pub struct Json<W> {
+    out: W,
+    tally: Tally,
+    omitted: Vec<Omitted>,
+    is_empty: bool,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    file: &'a str,
+    rule: &'a str,
+    severity: Severity,
+    #[serde(flatten)]
+    at: Position<'a>,
+    message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    related: Vec<Related<'a>>,
+}
+
+#[derive(Serialize)]
+struct Related<'a> {
+    #[serde(flatten)]
+    at: Position<'a>,
+    message: &'a str,
+}
+
+#[derive(Serialize)]
+struct Position<'a> {
+    line: u32,
+    column: u32,
+    end_line: u32,
+    end_column: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
+    #[serde(skip)]
+    text: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct Omitted {
+    file: String,
+    rule: &'static str,
+    count: u32,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    files: usize,
+    errors: usize,
+    warnings: usize,
+    notes: usize,
+}
+
+impl<W: Write> Json<W> {
+    /// A report that writes to `out`.
+    pub fn new(out: W) -> Self {
+        Self { out, tally: Tally::default(), omitted: Vec::new(), is_empty: true }
+    }
+
+    /// The first line, before the first finding.
+    fn start(&mut self) -> io::Result<()> {
+        if self.is_empty {
+            write!(self.out, "{{\"version\":{VERSION},\"findings\":[")?;
+        }
+        Ok(())
+    }
+}
+
+impl<W: Write> Report for Json<W> {
+    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()> {
+        self.tally.add(findings);
+        let file = description.source().name();
+        for finding in findings {
+            self.start()?;
+            self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
+            self.is_empty = false;
+            serde_json::to_writer(&mut self.out, &record(file, description, finding))?;
+        }
+        for (rule, count) in findings.omitted() {
+            self.omitted.push(Omitted { file: file.to_owned(), rule, count });
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        self.start()?;
+        let end = if self.is_empty { "]" } else { "\n]" };
+        write!(self.out, "{end},\n\"omitted\":")?;
+        serde_json::to_writer(&mut self.out, &self.omitted)?;
+        self.out.write_all(b",\n\"summary\":")?;
+        let Tally { files, errors, warnings, notes, .. } = self.tally;
+        serde_json::to_writer(&mut self.out, &Summary { files, errors, warnings, notes })?;
+        self.out.write_all(b"}\n")?;
+        self.out.flush()
+    }
+}
+
+fn record<'a>(file: &'a str, description: &Description, finding: &'a Diagnostic) -> Finding<'a> {
+    let mut positions = Location::all(description, finding).into_iter().map(|location| Position {
+        line: location.start.line,
+        column: location.start.column,
+        end_line: location.end.line,
+        end_column: location.end.column,
+        place: location.place.map(ToString::to_string),
+        text: location.text,
+    });
+    let start = Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: "" };
+    Finding {
+        file,
+        rule: finding.rule.id,
+        severity: finding.severity,
+        at: positions.next().unwrap_or(start),
+        message: &finding.message,
+        help: finding.help.as_deref(),
+        related: positions.map(|at| Related { message: at.text, at }).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::{self, Format};
+    use crate::source::SourceFile;
+
+    fn report(texts: &[(&str, &str)]) -> serde_json::Value {
+        let mut out = Vec::new();
+        let mut report = Json::new(&mut out);
+        for (name, text) in texts {
+            let description = format::read(SourceFile::from_text(*name, *text), Format::Eds);
+            report.file(&description, &description.line_findings()).unwrap();
+        }
+        report.finish().unwrap();
+        serde_json::from_slice(&out).unwrap()
+    }
+
+    #[test]
+    fn no_findings_are_a_document_too() {
+        let document = report(&[("a.eds", "[FileInfo]\n")]);
+        assert_eq!(document["version"], VERSION);
+        assert_eq!(document["findings"], serde_json::json!([]));
+        assert_eq!(document["summary"]["files"], 1);
+    }
+
+    #[test]
+    fn findings_of_all_files_are_one_list() {
+        let document = report(&[("a.eds", "[A]\njunk \"°\"\n"), ("b.eds", "")]);
+        let findings = document["findings"].as_array().unwrap();
+        let place = |finding: &serde_json::Value| {
+            (
+                finding["file"].as_str().unwrap().to_owned(),
+                finding["line"].as_u64(),
+                finding["column"].as_u64(),
+            )
+        };
+        assert!(findings.iter().any(|finding| place(finding) == ("a.eds".to_owned(), Some(2), Some(1))));
+        assert!(findings.iter().any(|finding| finding["file"] == "b.eds"));
+    }
+}

@@ -1,0 +1,156 @@
+//! Findings as output: one file a format. A report is given one checked file after the other and writes as it goes, so
+//! the findings of a thousand files are never in memory at once.
+
+mod json;
+#[cfg(feature = "cli")]
+mod text;
+
+use std::fmt;
+use std::io;
+
+use crate::diagnostic::At;
+use crate::diagnostic::{Diagnostic, Findings, Label, Severity};
+use crate::format::Description;
+use crate::model::Place;
+use crate::source::{LineColumn, Span};
+
+pub use json::Json;
+#[cfg(feature = "cli")]
+pub use text::Text;
+
+/// Writes what was found in files.
+pub trait Report {
+    /// Takes the findings of the next file, in the order in which they shall appear.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()>;
+
+    /// Ends the report. No file follows.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn finish(&mut self) -> io::Result<()>;
+}
+
+/// Where a label points, in the words of the file and of the model.
+#[derive(Clone, Debug)]
+pub struct Location<'a> {
+    /// The bytes of the decoded text.
+    pub span: Span,
+    /// Line and column of the first character.
+    pub start: LineColumn,
+    /// Line and column behind the last character.
+    pub end: LineColumn,
+    /// The address in the model; `None` where only the text shows the finding.
+    pub place: Option<&'a Place>,
+    /// The remark; empty where the message says all.
+    pub text: &'a str,
+}
+
+impl<'a> Location<'a> {
+    /// The location of a label in the text of its description.
+    pub fn new(description: &Description, label: &'a Label) -> Self {
+        let span = description.span_of(&label.at);
+        let source = description.source();
+        let place = match &label.at {
+            At::Place(place) => Some(place),
+            At::Span(_) => None,
+        };
+        Self {
+            span,
+            start: source.line_column(span.start),
+            end: source.line_column(span.end),
+            place,
+            text: &label.text,
+        }
+    }
+
+    /// The locations of a finding: where it is, then the related ones.
+    pub fn all(description: &Description, finding: &'a Diagnostic) -> Vec<Self> {
+        finding.labels.iter().map(|label| Self::new(description, label)).collect()
+    }
+}
+
+/// How much was found in how many files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Files that were checked.
+    pub files: usize,
+    /// Files with at least one finding.
+    pub files_with_findings: usize,
+    /// Findings of severity error.
+    pub errors: usize,
+    /// Findings of severity warning.
+    pub warnings: usize,
+    /// Findings of severity note.
+    pub notes: usize,
+    /// Findings that were only counted, because their rule had too many in one file.
+    pub omitted: usize,
+}
+
+impl Tally {
+    /// Adds one file.
+    pub fn add(&mut self, findings: &Findings) {
+        self.files += 1;
+        self.files_with_findings += usize::from(!findings.is_empty());
+        for finding in findings {
+            match finding.severity {
+                Severity::Error => self.errors += 1,
+                Severity::Warning => self.warnings += 1,
+                Severity::Note => self.notes += 1,
+            }
+        }
+        self.omitted += findings.omitted().map(|(_, count)| count as usize).sum::<usize>();
+    }
+
+    /// Number of findings that were kept and are at least this grave.
+    pub fn at_least(&self, severity: Severity) -> usize {
+        match severity {
+            Severity::Error => self.errors,
+            Severity::Warning => self.errors + self.warnings,
+            Severity::Note => self.errors + self.warnings + self.notes,
+        }
+    }
+}
+
+/// `3 errors, 2 warnings, 1 note in 2 of 5 files`.
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [(self.errors, "error"), (self.warnings, "warning"), (self.notes, "note")];
+        let found: Vec<String> =
+            counts.iter().filter(|(count, _)| *count > 0).map(|&(count, word)| plural(count, word)).collect();
+        if found.is_empty() {
+            return write!(f, "no findings in {}", plural(self.files, "file"));
+        }
+        write!(f, "{} in ", found.join(", "))?;
+        if self.files_with_findings < self.files {
+            write!(f, "{} of ", self.files_with_findings)?;
+        }
+        f.write_str(&plural(self.files, "file"))?;
+        match self.omitted {
+            0 => Ok(()),
+            omitted => write!(f, ", and {omitted} more that are not shown"),
+        }
+    }
+}
+
+fn plural(count: usize, word: &str) -> String {
+    if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tally_reads_as_a_sentence() {
+        let tally = Tally { files: 5, files_with_findings: 2, errors: 3, notes: 1, ..Tally::default() };
+        assert_eq!(tally.to_string(), "3 errors, 1 note in 2 of 5 files");
+        let tally = Tally { files: 1, files_with_findings: 1, warnings: 1, omitted: 7, ..Tally::default() };
+        assert_eq!(tally.to_string(), "1 warning in 1 file, and 7 more that are not shown");
+        assert_eq!(Tally { files: 2, ..Tally::default() }.to_string(), "no findings in 2 files");
+        assert_eq!(tally.at_least(Severity::Error), 0);
+        assert_eq!(tally.at_least(Severity::Warning), 1);
+    }
+}

@@ -1,0 +1,221 @@
+//! Findings for people: the offending lines with marks under them, drawn by miette.
+
+mod excerpt;
+
+use std::fmt;
+use std::io::{self, Write};
+
+use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
+
+use self::excerpt::Excerpts;
+use super::{Report, Tally};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::format::Description;
+
+/// Columns that a message may take before it goes on in the next line.
+const WIDTH: usize = 100;
+
+/// The most characters of a message that are shown.
+const MAX_MESSAGE: usize = 600;
+
+/// Findings with the lines that they are about, and a sum at the end.
+pub struct Text<W> {
+    out: W,
+    handler: GraphicalReportHandler,
+    tally: Tally,
+}
+
+impl<W> fmt::Debug for Text<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Text").field("tally", &self.tally).finish_non_exhaustive()
+    }
+}
+
+impl<W: Write> Text<W> {
+    /// A report that writes to `out`, with the colours of a terminal or without.
+    pub fn new(out: W, colour: bool) -> Self {
+        let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+        let handler = GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH);
+        Self { out, handler, tally: Tally::default() }
+    }
+}
+
+impl<W: Write> Report for Text<W> {
+    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()> {
+        self.tally.add(findings);
+        if findings.is_empty() {
+            return Ok(());
+        }
+        let excerpts = Excerpts::new(description.source());
+        let mut text = String::new();
+        for finding in findings {
+            text.clear();
+            let finding = Rendered::new(description, &excerpts, finding);
+            self.handler.render_report(&mut text, &finding).map_err(io::Error::other)?;
+            self.out.write_all(text.as_bytes())?;
+            self.out.write_all(b"\n")?;
+        }
+        for (rule, count) in findings.omitted() {
+            writeln!(self.out, "{}: {count} more findings of {rule} are not shown\n", excerpts.name())?;
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        if self.tally.files > 0 {
+            writeln!(self.out, "{}", self.tally)?;
+        }
+        self.out.flush()
+    }
+}
+
+/// A finding as miette asks for it.
+#[derive(Debug)]
+struct Rendered<'a> {
+    finding: &'a Diagnostic,
+    message: String,
+    excerpts: &'a Excerpts<'a>,
+    labels: Vec<LabeledSpan>,
+}
+
+impl<'a> Rendered<'a> {
+    fn new(description: &Description, excerpts: &'a Excerpts<'a>, finding: &'a Diagnostic) -> Self {
+        let mut labels = Vec::with_capacity(finding.labels.len());
+        for (position, label) in finding.labels.iter().enumerate() {
+            let text = Some(label.text.to_string()).filter(|text| !text.is_empty());
+            let span = excerpts.cut(description.span_of(&label.at));
+            labels.push(match position {
+                0 => LabeledSpan::new_primary_with_span(text, span),
+                _ => LabeledSpan::new_with_span(text, span),
+            });
+        }
+        Self { finding, message: shown(&finding.message), excerpts, labels }
+    }
+}
+
+/// A message without control characters and not endless: it may quote anything that stands in a file.
+fn shown(message: &str) -> String {
+    let mut shown: String = message.chars().take(MAX_MESSAGE).map(excerpt::visible).collect();
+    if shown.len() < message.len() && message.chars().nth(MAX_MESSAGE).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+impl fmt::Display for Rendered<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Rendered<'_> {}
+
+impl miette::Diagnostic for Rendered<'_> {
+    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.finding.rule.id))
+    }
+
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(match self.finding.severity {
+            Severity::Error => miette::Severity::Error,
+            Severity::Warning => miette::Severity::Warning,
+            Severity::Note => miette::Severity::Advice,
+        })
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.finding.help.as_deref().map(|help| Box::new(shown(help)) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
+        Some(self.excerpts)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        Some(Box::new(self.labels.iter().cloned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::diagnostic::text_rule;
+    use crate::format::{self, Format};
+    use crate::source::{SourceFile, Span};
+
+    text_rule! {
+        /// a test
+        TEST = "test/test", Warning
+    }
+
+    fn render(text: &str, spans: &[(u32, u32)], message: &str) -> String {
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let mut spans = spans.iter().map(|&(start, end)| Span::new(start.min(end), start.max(end)));
+        let mut finding = Diagnostic::new(&TEST, spans.next().unwrap_or_default(), message);
+        for span in spans {
+            finding = finding.label(span, "related");
+        }
+        let mut findings = Findings::new();
+        findings.push(finding);
+        let mut out = Vec::new();
+        let mut report = Text::new(&mut out, false);
+        report.file(&description, &findings).unwrap();
+        report.finish().unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn a_long_line_is_shown_around_the_label() {
+        let text = format!("[A]\nk={}MIDDLE{}\nnext=1\n", "a".repeat(5000), "z".repeat(1_000_000));
+        let shown = render(&text, &[(5006, 5012)], "long");
+        assert!(shown.contains("a.eds:2:5003"), "{shown}");
+        assert!(shown.contains("aaaMIDDLEzzz"), "{shown}");
+        assert!(shown.len() < 1000, "{} bytes", shown.len());
+    }
+
+    #[test]
+    fn labels_far_apart_on_one_line_are_shown_apart() {
+        let text = format!("FIRST{}LAST\n", "-".repeat(4000));
+        let shown = render(&text, &[(4005, 4009), (0, 5)], "two");
+        assert!(shown.contains("FIRST--") && shown.contains("--LAST"), "{shown}");
+        assert!(shown.len() < 1500, "{} bytes", shown.len());
+    }
+
+    #[test]
+    fn nothing_steers_the_terminal() {
+        let shown = render("k=\u{1B}[31mred\u{9B}\u{202E}\u{7F}\r\n", &[(2, 5)], "`\u{1B}[0m\u{202E}`");
+        assert!(!shown.contains(['\u{1B}', '\u{9B}', '\u{202E}', '\u{7F}']), "{shown:?}");
+    }
+
+    #[test]
+    fn what_is_omitted_is_told() {
+        let description = format::read(SourceFile::from_text("a.eds", "x"), Format::Eds);
+        let mut findings = Findings::new();
+        for _ in 0..crate::diagnostic::MAX_PER_RULE + 3 {
+            findings.push(Diagnostic::new(&TEST, Span::empty(0), "m"));
+        }
+        let mut out = Vec::new();
+        let mut report = Text::new(&mut out, false);
+        report.file(&description, &findings).unwrap();
+        report.finish().unwrap();
+        let shown = String::from_utf8(out).unwrap();
+        assert!(shown.contains("a.eds: 3 more findings of test/test are not shown"));
+        assert!(shown.ends_with("1000 warnings in 1 file, and 3 more that are not shown\n"));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
+        #[test]
+        fn any_text_with_any_spans_is_shown(
+            pieces in prop::collection::vec(prop_oneof![
+                ".{0,40}", "(\r\n|\n|\r|\t|=|°|\u{202E}|\0|漢){0,12}", "x{290,420}",
+            ], 0..8),
+            spans in prop::collection::vec((0u32..1500, 0u32..1500), 1..4),
+        ) {
+            let shown = render(&pieces.concat(), &spans, "message");
+            prop_assert!(shown.contains("a.eds:"));
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The lines of a source that a finding is about, as miette asks for them. The source's own line table answers; miette's
+//! stock sources look through the whole text for every label.
+
+use std::borrow::Cow;
+
+use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+
+use crate::source::{SourceFile, Span};
+
+/// The most bytes of a line that are shown; of a longer one a window around the label.
+const MAX_LINE: usize = 300;
+
+/// The most bytes of a line that are underlined.
+const MAX_LABEL: usize = 120;
+
+/// Bytes to either side of a label that are shown of a line that is too long.
+const MARGIN: usize = 60;
+
+/// A source as it can be shown.
+#[derive(Debug)]
+pub(super) struct Excerpts<'a> {
+    source: &'a SourceFile,
+    name: String,
+    text: Cow<'a, str>,
+}
+
+impl<'a> Excerpts<'a> {
+    pub(super) fn new(source: &'a SourceFile) -> Self {
+        Self { source, name: source.name().chars().map(visible).collect(), text: printable(source.text()) }
+    }
+
+    /// What reports call the source.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The part of a span that is underlined: within its first line, and not too much of that.
+    pub(super) fn cut(&self, span: Span) -> std::ops::Range<usize> {
+        let start = self.floor((span.start as usize).min(self.text.len()));
+        let limit = (span.end as usize).clamp(start, start.saturating_add(MAX_LABEL).min(self.text.len()));
+        let end = self.floor(limit);
+        let line_end = memchr::memchr2(b'\n', b'\r', &self.text.as_bytes()[start..end]);
+        start..line_end.map_or(end, |length| start + length)
+    }
+
+    /// The last character boundary up to `at`.
+    fn floor(&self, mut at: usize) -> usize {
+        while !self.text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    }
+
+    /// The bytes of a line, counted from 0, and where they end without the line end.
+    fn line(&self, line: usize) -> (usize, usize) {
+        let span = self.source.lines().line_span(&self.text, line);
+        (span.start as usize, span.end as usize)
+    }
+
+    /// The bytes to show for `start..end` with so many lines around it; whole lines where they are not too long.
+    fn window(&self, start: usize, end: usize, before: usize, after: usize) -> Option<(usize, usize)> {
+        let lines = self.source.lines();
+        let (first, last) = (lines.line_of(start as u32), lines.line_of(end as u32));
+        let is_long = |line| {
+            let (start, end) = self.line(line);
+            end - start > MAX_LINE
+        };
+        if end - start > MAX_LINE && (first..=last).any(is_long) {
+            return None;
+        }
+        let mut from = self.line(first).0;
+        if is_long(first) {
+            from = self.floor(start.saturating_sub(MARGIN).max(from));
+        } else {
+            for line in (first.saturating_sub(before)..first).rev().take_while(|&line| !is_long(line)) {
+                from = self.line(line).0;
+            }
+        }
+        let mut to = self.line(last).1;
+        if is_long(last) {
+            to = self.floor((end + MARGIN).min(to));
+        } else {
+            let below = last + 1..(last + 1 + after).min(lines.line_count());
+            for line in below.take_while(|&line| !is_long(line)) {
+                to = self.line(line).1;
+            }
+        }
+        Some((from, to))
+    }
+}
+
+impl SourceCode for Excerpts<'_> {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        lines_before: usize,
+        lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let (start, end) = (span.offset(), span.offset() + span.len());
+        if end > self.text.len() {
+            return Err(MietteError::OutOfBounds);
+        }
+        let (from, to) = if lines_before == 0 && lines_after == 0 {
+            (start, end)
+        } else {
+            self.window(start, end, lines_before, lines_after).ok_or(MietteError::OutOfBounds)?
+        };
+        let at = self.source.lines().line_column(&self.text, from as u32);
+        let last = self.source.lines().line_of(to.saturating_sub(1).max(from) as u32);
+        let line = at.line as usize - 1;
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.name.clone(),
+            &self.text.as_bytes()[from..to],
+            (from, to - from).into(),
+            line,
+            at.column as usize - 1,
+            last + 1 - line,
+        )))
+    }
+}
+
+/// The text with every character that would steer a terminal replaced by one of the same length, so that all offsets
+/// stay; a lone CR is shown as the line end that it is.
+fn printable(text: &str) -> Cow<'_, str> {
+    let is_plain = |byte: &u8| matches!(byte, b' '..=b'~' | b'\t' | b'\n');
+    let bytes = text.as_bytes();
+    let has_lone_cr = || memchr::memchr_iter(b'\r', bytes).any(|at| bytes.get(at + 1) != Some(&b'\n'));
+    if bytes.iter().all(|byte| is_plain(byte) || *byte == b'\r') && !has_lone_cr() {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        shown.push(match character {
+            '\r' if characters.peek() != Some(&'\n') => '\n',
+            '\r' | '\n' => character,
+            _ => match (visible(character), character.len_utf8()) {
+                (char::REPLACEMENT_CHARACTER, 1) => '?',
+                (char::REPLACEMENT_CHARACTER, 2) => '¿',
+                (shown, _) => shown,
+            },
+        });
+    }
+    Cow::Owned(shown)
+}
+
+/// A character, or U+FFFD for one that steers the terminal or the direction of the text.
+pub(super) fn visible(character: char) -> char {
+    match character {
+        '\t' => character,
+        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' => {
+            char::REPLACEMENT_CHARACTER
+        }
+        _ if character.is_control() => char::REPLACEMENT_CHARACTER,
+        _ => character,
+    }
+}
