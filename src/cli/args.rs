@@ -1,0 +1,74 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use super::input::InputArgs;
+use super::output::Color;
+use crate::diagnostic::Severity;
+
+/// The CANopen object-dictionary toolchain
+///
+/// Reads EDS and DCF files, says what is wrong with them and where, and turns them into what a product needs.
+///
+/// Exit codes: 0 all is well, 1 something was found, 2 the tool could not do its work.
+#[derive(Debug, Parser)]
+#[command(name = "objdict", version, disable_help_subcommand = true)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+    /// When to use colours
+    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN")]
+    pub color: Color,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    Check(CheckArgs),
+}
+
+/// Say what is wrong with descriptions, and where
+///
+/// Exits with 1 when there is a finding of severity warning or error (see --deny), with 2 when a file cannot be read.
+#[derive(Debug, Parser)]
+pub(super) struct CheckArgs {
+    /// Files to check; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// How to write the findings
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ReportFormat,
+    /// The mildest severity that makes the exit code 1
+    #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
+    pub deny: Deny,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ReportFormat {
+    /// For people: the lines with marks under them
+    Text,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
+}
+
+/// A severity, as an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Deny {
+    Note,
+    Warning,
+    Error,
+}
+
+impl From<Deny> for Severity {
+    fn from(deny: Deny) -> Self {
+        match deny {
+            Deny::Note => Self::Note,
+            Deny::Warning => Self::Warning,
+            Deny::Error => Self::Error,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The command `objdict`: one file a command. Results go to the standard output, what the tool has to say of itself to
+//! the standard error.
+
+mod args;
+mod check;
+mod input;
+mod output;
+
+use std::fmt;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use self::args::{Args, Command};
+use self::output::Output;
+
+/// Runs the command that the arguments of the process name.
+pub fn run() -> ExitCode {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => {
+            // nobody is left to read it when this fails
+            let _ = error.print();
+            return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
+        }
+    };
+    let mut out = Output::stdout(args.color);
+    let outcome = match &args.command {
+        Command::Check(command) => check::run(command, &mut out),
+    };
+    outcome
+        .and_then(|outcome| out.finish().map(|()| outcome))
+        .unwrap_or_else(|failure| {
+            failure.print();
+            Outcome::Failed
+        })
+        .into()
+}
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// All is well.
+    Clean,
+    /// The work was done and something was found.
+    Findings,
+    /// The work could not be done, or not for every file.
+    Failed,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::Clean => 0,
+            Outcome::Findings => 1,
+            Outcome::Failed => 2,
+        })
+    }
+}
+
+/// Why a command could not do its work.
+#[derive(Debug)]
+struct Failure {
+    message: String,
+    help: Option<String>,
+}
+
+impl Failure {
+    fn new(message: impl fmt::Display) -> Self {
+        Self { message: message.to_string(), help: None }
+    }
+
+    fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// Tells it on the standard error; without a reader there is nothing to do about it.
+    fn print(&self) {
+        use std::io::Write;
+        let mut text = format!("error: {}\n", self.message);
+        if let Some(help) = &self.help {
+            text.push_str(&format!("  help: {help}\n"));
+        }
+        let _ = std::io::stderr().write_all(text.as_bytes());
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        Self::new(format_args!("cannot write the output: {error}"))
+    }
+}
