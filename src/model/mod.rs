@@ -6,6 +6,7 @@
 //! the typed field stays empty and the text is among the [`Misfits`]; what the model does not know is in [`Extra`].
 
 mod access;
+mod cob_id;
 mod commissioning;
 mod data_type;
 mod device;
@@ -14,16 +15,20 @@ mod dynamic;
 mod entry;
 mod field;
 mod file_info;
+mod identity;
+mod implicit_pdo;
 mod kept;
 mod module;
 mod object;
 mod object_type;
 mod parts;
+mod pdo;
 mod place;
 mod serial;
 mod value;
 
 pub use access::{Access, PdoMapping};
+pub use cob_id::{CobId, predefined, restricted};
 pub use commissioning::Commissioning;
 pub use data_type::{DataType, TypeKind};
 pub use device::{Device, DeviceKind, DummyUsage, ObjectLists};
@@ -32,10 +37,12 @@ pub use dynamic::{DynamicChannels, Segment, Tool};
 pub use entry::{Configured, Entry, ObjFlags, Safety};
 pub use field::Field;
 pub use file_info::{ClockTime, Date, FileInfo};
+pub use identity::Identity;
 pub use kept::{Extra, ExtraSection, Misfit, Misfits, Reason};
 pub use module::{Extension, ExtensionCount, Module, Modules};
 pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
+pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
 pub(crate) use serial::{hex_text, index_keys, real_text};
 pub use value::{Time, Value};

@@ -155,6 +155,32 @@ impl Object {
         (sub == 0 && !self.orphan && !self.object_type().has_subs()).then_some(Cow::Borrowed(&self.main))
     }
 
+    /// The value that a sub-index has after it was configured: [`Entry::value`] of [`Object::entry`], without making an
+    /// entry of a compactly stored one.
+    pub fn value(&self, sub: u8) -> Option<Cow<'_, Value>> {
+        if let Some(entry) = self.subs.get(sub) {
+            return entry.value().map(Cow::Borrowed);
+        }
+        if let Some(compact) = &self.compact {
+            return match sub {
+                0 => Some(Cow::Owned(Value::Unsigned(u64::from(compact.count)))),
+                _ if sub > compact.count => None,
+                _ => of_sub(&compact.values, sub).or(self.main.default.as_ref()).map(Cow::Borrowed),
+            };
+        }
+        let single = sub == 0 && !self.orphan && !self.object_type().has_subs();
+        if single { self.main.value().map(Cow::Borrowed) } else { None }
+    }
+
+    /// Whether there is a sub-index, described or stored compactly.
+    pub fn has(&self, sub: u8) -> bool {
+        self.subs.get(sub).is_some()
+            || match &self.compact {
+                Some(compact) => sub <= compact.count,
+                None => sub == 0 && !self.orphan && !self.object_type().has_subs(),
+            }
+    }
+
     /// All entries that the device has, in ascending order of their sub-indexes.
     pub fn entries(&self) -> impl Iterator<Item = (u8, Cow<'_, Entry>)> {
         let compact = self.compact.as_ref().map(|compact| compact.count);
@@ -289,6 +315,22 @@ mod tests {
         let names: Vec<(u8, String)> =
             object.entries().map(|(sub, entry)| (sub, entry.name.to_string())).collect();
         assert_eq!(names[3..], [(3, "Own".to_owned()), (9, "Above".to_owned())]);
+    }
+
+    #[test]
+    fn values_are_those_of_the_entries() {
+        let mut object = compact();
+        object.main.default = Some(Value::Unsigned(7));
+        if let Some(compact) = &mut object.compact {
+            compact.values = vec![(2, Value::Unsigned(9))];
+        }
+        object.subs.insert(5, Entry { default: Some(Value::Unsigned(1)), ..Entry::default() });
+        for sub in 0..=6 {
+            let entry = object.entry(sub);
+            assert_eq!(object.has(sub), entry.is_some(), "sub-index {sub}");
+            let value = entry.as_ref().and_then(|entry| entry.value().cloned());
+            assert_eq!(object.value(sub).map(Cow::into_owned), value, "sub-index {sub}");
+        }
     }
 
     #[test]

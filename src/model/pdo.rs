@@ -1,0 +1,339 @@
+//! PDOs: a communication record and a mapping, read together (CiA 301 §7.5.2.35 to §7.5.2.38).
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use super::{CobId, Device, Object, Value};
+
+/// Direction of a PDO, seen from the device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum PdoKind {
+    /// The device receives it.
+    Rpdo,
+    /// The device transmits it.
+    Tpdo,
+}
+
+impl PdoKind {
+    /// Both kinds.
+    pub const ALL: [Self; 2] = [Self::Rpdo, Self::Tpdo];
+
+    /// PDOs of a kind are numbered from 1 to this.
+    pub const MAX: u16 = 512;
+
+    /// Index of the communication record of PDO 1.
+    const fn first_communication(self) -> u16 {
+        match self {
+            Self::Rpdo => 0x1400,
+            Self::Tpdo => 0x1800,
+        }
+    }
+
+    /// Index of the communication record of a PDO; `None` when the number is not one of 1 to 512.
+    pub const fn communication_index(self, number: u16) -> Option<u16> {
+        if number == 0 || number > Self::MAX {
+            return None;
+        }
+        Some(self.first_communication() + number - 1)
+    }
+
+    /// Index of the mapping of a PDO; `None` when the number is not one of 1 to 512.
+    pub const fn mapping_index(self, number: u16) -> Option<u16> {
+        match self.communication_index(number) {
+            Some(index) => Some(index + 0x200),
+            None => None,
+        }
+    }
+
+    /// The PDO whose communication record has this index.
+    pub const fn of_communication(index: u16) -> Option<(Self, u16)> {
+        match index {
+            0x1400..=0x15FF => Some((Self::Rpdo, index - 0x1400 + 1)),
+            0x1800..=0x19FF => Some((Self::Tpdo, index - 0x1800 + 1)),
+            _ => None,
+        }
+    }
+
+    /// The PDO whose mapping has this index.
+    pub const fn of_mapping(index: u16) -> Option<(Self, u16)> {
+        match index {
+            0x1600..=0x17FF | 0x1A00..=0x1BFF => Self::of_communication(index - 0x200),
+            _ => None,
+        }
+    }
+
+    /// The CAN-ID of PDO 1 to 4 in the predefined connection set, less the node-ID (CiA 301 §7.3.5); `None` for the
+    /// others, which have none.
+    pub const fn predefined_can_id(self, number: u16) -> Option<u16> {
+        if number == 0 || number > 4 {
+            return None;
+        }
+        Some(match self {
+            Self::Rpdo => 0x100 + 0x100 * number,
+            Self::Tpdo => 0x080 + 0x100 * number,
+        })
+    }
+
+    /// `RPDO` or `TPDO`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rpdo => "RPDO",
+            Self::Tpdo => "TPDO",
+        }
+    }
+}
+
+impl fmt::Display for PdoKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What a mapping entry names: an entry of the dictionary and the bits that it takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MappedObject {
+    /// Index.
+    pub index: u16,
+    /// Sub-index.
+    pub sub: u8,
+    /// Length in bits.
+    pub bits: u8,
+}
+
+impl MappedObject {
+    /// The object that the number of a mapping entry names.
+    pub const fn from_number(number: u32) -> Self {
+        let [bits, sub, low, high] = number.to_le_bytes();
+        Self { index: u16::from_le_bytes([low, high]), sub, bits }
+    }
+
+    /// The number of the mapping entry.
+    pub const fn to_number(self) -> u32 {
+        let [low, high] = self.index.to_le_bytes();
+        u32::from_le_bytes([self.bits, self.sub, low, high])
+    }
+
+    /// Whether the number is 0: nothing is mapped.
+    pub const fn is_unused(self) -> bool {
+        self.to_number() == 0
+    }
+
+    /// Whether a data type is named: a filler of an RPDO (CiA 301 §7.4.7.1).
+    pub const fn is_dummy(self) -> bool {
+        self.index > 0 && self.index < 0x20
+    }
+}
+
+/// As the field writes it: `6041h:00, 16 bits`.
+impl fmt::Display for MappedObject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:04X}h:{:02X}, {} bits", self.index, self.sub, self.bits)
+    }
+}
+
+/// A sub-index 1 to 64 of a mapping that the description has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MappingSlot {
+    /// Sub-index of the mapping.
+    pub sub: u8,
+    /// What is mapped; `None` where the description gives no number.
+    pub object: Option<MappedObject>,
+}
+
+/// A PDO: what its two objects hold after the device was configured ([`Entry::value`](super::Entry::value)). A field is
+/// `None` where the description has no sub-index for it, no value, or one that does not fit.
+#[derive(Clone, Debug)]
+pub struct Pdo<'a> {
+    /// Direction.
+    pub kind: PdoKind,
+    /// Number, 1 to 512.
+    pub number: u16,
+    /// The communication record.
+    pub communication: Option<&'a Object>,
+    /// The mapping.
+    pub mapping: Option<&'a Object>,
+    /// COB-ID, sub-index 1.
+    pub cob_id: Option<CobId>,
+    /// Transmission type, sub-index 2.
+    pub transmission_type: Option<u8>,
+    /// Inhibit time in multiples of 100 µs, sub-index 3.
+    pub inhibit_time: Option<u16>,
+    /// Event timer in milliseconds, sub-index 5.
+    pub event_timer: Option<u16>,
+    /// SYNC start value, sub-index 6.
+    pub sync_start_value: Option<u8>,
+    /// Number of mapped objects, sub-index 0 of the mapping.
+    pub mapped_count: Option<u8>,
+    /// Sub-indexes 1 to 64 of the mapping that there are.
+    pub slots: Vec<MappingSlot>,
+}
+
+impl<'a> Pdo<'a> {
+    fn new(device: &'a Device, kind: PdoKind, number: u16) -> Self {
+        let object = |index: Option<u16>| device.object(index?);
+        let communication = object(kind.communication_index(number));
+        let mapping = object(kind.mapping_index(number));
+        Self {
+            kind,
+            number,
+            communication,
+            mapping,
+            cob_id: communication.and_then(|object| CobId::from_value(object.value(1)?.as_ref())),
+            transmission_type: number_in(communication, 2),
+            inhibit_time: number_in(communication, 3),
+            event_timer: number_in(communication, 5),
+            sync_start_value: number_in(communication, 6),
+            mapped_count: number_in(mapping, 0),
+            slots: mapping.map(slots).unwrap_or_default(),
+        }
+    }
+
+    /// Index of the communication record.
+    pub fn communication_index(&self) -> u16 {
+        self.kind.first_communication() + (self.number - 1)
+    }
+
+    /// Index of the mapping.
+    pub fn mapping_index(&self) -> u16 {
+        self.communication_index() + 0x200
+    }
+
+    /// Whether the PDO exists on the network: bit 31 of its COB-ID is clear. `None` when the COB-ID is not known.
+    pub fn is_valid(&self) -> Option<bool> {
+        self.cob_id.map(CobId::is_valid)
+    }
+
+    /// Whether a SYNC triggers it: types 0 to 240, of a TPDO also 252.
+    pub fn is_synchronous(&self) -> bool {
+        match self.transmission_type {
+            Some(0..=240) => true,
+            Some(252) => self.kind == PdoKind::Tpdo,
+            _ => false,
+        }
+    }
+
+    /// Whether an event triggers it: types 254 and 255.
+    pub fn is_event_driven(&self) -> bool {
+        matches!(self.transmission_type, Some(254 | 255))
+    }
+
+    /// Whether it is a multiplexed PDO, which names its object in each frame (CiA 301 §7.5.2.36).
+    pub fn is_multiplexed(&self) -> bool {
+        matches!(self.mapped_count, Some(0xFE | 0xFF))
+    }
+
+    /// The slots in use, in the order of the frame: those up to the number of mapped objects.
+    pub fn used_slots(&self) -> impl Iterator<Item = MappingSlot> + '_ {
+        let count = self.mapped_count.filter(|&count| count <= 64).unwrap_or(0);
+        self.slots.iter().copied().take_while(move |slot| slot.sub <= count)
+    }
+
+    /// What the PDO carries, in the order of the frame.
+    pub fn mapped(&self) -> impl Iterator<Item = MappedObject> + '_ {
+        self.used_slots().filter_map(|slot| slot.object).filter(|object| !object.is_unused())
+    }
+
+    /// Number of bits that it carries.
+    pub fn bit_length(&self) -> u32 {
+        self.mapped().map(|object| u32::from(object.bits)).sum()
+    }
+}
+
+/// `RPDO 1`.
+impl fmt::Display for Pdo<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.kind, self.number)
+    }
+}
+
+fn number_in<T: TryFrom<i128>>(object: Option<&Object>, sub: u8) -> Option<T> {
+    object?.value(sub)?.as_integer().and_then(|number| T::try_from(number).ok())
+}
+
+fn slots(mapping: &Object) -> Vec<MappingSlot> {
+    let mapped = |value: &Value| {
+        let number = u32::try_from(value.as_integer()?).ok()?;
+        Some(MappedObject::from_number(number))
+    };
+    let subs = (1..=64).filter(|&sub| mapping.has(sub));
+    subs.map(|sub| MappingSlot { sub, object: mapping.value(sub).and_then(|value| mapped(&value)) }).collect()
+}
+
+impl Device {
+    /// The PDOs that the description has objects for: first RPDOs, then TPDOs, by number. Those that `CompactPDO`
+    /// implies are not among them; see [`Device::with_implicit_pdos`].
+    pub fn pdos(&self) -> impl Iterator<Item = Pdo<'_>> {
+        PdoKind::ALL.into_iter().flat_map(move |kind| {
+            self.pdo_numbers(kind).into_iter().map(move |number| Pdo::new(self, kind, number))
+        })
+    }
+
+    /// The PDO of a number, when the description has an object for it.
+    pub fn pdo(&self, kind: PdoKind, number: u16) -> Option<Pdo<'_>> {
+        let described = |index: Option<u16>| index.is_some_and(|index| self.objects.contains_key(&index));
+        let exists = described(kind.communication_index(number)) || described(kind.mapping_index(number));
+        exists.then(|| Pdo::new(self, kind, number))
+    }
+
+    /// Numbers of the PDOs that have a communication record or a mapping.
+    pub(super) fn pdo_numbers(&self, kind: PdoKind) -> BTreeSet<u16> {
+        let first = kind.first_communication();
+        let from = |first: u16| {
+            self.objects.range(first..first + PdoKind::MAX).map(move |(&index, _)| index - first + 1)
+        };
+        from(first).chain(from(first + 0x200)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{DataType, Entry, ObjectType};
+
+    fn record(values: &[(u8, u64)]) -> Object {
+        let entry = |value| Entry {
+            data_type: Some(DataType::UNSIGNED32),
+            default: Some(Value::Unsigned(value)),
+            ..Entry::default()
+        };
+        let main = Entry { object_type: Some(ObjectType::Record), ..Entry::default() };
+        Object {
+            main,
+            subs: values.iter().map(|&(sub, value)| (sub, entry(value))).collect(),
+            ..Object::default()
+        }
+    }
+
+    #[test]
+    fn indexes_and_numbers() {
+        assert_eq!(PdoKind::Rpdo.communication_index(1), Some(0x1400));
+        assert_eq!(PdoKind::Tpdo.mapping_index(512), Some(0x1BFF));
+        assert_eq!(PdoKind::Tpdo.mapping_index(513), None);
+        assert_eq!(PdoKind::of_mapping(0x1A02), Some((PdoKind::Tpdo, 3)));
+        assert_eq!(PdoKind::of_mapping(0x1402), None);
+        let ids =
+            |kind: PdoKind| (1..=5).map(move |number| kind.predefined_can_id(number)).collect::<Vec<_>>();
+        assert_eq!(ids(PdoKind::Rpdo), [Some(0x200), Some(0x300), Some(0x400), Some(0x500), None]);
+        assert_eq!(ids(PdoKind::Tpdo), [Some(0x180), Some(0x280), Some(0x380), Some(0x480), None]);
+    }
+
+    #[test]
+    fn both_objects_make_a_pdo() {
+        let mut device = Device::default();
+        device.objects.insert(0x1801, record(&[(0, 5), (1, 0x4000_0285), (2, 252), (3, 10), (5, 100)]));
+        device
+            .objects
+            .insert(0x1A01, record(&[(0, 2), (1, 0x6000_0108), (2, 0x6401_0210), (3, 0x6401_0310)]));
+        device.objects.insert(0x1A02, record(&[(0, 0xFF)]));
+        let pdos: Vec<Pdo<'_>> = device.pdos().collect();
+        assert_eq!(pdos.iter().map(ToString::to_string).collect::<Vec<_>>(), ["TPDO 2", "TPDO 3"]);
+        let pdo = &pdos[0];
+        assert_eq!((pdo.communication_index(), pdo.mapping_index()), (0x1801, 0x1A01));
+        assert_eq!((pdo.inhibit_time, pdo.event_timer, pdo.sync_start_value), (Some(10), Some(100), None));
+        assert!(pdo.is_valid() == Some(true) && pdo.is_synchronous() && !pdo.is_event_driven());
+        let mapped: Vec<String> = pdo.mapped().map(|object| object.to_string()).collect();
+        assert_eq!(mapped, ["6000h:01, 8 bits", "6401h:02, 16 bits"]);
+        assert_eq!((pdo.slots.len(), pdo.bit_length()), (3, 24));
+        assert!(pdos[1].communication.is_none() && pdos[1].is_multiplexed() && pdos[1].is_valid().is_none());
+    }
+}
