@@ -22,7 +22,10 @@ impl Key {
     /// The key of a text, whatever the case of its letters; `None` for one that the standard does not have.
     pub(crate) fn find(text: &str) -> Option<Self> {
         let group = BY_LENGTH.get(text.len())?;
-        let found = group.iter().find(|(name, _)| name.eq_ignore_ascii_case(text));
+        let first = text.as_bytes().first()?.to_ascii_lowercase();
+        let mut candidates =
+            group.iter().filter(|(name, _)| name.as_bytes()[0].to_ascii_lowercase() == first);
+        let found = candidates.find(|(name, _)| *name == text || name.eq_ignore_ascii_case(text));
         found.map(|&(_, number)| Self(number))
     }
 

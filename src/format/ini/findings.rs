@@ -308,13 +308,18 @@ text_rule! {
 /// Adds what the lines of `document` show.
 pub(crate) fn check(document: &Document, findings: &mut Findings) {
     check_characters(document, findings);
-    let mut lines =
-        LineCheck { text: document.text(), first_section: None, comment: None, blank: None, findings };
+    let mut lines = LineCheck {
+        text: document.text(),
+        first_section: None,
+        line_end: None,
+        comment: None,
+        blank: None,
+        findings,
+    };
     for line in document.lines() {
         lines.check(&line);
     }
     lines.finish();
-    check_line_ends(document, findings);
 }
 
 fn check_characters(document: &Document, findings: &mut Findings) {
@@ -341,7 +346,9 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         );
     }
     let is_control = |byte: &u8| *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F;
-    if text.as_bytes().iter().any(|byte| is_control(byte)) {
+    // without an early exit the loop over a chunk is a few vector instructions
+    let has_control = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_control(byte));
+    if text.as_bytes().chunks(4096).any(has_control) {
         let mut last_line = usize::MAX;
         for (at, byte) in text.bytes().enumerate().filter(|(_, byte)| is_control(byte)) {
             let line = document.source().lines().line_of(at as u32);
@@ -357,38 +364,12 @@ fn check_characters(document: &Document, findings: &mut Findings) {
     }
 }
 
-fn check_line_ends(document: &Document, findings: &mut Findings) {
-    let bytes = document.text().as_bytes();
-    let mut first: Option<&[u8]> = None;
-    let mut at = 0;
-    while let Some(found) = memchr::memchr2(b'\n', b'\r', &bytes[at..]) {
-        let start = at + found;
-        let end = match &bytes[start..] {
-            [b'\r', b'\n', ..] => start + 2,
-            _ => start + 1,
-        };
-        let line_end = &bytes[start..end];
-        if line_end == b"\r" || first.is_some_and(|first| first != line_end) {
-            let message = match line_end {
-                b"\r" => "the line ends with CR alone",
-                b"\n" => "the line ends with LF, the lines before end with CR LF",
-                _ => "the line ends with CR LF, the lines before end with LF",
-            };
-            let span = Span::new(start as u32, end as u32);
-            findings.push(
-                Diagnostic::new(&MIXED_LINE_ENDS, span, message).help("use CR LF or LF in the whole file"),
-            );
-            return;
-        }
-        first.get_or_insert(line_end);
-        at = end;
-    }
-}
-
 /// Style findings that would be on every line of a file are made once, for the first line, with the number of lines.
 struct LineCheck<'a> {
     text: &'a str,
     first_section: Option<Span>,
+    /// The first line end of the file; empty when another one was met and reported.
+    line_end: Option<&'a str>,
     comment: Option<(Span, u32)>,
     blank: Option<(Span, u32)>,
     findings: &'a mut Findings,
@@ -400,6 +381,7 @@ fn count(counter: &mut Option<(Span, u32)>, span: Span) {
 
 impl LineCheck<'_> {
     fn check(&mut self, line: &Line) {
+        self.check_line_end(line);
         if line.span.len() as usize > MAX_LINE {
             self.check_length(line);
         }
@@ -422,6 +404,23 @@ impl LineCheck<'_> {
                 }
             }
         }
+    }
+
+    fn check_line_end(&mut self, line: &Line) {
+        let span = Span::new(line.span.end, line.next);
+        let line_end = span.of(self.text);
+        let first = *self.line_end.get_or_insert(line_end);
+        if first.is_empty() || line_end.is_empty() || (line_end == first && line_end != "\r") {
+            return;
+        }
+        let message = match line_end {
+            "\r" => "the line ends with CR alone",
+            "\n" => "the line ends with LF, the lines before end with CR LF",
+            _ => "the line ends with CR LF, the lines before end with LF",
+        };
+        let finding = Diagnostic::new(&MIXED_LINE_ENDS, span, message);
+        self.findings.push(finding.help("use CR LF or LF in the whole file"));
+        self.line_end = Some("");
     }
 
     fn check_length(&mut self, line: &Line) {

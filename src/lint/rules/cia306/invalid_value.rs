@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::lint::rule;
 use crate::model::{Access, DataType, Device, Field, Misfit, Place, Reason};
 
@@ -6,7 +6,7 @@ rule! {
     /// a text is no value of its key
     ///
     /// ## What it checks
-    /// Whether numbers are numbers and fit their type or key, whether defaults and limits are values of their data type, whether access types, object types, dates and times are those that the standard knows.
+    /// Whether numbers are numbers and fit their type or key, whether defaults and limits are values of their data type, whether access types, object types, dates and times are those that the standard knows. A date or time that is none is a warning only.
     ///
     /// ## Why it matters
     /// Each tool makes something else of it: refuses the file, leaves the value out, or cuts it to size, so that 300 in an UNSIGNED8 becomes 44.
@@ -28,7 +28,10 @@ fn check(device: &Device, findings: &mut Findings) {
             let data_type = device.data_type_of(&part, &misfit.field);
             let place = Place::of(part.clone()).field(misfit.field.clone());
             let finding = Diagnostic::new(&RULE.info, place, message(misfit, data_type));
-            findings.push(finding.help(help(misfit)));
+            let is_date = matches!(misfit.reason, Reason::NotADate | Reason::NotAClockTime);
+            // no tool needs the dates
+            let severity = if is_date { Severity::Warning } else { Severity::Error };
+            findings.push(finding.severity(severity).help(help(misfit)));
         }
     }
 }

@@ -1,0 +1,36 @@
+//! What several tests need: the fixtures.
+
+#![allow(dead_code, reason = "each test binary uses a part of it")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folder with all fixtures.
+pub(crate) fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
+}
+
+/// All files below a folder of the fixtures with one of the endings, in order.
+pub(crate) fn files(folder: &str, endings: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    collect(&fixtures().join(folder), endings, &mut found);
+    found.sort();
+    assert!(!found.is_empty(), "no files with the endings {endings:?} in fixtures/{folder}");
+    found
+}
+
+/// The healthy devices: every rule is silent on them.
+pub(crate) fn good_devices() -> Vec<PathBuf> {
+    [files("eds", &["eds"]), files("dcf", &["dcf"])].concat()
+}
+
+fn collect(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect(&path, endings, found);
+        } else if path.extension().is_some_and(|ending| endings.iter().any(|wanted| ending == *wanted)) {
+            found.push(path);
+        }
+    }
+}

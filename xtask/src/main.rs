@@ -1,0 +1,33 @@
+//! Chores: `cargo xtask corpus FOLDER`, `cargo xtask docs [--check]`.
+
+mod corpus;
+mod docs;
+mod generated;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+usage:
+  cargo xtask corpus FOLDER [--generate]  read, print and check every EDS and DCF below FOLDER, and print a table;
+                                          with --generate also compile what is generated from each
+  cargo xtask docs [--check]              write docs/rules.md from the rules; with --check only compare";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let result = match arguments[..] {
+        ["corpus", folder] => corpus::run(Path::new(folder), false),
+        ["corpus", folder, "--generate"] => corpus::run(Path::new(folder), true),
+        ["docs"] => docs::run(false),
+        ["docs", "--check"] => docs::run(true),
+        _ => Err(USAGE.to_owned()),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
