@@ -3,6 +3,7 @@ mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
+pub mod download;
 pub mod format;
 pub mod lint;
 pub mod model;

@@ -2,14 +2,15 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::serial::HexText;
 
 /// A data type, named by the index of its definition in the object dictionary.
 ///
 /// 0001h to 001Bh are the static types of CiA 301; 0020h to 0025h its predefined structures; from 0040h on a device or
 /// a profile defines its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(transparent)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DataType(pub u16);
 
 /// What the values of a data type are.
@@ -65,6 +66,21 @@ macro_rules! static_types {
                     0x25 => Some("OS_COMMAND"),
                     _ => None,
                 }
+            }
+
+            /// The type of a name in CiA 301.
+            pub fn from_name(name: &str) -> Option<Self> {
+                let index = match name {
+                    $(stringify!($NAME) => $index,)*
+                    "PDO_COMMUNICATION_PARAMETER" => 0x20,
+                    "PDO_MAPPING" => 0x21,
+                    "SDO_PARAMETER" => 0x22,
+                    "IDENTITY" => 0x23,
+                    "OS_DEBUG" => 0x24,
+                    "OS_COMMAND" => 0x25,
+                    _ => return None,
+                };
+                Some(Self(index))
             }
 
             /// What values of this type are.
@@ -161,5 +177,42 @@ impl fmt::Display for DataType {
             Some(name) => f.write_str(name),
             None => write!(f, "{:04X}h", self.0),
         }
+    }
+}
+
+/// The name, or, where it has none, the index as `0x0060`.
+impl Serialize for DataType {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.name() {
+            Some(name) => serializer.serialize_str(name),
+            None => HexText(self.0).serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for DataType {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let data_type = Self::from_name(&text).or_else(|| HexText::parse(&text).map(Self));
+        let error = || format!("`{text}` is no data type such as `UNSIGNED8` or `0x0040`");
+        data_type.ok_or_else(|| serde::de::Error::custom(error()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_read_back() {
+        for index in 0..=0x60 {
+            let data_type = DataType(index);
+            if let Some(name) = data_type.name() {
+                assert_eq!(DataType::from_name(name), Some(data_type));
+            }
+            let json = serde_json::to_string(&data_type).unwrap();
+            assert_eq!(serde_json::from_str::<DataType>(&json).unwrap(), data_type);
+        }
+        assert!(serde_json::from_str::<DataType>("\"UNSIGNED9\"").is_err());
     }
 }

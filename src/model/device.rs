@@ -65,13 +65,13 @@ pub enum DeviceKind {
 #[serde(default)]
 pub struct ObjectLists {
     /// `MandatoryObjects`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
     pub mandatory: Option<Vec<u16>>,
     /// `OptionalObjects`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
     pub optional: Option<Vec<u16>>,
     /// `ManufacturerObjects`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
     pub manufacturer: Option<Vec<u16>>,
 }
 
@@ -106,6 +106,7 @@ impl ObjectLists {
 #[serde(default)]
 pub struct DummyUsage {
     /// Data types with whether they may.
+    #[serde(with = "super::unique_keys")]
     pub types: BTreeMap<DataType, bool>,
     /// Texts that are no values of their fields.
     #[serde(skip_serializing_if = "Misfits::is_empty")]

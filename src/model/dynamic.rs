@@ -29,7 +29,7 @@ pub struct Segment {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<Box<str>>,
     /// `RangeN`: first and last index.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
     pub range: Option<(u16, u16)>,
     /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
     #[serde(skip_serializing_if = "Option::is_none")]

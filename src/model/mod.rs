@@ -44,5 +44,5 @@ pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
-pub(crate) use serial::{hex_text, index_keys, real_text};
+pub(crate) use serial::{hex_number, hex_text, index_keys, index_list, real_text, unique_keys};
 pub use value::{Time, Value};

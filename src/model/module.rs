@@ -14,7 +14,7 @@ pub struct Modules {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub declared: Option<u16>,
     /// The modules by number, counted from 1.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty")]
     pub supported: BTreeMap<u16, Module>,
     /// `ConnectedModules` of a DCF: the numbers of the modules in their physical order.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,16 +47,16 @@ pub struct Module {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub comments: Vec<String>,
     /// `MxFixedObjects`: the list of objects that exist once when such a module is plugged in.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
     pub fixed_list: Vec<u16>,
     /// `MxFixedxxxx`: the description of those objects.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")]
     pub fixed: BTreeMap<u16, Object>,
     /// `MxSubExtends`: the list of objects that get new sub-indexes from each such module.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
     pub extension_list: Vec<u16>,
     /// `MxSubExtxxxx`: what the new sub-indexes are.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")]
     pub extensions: BTreeMap<u16, Extension>,
     /// Keys that the model does not know.
     #[serde(skip_serializing_if = "Extra::is_empty")]

@@ -1,10 +1,10 @@
 //! Objects: what an index holds.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::serial::HexText;
 use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
 
 /// An object of the dictionary.
@@ -31,7 +31,7 @@ pub struct Object {
     #[serde(skip_serializing_if = "Subs::is_empty")]
     pub subs: Subs,
     /// `ObjectLinks`: indexes that belong to this object, for the eyes of a tool (CiA 306-1 §4.6.4).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<u16>,
 }
 
@@ -273,19 +273,14 @@ fn merge_by_sub<'a>(
 /// Keys such as `0x0A`: a text, for JSON has no other keys.
 impl Serialize for Subs {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.iter().map(|(sub, entry)| (format!("0x{sub:02X}"), entry)))
+        serializer.collect_map(self.iter().map(|(sub, entry)| (HexText(sub), entry)))
     }
 }
 
 impl<'de> Deserialize<'de> for Subs {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let sub = |text: &str| u8::from_str_radix(text.strip_prefix("0x")?, 16).ok();
-        let entries = BTreeMap::<String, Entry>::deserialize(deserializer)?;
-        let entries = entries.into_iter().map(|(key, entry)| match sub(&key) {
-            Some(sub) => Ok((sub, entry)),
-            None => Err(serde::de::Error::custom(format!("`{key}` is no sub-index such as `0x0A`"))),
-        });
-        entries.collect()
+        let entries = super::unique_keys::deserialize::<HexText<u8>, Entry, D>(deserializer)?;
+        Ok(entries.into_iter().map(|(HexText(sub), entry)| (sub, entry)).collect())
     }
 }
 

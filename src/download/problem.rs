@@ -1,0 +1,184 @@
+//! Why a plan cannot be made, and what a plan leaves out.
+
+use std::fmt;
+
+use crate::model::{DataType, Place, Value};
+
+/// Why there is no plan: everything that stands in the way, not just the first of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// No node has this node-ID.
+    NodeId(u8),
+    /// Entries whose value cannot be written; at least one, in the order of the dictionary.
+    Problems(Vec<Problem>),
+}
+
+/// An entry whose value cannot be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The entry.
+    pub place: Place,
+    /// What stands in the way.
+    pub kind: ProblemKind,
+}
+
+/// What stands in the way of writing a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ProblemKind {
+    /// The value is a formula, and nobody said which node it is for.
+    NeedsNodeId(Value),
+    /// The value does not fit the entry's data type, perhaps only on this node.
+    NotOfType {
+        /// The value.
+        value: Value,
+        /// The data type.
+        data_type: DataType,
+    },
+    /// The value is below `LowLimit`.
+    BelowLimit {
+        /// The value.
+        value: Value,
+        /// The limit.
+        limit: Value,
+    },
+    /// The value is above `HighLimit`.
+    AboveLimit {
+        /// The value.
+        value: Value,
+        /// The limit.
+        limit: Value,
+    },
+    /// The description has a text that is no value of the entry's data type.
+    Unreadable(Box<str>),
+    /// The data type is missing or nobody knows how long its values are, so the bytes of this value are unknown.
+    UnknownType {
+        /// The value.
+        value: Value,
+        /// The data type, where there is one.
+        data_type: Option<DataType>,
+    },
+    /// The PDO, SDO or other communication object must be switched off to be changed, but the description says
+    /// nothing of its COB-ID.
+    NoCobId,
+}
+
+/// An entry for which the description has a value that is not written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Skipped {
+    /// The entry.
+    pub place: Place,
+    /// Why it is not written.
+    pub reason: SkipReason,
+}
+
+/// Why an entry is left out of a plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SkipReason {
+    /// The access type allows no write.
+    NotWritable,
+    /// The description does not say whether the entry can be written.
+    NoAccess,
+    /// `ObjFlags` bit 0: the entry must not be written by a download.
+    RefusesWrite,
+    /// A write starts an action, such as storing, and is no configuration.
+    Command,
+    /// A write to 1003h sub-index 0 clears the history of errors.
+    ClearsHistory,
+    /// The object defines a data type or is NULL.
+    Definition,
+    /// An entry of a PDO mapping behind the last one that is mapped, and 0.
+    Unused,
+}
+
+impl PlanError {
+    /// What to do about it.
+    pub fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::NodeId(_) => Some("a node-ID is a number from 1 to 127"),
+            Self::Problems(problems) => {
+                let formula = |problem: &Problem| matches!(problem.kind, ProblemKind::NeedsNodeId(_));
+                problems.iter().any(formula).then_some("say which node it is for with `--node-id`")
+            }
+        }
+    }
+}
+
+impl std::error::Error for PlanError {}
+
+/// One line a problem; entries that only miss the node-ID share one.
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let problems = match self {
+            Self::NodeId(node_id) => return write!(f, "`{node_id}` is no node-ID"),
+            Self::Problems(problems) => problems,
+        };
+        let (formulas, others): (Vec<_>, Vec<_>) =
+            problems.iter().partition(|problem| matches!(problem.kind, ProblemKind::NeedsNodeId(_)));
+        if !formulas.is_empty() {
+            let places: Vec<String> = formulas.iter().map(|problem| format!("`{}`", problem.place)).collect();
+            write!(f, "no value without the node-ID: {}", places.join(", "))?;
+        }
+        for (number, problem) in others.into_iter().enumerate() {
+            if number > 0 || !formulas.is_empty() {
+                f.write_str("\n")?;
+            }
+            write!(f, "{problem}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = &self.place;
+        match &self.kind {
+            ProblemKind::NeedsNodeId(value) => {
+                write!(f, "`{place}`: `{value}` has no value without the node-ID")
+            }
+            ProblemKind::NotOfType { value, data_type } => {
+                write!(f, "`{place}`: the value `{value}` does not fit {data_type}")
+            }
+            ProblemKind::BelowLimit { value, limit } => {
+                write!(f, "`{place}`: the value `{value}` is below the low limit `{limit}`")
+            }
+            ProblemKind::AboveLimit { value, limit } => {
+                write!(f, "`{place}`: the value `{value}` is above the high limit `{limit}`")
+            }
+            ProblemKind::Unreadable(text) => {
+                write!(f, "`{place}`: the text `{text}` is no value of its type")
+            }
+            ProblemKind::UnknownType { value, data_type: Some(data_type) } => {
+                write!(f, "`{place}`: the bytes of `{value}` are unknown, for the data type {data_type} is")
+            }
+            ProblemKind::UnknownType { value, data_type: None } => {
+                write!(f, "`{place}`: the bytes of `{value}` are unknown, for the entry has no data type")
+            }
+            ProblemKind::NoCobId => {
+                write!(f, "`{place}`: to be changed it must be switched off, but its COB-ID is unknown")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Skipped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is not written: {}", self.place, self.reason)
+    }
+}
+
+impl fmt::Display for SkipReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotWritable => "its access type allows no write",
+            Self::NoAccess => "it has no access type",
+            Self::RefusesWrite => "its ObjFlags refuse a download",
+            Self::Command => "it is a command",
+            Self::ClearsHistory => "a write clears the error history",
+            Self::Definition => "it defines a data type",
+            Self::Unused => "no mapped object stands there",
+        })
+    }
+}

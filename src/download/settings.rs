@@ -1,0 +1,335 @@
+//! What a description wants each entry to be: collected, resolved for the node, checked.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use super::{Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped, Step};
+use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
+
+/// Index and sub-index.
+pub(super) type Key = (u16, u8);
+
+/// The entries of a device that a download may write.
+pub(super) struct Settings<'a> {
+    node_id: Option<u8>,
+    scope: Scope,
+    entries: BTreeMap<Key, Setting<'a>>,
+    problems: BTreeMap<Key, Problem>,
+    skipped: BTreeMap<Key, Skipped>,
+}
+
+/// An entry that a download may write.
+struct Setting<'a> {
+    entry: Cow<'a, Entry>,
+    place: Place,
+    data_type: Option<DataType>,
+    /// Whether the plan has to bring it to its value.
+    wanted: bool,
+    /// The text of a value that is not one of the data type.
+    unreadable: Option<Box<str>>,
+}
+
+/// The objects that do something when they are written: store and restore (1010h, 1011h), OS commands (1023h-1026h),
+/// configure slave (1F25h), program download and control (1F50h, 1F51h), request NMT and guarding (1F82h, 1F83h).
+const fn is_command(index: u16) -> bool {
+    matches!(index, 0x1010 | 0x1011 | 0x1023..=0x1026 | 0x1F25 | 0x1F50 | 0x1F51 | 0x1F82 | 0x1F83)
+}
+
+/// Whether sub-index 0 of the object is the number of mapped objects.
+const fn is_mapping(index: u16) -> bool {
+    matches!(index, 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF)
+}
+
+impl<'a> Settings<'a> {
+    /// The entries of `device`; those that cannot be written but have a configured value are noted as skipped.
+    pub(super) fn collect(device: &'a Device, options: &PlanOptions) -> Self {
+        let mut settings = Self {
+            node_id: options.node_id.or_else(|| device.node_id()),
+            scope: options.scope,
+            entries: BTreeMap::new(),
+            problems: BTreeMap::new(),
+            skipped: BTreeMap::new(),
+        };
+        for (&index, object) in &device.objects {
+            for (sub, entry) in object.entries() {
+                settings.add(device, options, (index, object), (sub, entry));
+            }
+        }
+        settings
+    }
+
+    fn add(
+        &mut self,
+        device: &Device,
+        options: &PlanOptions,
+        (index, object): (u16, &Object),
+        (sub, entry): (u8, Cow<'a, Entry>),
+    ) {
+        let has_subs = object.object_type().has_subs();
+        let place = if has_subs { Place::entry(index, sub) } else { Place::object(index) };
+        let unreadable = unreadable_value(object, sub, &entry);
+        let configured = entry.configured.as_ref();
+        let from_file = configured.is_some_and(|configured| configured.download_file.is_some());
+        let configured = from_file || configured_text(object, sub, &entry);
+        let differs = configured && (from_file || unreadable.is_some() || self.differs(&entry));
+        if let Some(reason) = skip_reason(index, object, &entry, options) {
+            if differs {
+                self.skipped.insert((index, sub), Skipped { place, reason });
+            }
+            return;
+        }
+        let count = sub == 0 && has_subs && !is_mapping(index);
+        let has_value = entry.value().is_some() || unreadable.is_some() || from_file;
+        let wanted = differs || self.scope == Scope::All && has_value && !count;
+        let data_type = data_type(device, object, sub, &entry);
+        self.entries.insert((index, sub), Setting { entry, place, data_type, wanted, unreadable });
+    }
+
+    /// Whether the configured value of an entry is another one than its default, as far as that can be told.
+    fn differs(&self, entry: &Entry) -> bool {
+        let (Some(configured), Some(default)) = (entry.configured_value(), &entry.default) else {
+            return true;
+        };
+        if configured == default {
+            return false;
+        }
+        let number = |value: &Value| value.integer_for(self.node_id?);
+        let (configured, default) = (number(configured), number(default));
+        configured.is_none() || configured != default
+    }
+
+    /// Whether a download may write the entry.
+    pub(super) fn can_write(&self, key: Key) -> bool {
+        self.entries.contains_key(&key)
+    }
+
+    /// Whether the plan has to bring the entry to its value.
+    pub(super) fn wants(&self, key: Key) -> bool {
+        self.entries.get(&key).is_some_and(|setting| setting.wanted)
+    }
+
+    /// The entries that the plan has to bring to their values.
+    pub(super) fn wanted(&self) -> Vec<Key> {
+        self.entries.iter().filter(|(_, setting)| setting.wanted).map(|(&key, _)| key).collect()
+    }
+
+    /// The writable sub-indexes of an object.
+    pub(super) fn subs(&self, index: u16) -> Vec<u8> {
+        self.entries.range((index, 0)..=(index, 0xFF)).map(|(&(_, sub), _)| sub).collect()
+    }
+
+    /// Whether all values are written, whatever the node may have now.
+    pub(super) fn writes_all(&self) -> bool {
+        self.scope == Scope::All
+    }
+
+    /// The name of the file with the data of an entry.
+    pub(super) fn file(&self, key: Key) -> Option<Box<str>> {
+        self.entries.get(&key)?.entry.configured.as_ref()?.download_file.clone()
+    }
+
+    /// The bytes that the entry shall have; `None` where there is no value, or, with a problem noted, no legal one.
+    pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
+        let setting = self.entries.get(&key)?;
+        let bytes = match (&setting.unreadable, setting.entry.value()) {
+            (Some(text), _) => Err(ProblemKind::Unreadable(text.clone())),
+            (None, Some(value)) => setting.checked_bytes(value, self.node_id),
+            (None, None) => return None,
+        };
+        self.noted(key, bytes)
+    }
+
+    /// [`target`](Self::target) of an entry of 32 bits, as a number.
+    pub(super) fn target_number(&mut self, key: Key) -> Option<u32> {
+        self.target(key)?.try_into().ok().map(u32::from_le_bytes)
+    }
+
+    /// The number that an entry of 32 bits has by default; `None` where the description does not say.
+    pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
+        let setting = self.entries.get(&key)?;
+        let bytes = match setting.bytes(setting.entry.default.as_ref()?, self.node_id) {
+            Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
+            // a default that is none is as good as an unknown one
+            bytes => bytes.ok(),
+        };
+        bytes?.try_into().ok().map(u32::from_le_bytes)
+    }
+
+    /// Notes that an entry must be switched off and cannot be.
+    pub(super) fn no_cob_id(&mut self, key: Key) {
+        self.noted::<()>(key, Err(ProblemKind::NoCobId));
+    }
+
+    /// Notes that an unused entry of a PDO mapping is left out.
+    pub(super) fn unused(&mut self, key: Key) {
+        if let Some(setting) =
+            self.entries.get(&key).filter(|setting| setting.entry.configured_value().is_some())
+        {
+            let skipped = Skipped { place: setting.place.clone(), reason: SkipReason::Unused };
+            self.skipped.insert(key, skipped);
+        }
+    }
+
+    fn noted<T>(&mut self, key: Key, result: Result<T, ProblemKind>) -> Option<T> {
+        match result {
+            Ok(value) => Some(value),
+            Err(kind) => {
+                if let Some(setting) = self.entries.get(&key) {
+                    let place = setting.place.clone();
+                    self.problems.entry(key).or_insert(Problem { place, kind });
+                }
+                None
+            }
+        }
+    }
+
+    /// The plan of these steps, or the problems that were noted.
+    pub(super) fn finish(self, steps: Vec<Step>) -> Result<Plan, PlanError> {
+        if !self.problems.is_empty() {
+            return Err(PlanError::Problems(self.problems.into_values().collect()));
+        }
+        Ok(Plan { steps, skipped: self.skipped.into_values().collect() })
+    }
+}
+
+impl Setting<'_> {
+    /// The bytes of a value that shall be written: it must be within the limits.
+    fn checked_bytes(&self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
+        let bytes = self.bytes(value, node_id)?;
+        let against = |limit: &Option<Value>| {
+            let limit = limit.as_ref()?;
+            compare(value, limit, node_id).map(|ordering| (ordering, limit.clone()))
+        };
+        if let Some((Ordering::Less, limit)) = against(&self.entry.low_limit) {
+            return Err(ProblemKind::BelowLimit { value: value.clone(), limit });
+        }
+        if let Some((Ordering::Greater, limit)) = against(&self.entry.high_limit) {
+            return Err(ProblemKind::AboveLimit { value: value.clone(), limit });
+        }
+        Ok(bytes)
+    }
+
+    fn bytes(&self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
+        let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.entry.data_type };
+        let data_type = self.data_type.ok_or_else(unknown)?;
+        let misfit = || ProblemKind::NotOfType { value: value.clone(), data_type };
+        let typed = match value {
+            Value::Raw(text) => number_of_own_type(text, data_type).ok_or_else(unknown)?,
+            _ => value.clone(),
+        };
+        let typed = match (&typed, node_id) {
+            (Value::NodeId(_), None) => return Err(ProblemKind::NeedsNodeId(value.clone())),
+            (Value::NodeId(_), Some(node_id)) => typed.resolve(data_type, node_id).ok_or_else(misfit)?,
+            _ => typed,
+        };
+        // a value made in code may be too large for its type: the bytes would wrap
+        let fits = typed
+            .as_integer()
+            .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&typed));
+        typed.to_bytes(data_type).filter(|_| fits).ok_or_else(misfit)
+    }
+}
+
+/// Why a download does not write the entry.
+fn skip_reason(index: u16, object: &Object, entry: &Entry, options: &PlanOptions) -> Option<SkipReason> {
+    let object_type = object.object_type();
+    if index < 0x1000 || matches!(object_type, ObjectType::Null | ObjectType::DefType | ObjectType::DefStruct)
+    {
+        return Some(SkipReason::Definition);
+    }
+    let is_domain = entry.object_type == Some(ObjectType::Domain);
+    match entry.access.or(is_domain.then_some(Access::Rw)) {
+        None => return Some(SkipReason::NoAccess),
+        Some(access) if !access.is_writable() => return Some(SkipReason::NotWritable),
+        Some(_) => {}
+    }
+    if entry.flags().refuses_write() || object.main.flags().refuses_write() {
+        return Some(SkipReason::RefusesWrite);
+    }
+    match index {
+        0x1003 => Some(SkipReason::ClearsHistory),
+        _ if is_command(index) && !options.commands => Some(SkipReason::Command),
+        _ => None,
+    }
+}
+
+/// Whether the description says what the entry shall be, whether it is legal or not.
+fn configured_text(object: &Object, sub: u8, entry: &Entry) -> bool {
+    entry.configured_value().is_some()
+        || entry.misfits.get(&Field::ParameterValue).is_some()
+        || compact_misfit(object, sub).is_some()
+}
+
+/// The text of the value that the entry shall have, where it is not one of its data type.
+fn unreadable_value(object: &Object, sub: u8, entry: &Entry) -> Option<Box<str>> {
+    if entry.configured_value().is_some() {
+        return None;
+    }
+    let misfit = entry.misfits.get(&Field::ParameterValue);
+    if let Some(misfit) = misfit {
+        return Some(misfit.text.clone());
+    }
+    if let Some(text) = compact_misfit(object, sub) {
+        return Some(text);
+    }
+    entry.misfits.get(&Field::DefaultValue).map(|misfit| misfit.text.clone())
+}
+
+/// The text of a value of a compactly stored object that is not one of its data type.
+fn compact_misfit(object: &Object, sub: u8) -> Option<Box<str>> {
+    let compact = object.compact.as_ref()?;
+    compact.misfits.get(&Field::Item(sub.into())).map(|misfit| misfit.text.clone())
+}
+
+/// The static data type of an entry; where the description has none, the one that its place implies.
+fn data_type(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Option<DataType> {
+    let has_subs = object.object_type().has_subs();
+    match entry.data_type {
+        Some(data_type) if data_type.kind() == TypeKind::Defined => own_type(device, data_type),
+        Some(data_type) => Some(data_type),
+        None if has_subs && sub == 0 => Some(DataType::UNSIGNED8),
+        None if has_subs && sub == 0xFF => Some(DataType::UNSIGNED32),
+        None if entry.object_type == Some(ObjectType::Domain) => Some(DataType::DOMAIN),
+        None => None,
+    }
+}
+
+/// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
+/// as CanFestival writes it, in sub-index 1 which type it narrows.
+fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
+    let definition =
+        device.object(data_type.0).filter(|object| object.object_type() != ObjectType::DefStruct)?;
+    let number = |sub| definition.entry(sub).and_then(|entry| entry.value()?.as_integer());
+    if definition.object_type().has_subs() || !definition.subs.is_empty() {
+        let narrowed = u16::try_from(number(1)?).ok().map(DataType);
+        return narrowed.filter(|narrowed| narrowed.byte_length().is_some());
+    }
+    let bits = u8::try_from(number(0)?).ok()?;
+    let of_length = |data_type: &&DataType| data_type.kind() == TypeKind::Unsigned(bits);
+    match bits {
+        1 => Some(DataType::BOOLEAN),
+        _ => DataType::STATIC.iter().find(of_length).copied(),
+    }
+}
+
+/// The number that a text of a type of the device's own stands for.
+fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
+    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
+    let number = match hex {
+        Some(digits) => u64::from_str_radix(digits, 16).ok().map(i128::from),
+        None => text.parse().ok(),
+    };
+    Value::from_integer(number?, data_type)
+}
+
+fn compare(value: &Value, limit: &Value, node_id: Option<u8>) -> Option<Ordering> {
+    let integer = |value: &Value| match node_id {
+        Some(node_id) => value.integer_for(node_id),
+        None => value.as_integer(),
+    };
+    match (integer(value), integer(limit)) {
+        (Some(value), Some(limit)) => Some(value.cmp(&limit)),
+        _ => value.as_real()?.partial_cmp(&limit.as_real()?),
+    }
+}
