@@ -78,7 +78,8 @@ pub fn read(source: SourceFile, format: Format) -> Description {
         Format::Eds => DeviceKind::Type,
         Format::Dcf => DeviceKind::Node,
     };
-    let (device, findings) = eds::read(&document, kind);
+    let (device, mut findings) = eds::read(&document, kind);
+    eds::file_name::check(&device, document.source().name(), &mut findings);
     Description { format, document, device, findings, locator: OnceLock::new() }
 }
 

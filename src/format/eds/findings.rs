@@ -1,5 +1,6 @@
 //! The rules about spelling and structure that only the text of an EDS or DCF can show.
 
+use super::file_name::FILE_NAME;
 use super::read::Item;
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
 use crate::format::literal::{Quirk, Quirks};
@@ -31,6 +32,7 @@ pub(crate) static RULES: &[&RuleInfo] = &[
     &QUOTED_STRING,
     &BOOLEAN_WORD,
     &DECORATED_BYTES,
+    &FILE_NAME,
 ];
 
 text_rule! {
