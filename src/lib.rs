@@ -5,6 +5,7 @@ pub mod cli;
 pub mod diagnostic;
 pub mod download;
 pub mod format;
+pub mod generate;
 pub mod lint;
 pub mod model;
 pub mod registry;

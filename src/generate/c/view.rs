@@ -1,0 +1,217 @@
+//! What templates/c/od.h and od.c show.
+
+use askama::Template;
+
+use crate::generate::escape::filters;
+use crate::generate::names::{LONGEST, Scope};
+use crate::generate::resolve::Shape;
+use crate::generate::table::{Row, Table, TableField, TableObject};
+use crate::model::{DataType, TypeKind};
+
+/// The file `od.h`.
+#[derive(Template)]
+#[template(path = "c/od.h")]
+pub(super) struct Header<'a> {
+    version: &'static str,
+    table: &'a Table,
+    /// The integer type of places in RAM and flash.
+    offset: &'static str,
+    objects: Vec<ObjectView<'a>>,
+    fields: Vec<FieldView<'a>>,
+}
+
+/// The file `od.c`.
+#[derive(Template)]
+#[template(path = "c/od.c")]
+pub(super) struct Source<'a> {
+    version: &'static str,
+    table: &'a Table,
+    rows: Vec<RowView<'a>>,
+    rom: Vec<String>,
+    /// Whether `float` and `double` are used.
+    real32: bool,
+    real64: bool,
+}
+
+/// An object with the macros that name it and its entries.
+struct ObjectView<'a> {
+    object: &'a TableObject,
+    name: String,
+    /// None for a single value.
+    entries: Vec<(String, &'a Row)>,
+}
+
+/// A member of `od_data_t`.
+struct FieldView<'a> {
+    declaration: String,
+    first: &'a Row,
+    last: &'a Row,
+    array: bool,
+}
+
+/// A row of the table.
+struct RowView<'a> {
+    row: &'a Row,
+    type_: &'static str,
+    flags: String,
+    /// The place in RAM, `0` for none.
+    ram: String,
+}
+
+/// The macros of the templates, without `OD_`, in lower case.
+const MACROS: &str = "
+    h c ram rom_size entry_count node_id read write tpdo rpdo low high node_id_default low_node_id
+    high_node_id block boolean integer8 integer16 integer24 integer32 integer40 integer48 integer56
+    integer64 unsigned8 unsigned16 unsigned24 unsigned32 unsigned40 unsigned48 unsigned56 unsigned64
+    real32 real64 visible_string octet_string unicode_string time_of_day time_difference domain ok
+    abort_out_of_memory abort_write_only abort_read_only abort_no_object abort_length_mismatch
+    abort_too_long abort_too_short abort_no_sub_index abort_invalid_value abort_too_high abort_too_low
+    abort_cannot_store abort_no_data
+";
+
+impl<'a> Header<'a> {
+    pub(super) fn new(table: &'a Table) -> Self {
+        let mut macros = Scope::of_constants(MACROS);
+        // objects first, so that no entry takes the name of one
+        let names: Vec<String> = table
+            .objects
+            .iter()
+            .map(|object| macro_name(&mut macros, &object.module, &format!("{:04x}", object.index)))
+            .collect();
+        let objects = table
+            .objects
+            .iter()
+            .zip(names)
+            .map(|(object, name)| object_view(table, object, name, &mut macros));
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            table,
+            offset: if is_wide(table) { "uint32_t" } else { "uint16_t" },
+            objects: objects.collect(),
+            fields: by_alignment(table).into_iter().map(|field| field_view(table, field)).collect(),
+        }
+    }
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(table: &'a Table) -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            table,
+            rows: table.rows.iter().map(|row| row_view(table, row)).collect(),
+            rom: table.rom.chunks(16).map(hex_bytes).collect(),
+            real32: table.keeps(DataType::REAL32),
+            real64: table.keeps(DataType::REAL64),
+        }
+    }
+}
+
+fn object_view<'a>(
+    table: &'a Table,
+    object: &'a TableObject,
+    name: String,
+    macros: &mut Scope,
+) -> ObjectView<'a> {
+    let rows = if object.single { &[] } else { &table.rows[object.rows.clone()] };
+    let entries = rows.iter().map(|row| {
+        let words = format!("{}_{}", name.trim_end_matches('_'), row.constant);
+        (macro_name(macros, &words, &format!("{:04x}_{:02x}", row.index, row.sub)), row)
+    });
+    let entries = entries.collect();
+    ObjectView { object, name, entries }
+}
+
+/// The name of a macro in lower case, short enough for `OD_` before it.
+fn macro_name(macros: &mut Scope, words: &str, suffix: &str) -> String {
+    let room = LONGEST - "OD_".len() - 1 - suffix.len(); // so that the suffix fits too
+    macros.claim(&words[..words.len().min(room)], suffix)
+}
+
+/// Fields with the smallest alignment first, behind the one byte of the node-ID: so hardly any padding is needed.
+fn by_alignment(table: &Table) -> Vec<&TableField> {
+    let mut fields: Vec<&TableField> = table.fields.iter().collect();
+    fields.sort_by_key(|field| alignment(field.shape)); // stable: by index where it is equal
+    fields
+}
+
+fn alignment(shape: Shape) -> usize {
+    match shape {
+        Shape::Block(_) => 1,
+        Shape::Bytes(..) => 2,
+        Shape::Word(data_type) if is_time(data_type) => 4,
+        Shape::Word(_) => shape.size().next_power_of_two(),
+    }
+}
+
+/// Bytes of a field in RAM, at most.
+fn stored_size(field: &TableField) -> usize {
+    let element = match field.shape {
+        Shape::Block(length) => usize::from(length),
+        Shape::Bytes(_, capacity) => usize::from(capacity) + 3,
+        Shape::Word(_) => 8,
+    };
+    element * field.rows.len() + 8
+}
+
+/// Whether places need more than 16 bits.
+fn is_wide(table: &Table) -> bool {
+    let ram: usize = table.fields.iter().map(stored_size).sum();
+    ram.max(table.rom.len()) > usize::from(u16::MAX)
+}
+
+fn field_view<'a>(table: &'a Table, field: &'a TableField) -> FieldView<'a> {
+    let array = if field.array { format!("[{}]", field.rows.len()) } else { String::new() };
+    let name = &field.name;
+    let declaration = match field.shape {
+        Shape::Word(data_type) => format!("{} {name}{array}", word_type(data_type)),
+        Shape::Bytes(_, capacity) => {
+            format!("struct {{ uint16_t length; uint8_t bytes[{capacity}]; }} {name}{array}")
+        }
+        Shape::Block(length) => format!("uint8_t {name}{array}[{length}]"),
+    };
+    let (first, last) = (&table.rows[field.rows.start], &table.rows[field.rows.end - 1]);
+    FieldView { declaration, first, last, array: field.array }
+}
+
+fn row_view<'a>(table: &Table, row: &'a Row) -> RowView<'a> {
+    let type_ = match row.resolved.shape {
+        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
+        Shape::Block(_) => "BLOCK",
+    };
+    let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("OD_{flag}")).collect();
+    let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
+    let ram = row.slot.map_or("0u".to_owned(), |slot| {
+        let name = &table.fields[slot.field].name;
+        match slot.element {
+            Some(element) => format!("OD_RAM({name}[{element}])"),
+            None => format!("OD_RAM({name})"),
+        }
+    });
+    RowView { row, type_, flags, ram }
+}
+
+fn is_time(data_type: DataType) -> bool {
+    matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
+}
+
+/// The type of a number: an integer of 24 to 56 bits is kept in the next longer one.
+fn word_type(data_type: DataType) -> &'static str {
+    match data_type.kind() {
+        TypeKind::Boolean => "bool",
+        TypeKind::Signed(0..=8) => "int8_t",
+        TypeKind::Signed(9..=16) => "int16_t",
+        TypeKind::Signed(17..=32) => "int32_t",
+        TypeKind::Signed(_) => "int64_t",
+        TypeKind::Unsigned(0..=8) => "uint8_t",
+        TypeKind::Unsigned(9..=16) => "uint16_t",
+        TypeKind::Unsigned(17..=32) => "uint32_t",
+        TypeKind::Real32 => "float",
+        TypeKind::Real64 => "double",
+        TypeKind::TimeOfDay | TypeKind::TimeDifference => "od_time_t",
+        _ => "uint64_t",
+    }
+}
+
+fn hex_bytes(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("0x{byte:02X}")).collect::<Vec<_>>().join(", ")
+}

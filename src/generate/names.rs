@@ -1,0 +1,249 @@
+//! Identifiers from the names of a description.
+//!
+//! A name becomes words of lower-case ASCII letters and digits, joined by `_`; constants and macros are the same in
+//! upper case. All languages share the result, so that one entry is called alike in all of them. Whatever the names
+//! are, the identifiers of one [`Scope`] are valid and unique, and the same description always gives the same ones.
+
+use std::collections::HashSet;
+
+/// The longest identifier: C99 compilers need not tell longer ones apart (§5.2.4.1).
+pub(crate) const LONGEST: usize = 63;
+
+/// The longest identifier of one name, before it is joined with others.
+const LONGEST_PART: usize = 48;
+
+/// Words of Rust, 2015 to 2024, its primitive types and its crates.
+const RUST: &str = "
+    abstract alloc as async await become bool box break char const continue core crate do dyn else enum
+    extern f128 f16 f32 f64 false final fn for gen i128 i16 i32 i64 i8 if impl in isize let loop macro
+    match mod move mut override priv proc_macro pub raw ref return safe self static std str struct super
+    trait true try type typeof u128 u16 u32 u64 u8 union unsafe unsized use usize virtual where while
+    yield
+";
+
+/// Words of C, and what compilers and headers for microcontrollers add.
+const C: &str = "
+    alignas alignof asm assert auto case complex constexpr data default double errno far float fortran
+    goto huge i386 imaginary inline int interrupt linux long main near noreturn nullptr offsetof pascal
+    register restrict short signed sizeof stderr stdin stdout switch thread_local typedef typeof_unqual
+    unix unsigned void volatile xdata
+";
+
+/// Words that C++ adds.
+const CPP: &str = "
+    and and_eq bitand bitor catch class co_await co_return co_yield compl concept const_cast consteval
+    constinit decltype delete dynamic_cast explicit export friend import module mutable namespace new
+    noexcept not not_eq operator or or_eq private protected public reinterpret_cast requires
+    static_assert static_cast template this throw typeid typename using xor xor_eq
+";
+
+/// Whether an identifier is taken: by a language, or as the name of a type in C.
+fn is_reserved(identifier: &str) -> bool {
+    let in_list = |words: &str| words.split_ascii_whitespace().any(|word| word == identifier);
+    identifier.ends_with("_t") || [RUST, C, CPP].into_iter().any(in_list)
+}
+
+/// The words of a name, joined by `_`; empty when the name has no ASCII letter or digit.
+///
+/// Latin letters lose their marks; everything else that is no letter or digit separates words. A name of one word is
+/// also split before capitals, as in `maxSpeed`.
+pub(crate) fn words(name: &str) -> String {
+    let plain: String = name.chars().map(without_mark).collect();
+    let mut joined = String::with_capacity(LONGEST_PART + 8);
+    let parts: Vec<&str> =
+        plain.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty()).collect();
+    for part in &parts {
+        if joined.len() > LONGEST_PART {
+            break; // the rest would be cut off
+        }
+        if !joined.is_empty() {
+            joined.push('_');
+        }
+        if parts.len() == 1 {
+            push_split(&mut joined, part.as_bytes());
+        } else {
+            joined.push_str(&part.to_ascii_lowercase());
+        }
+    }
+    if joined.starts_with(|c: char| c.is_ascii_digit()) {
+        joined.insert(0, 'x');
+    }
+    clip(&joined, LONGEST_PART).to_owned()
+}
+
+/// Adds a word, split where a capital begins a new one: `maxSpeed`, `CANState`, but neither `PDOs` nor `0x1A00`.
+fn push_split(joined: &mut String, word: &[u8]) {
+    let lower = |at: usize| word.get(at).is_some_and(u8::is_ascii_lowercase);
+    for (at, &byte) in word.iter().enumerate().take(LONGEST_PART + 1) {
+        let starts_word = at > 0 && byte.is_ascii_uppercase() && {
+            let before = word[at - 1];
+            let plural = word.get(at + 1) == Some(&b's') && !lower(at + 2);
+            before.is_ascii_lowercase() || (lower(at + 1) && !plural)
+        };
+        if starts_word {
+            joined.push('_');
+        }
+        joined.push(char::from(byte.to_ascii_lowercase()));
+    }
+}
+
+/// A Latin-1 letter without its mark; any other character as it is.
+fn without_mark(c: char) -> char {
+    match c {
+        'À'..='Å' => 'A',
+        'Ç' => 'C',
+        'È'..='Ë' => 'E',
+        'Ì'..='Ï' => 'I',
+        'Ñ' => 'N',
+        'Ò'..='Ö' | 'Ø' => 'O',
+        'Ù'..='Ü' => 'U',
+        'ß' => 's',
+        'à'..='å' => 'a',
+        'ç' => 'c',
+        'è'..='ë' => 'e',
+        'ì'..='ï' => 'i',
+        'ñ' => 'n',
+        'ò'..='ö' | 'ø' => 'o',
+        'ù'..='ü' | 'µ' | 'μ' => 'u',
+        'ý' | 'ÿ' => 'y',
+        other => other,
+    }
+}
+
+/// The first `length` bytes of an identifier, without `_` at the end.
+fn clip(identifier: &str, length: usize) -> &str {
+    let end = identifier.len().min(length);
+    identifier[..end].trim_end_matches('_')
+}
+
+/// A namespace of the generated code: knows which identifiers are taken.
+#[derive(Debug, Default)]
+pub(crate) struct Scope {
+    taken: HashSet<String>,
+    keywords: bool,
+}
+
+impl Scope {
+    /// A namespace for constants and macros, where these words are taken: in upper case, no language has a keyword.
+    pub(crate) fn of_constants(taken: &str) -> Self {
+        Self { taken: taken.split_whitespace().map(str::to_owned).collect(), keywords: false }
+    }
+
+    /// A namespace for fields and modules, where keywords are in the way too.
+    pub(crate) fn of_lower_case(taken: &str) -> Self {
+        Self { keywords: true, ..Self::of_constants(taken) }
+    }
+
+    /// The identifier for `words`, which is taken from now on.
+    ///
+    /// The first that claims an identifier gets it as it is, a keyword with `_` behind it; for everybody later, `suffix`
+    /// (the index, and mostly the sub-index, so that it says who it is) makes the difference.
+    pub(crate) fn claim(&mut self, words: &str, suffix: &str) -> String {
+        let plain = clip(words, LONGEST);
+        let plain = if plain.is_empty() { format!("x{suffix}") } else { plain.to_owned() };
+        let reserved = self.keywords && is_reserved(&plain);
+        let plain = if reserved { format!("{plain}_") } else { plain };
+        if self.taken.insert(plain.clone()) {
+            return plain;
+        }
+        let mut behind = format!("_{suffix}");
+        for number in 2_u32.. {
+            let candidate = format!("{}{behind}", clip(&plain, LONGEST - behind.len()));
+            if self.taken.insert(candidate.clone()) {
+                return candidate;
+            }
+            behind = format!("_{suffix}_{number}");
+        }
+        plain // there are fewer entries than numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn names_become_words() {
+        for (name, expected) in [
+            ("Producer heartbeat time", "producer_heartbeat_time"),
+            ("COB-ID SYNC message", "cob_id_sync_message"),
+            ("  Vendor--ID!! ", "vendor_id"),
+            ("maxSpeed", "max_speed"),
+            ("CANState", "can_state"),
+            ("CiA 402 profile", "cia_402_profile"),
+            ("PDOs", "pdos"),
+            ("0x1A00", "x0x1a00"),
+            ("2nd axis", "x2nd_axis"),
+            ("Größe in µm", "grose_in_um"),
+            ("速度", ""),
+            ("*/ -- \"", ""),
+            ("__init__", "init"),
+        ] {
+            assert_eq!(words(name), expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn long_names_are_cut_between_words_where_that_falls_so() {
+        assert_eq!(words(&"a".repeat(10_000)).len(), LONGEST_PART);
+        assert_eq!(words(&"Ab".repeat(10_000)).len(), LONGEST_PART - 1);
+        assert_eq!(words(&format!("{} tail", "b".repeat(LONGEST_PART - 1))), "b".repeat(LONGEST_PART - 1));
+    }
+
+    #[test]
+    fn the_first_keeps_its_name_and_later_ones_say_who_they_are() {
+        let mut scope = Scope::of_lower_case("node_id");
+        assert_eq!(scope.claim("speed", "2000"), "speed");
+        assert_eq!(scope.claim("speed", "2001"), "speed_2001");
+        assert_eq!(scope.claim("speed_2001", "2002"), "speed_2001_2002");
+        assert_eq!(scope.claim("speed_2001", "2002"), "speed_2001_2002_2");
+        assert_eq!(scope.claim("node_id", "2003"), "node_id_2003");
+        assert_eq!(scope.claim("", "2004"), "x2004");
+        assert_eq!(scope.claim("type", "2005"), "type_");
+        assert_eq!(scope.claim("type", "2006"), "type_2006");
+        assert_eq!(scope.claim("uint8_t", "2007"), "uint8_t_");
+    }
+
+    #[test]
+    fn constants_may_be_called_like_keywords() {
+        assert_eq!(Scope::of_constants("index").claim("type", "01"), "type");
+        assert_eq!(Scope::of_constants("index").claim("index", "01"), "index_01");
+    }
+
+    fn is_identifier(text: &str) -> bool {
+        let mut bytes = text.bytes();
+        let letter = |byte: u8| byte.is_ascii_lowercase();
+        bytes.next().is_some_and(letter)
+            && bytes.all(|byte| letter(byte) || byte.is_ascii_digit() || byte == b'_')
+            && text.len() <= LONGEST
+            && !text.contains("__")
+    }
+
+    proptest! {
+        #[test]
+        fn any_names_become_valid_and_unique_identifiers(
+            names in proptest::collection::vec(
+                prop_oneof![
+                    any::<String>(),
+                    "[a-c_ ]{0,4}",
+                    proptest::sample::select(C.split_whitespace().collect::<Vec<_>>()).prop_map(str::to_owned),
+                    "([A-Z][a-z]{0,3}){1,40}",
+                    "x?[0-9a-f]{4}(_[0-9]{1,2}){0,2}",
+                    "[a-z]{1,3} t",
+                ],
+                0..60,
+            )
+        ) {
+            let mut scope = Scope::of_lower_case("");
+            let mut seen = HashSet::new();
+            for (number, name) in names.iter().enumerate() {
+                let identifier = scope.claim(&words(name), &format!("{:04x}", number / 2));
+                prop_assert!(is_identifier(&identifier), "`{}` of `{}`", identifier, name);
+                prop_assert!(!is_reserved(&identifier), "`{}`", identifier);
+                prop_assert!(seen.insert(identifier.clone()), "`{}` twice", identifier);
+            }
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! One entry of a description, resolved: what a table must know of it, in numbers and bytes.
+
+use super::{LONGEST_VALUE, Note, Options};
+use crate::model::{
+    Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, Place, TypeKind, Value,
+};
+
+/// What an entry's values are and how they are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Shape {
+    /// BOOLEAN, INTEGERn, UNSIGNEDn, REALn or TIME_x: at most eight bytes, as a number in a word.
+    Word(DataType),
+    /// VISIBLE_STRING, OCTET_STRING, UNICODE_STRING or DOMAIN: at most so many bytes.
+    Bytes(DataType, u16),
+    /// A type of the device's own: exactly so many bytes.
+    Block(u16),
+}
+
+impl Shape {
+    /// Bytes of a value in an SDO transfer, at most.
+    pub(crate) fn size(self) -> usize {
+        match self {
+            Self::Word(data_type) => data_type.byte_length().map_or(0, usize::from),
+            Self::Bytes(_, size) | Self::Block(size) => usize::from(size),
+        }
+    }
+}
+
+/// A value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Datum {
+    /// The number of a [`Shape::Word`]: two's complement, sign-extended; the bits of a REAL; the 48 bits of a TIME.
+    Word(u64),
+    /// The node-ID plus this number.
+    Formula(u64),
+    /// The bytes of any other shape.
+    Bytes(Vec<u8>),
+}
+
+/// An entry, resolved.
+#[derive(Clone, Debug)]
+pub(crate) struct Resolved {
+    pub(crate) shape: Shape,
+    pub(crate) access: Access,
+    /// Whether a TPDO may carry it.
+    pub(crate) tpdo: bool,
+    /// Whether an RPDO may carry it.
+    pub(crate) rpdo: bool,
+    /// Whether the value never changes, so that it stays in flash.
+    pub(crate) constant: bool,
+    pub(crate) default: Datum,
+    /// Only of a [`Shape::Word`] that is a number.
+    pub(crate) low: Option<Datum>,
+    pub(crate) high: Option<Datum>,
+}
+
+/// Resolves the entries of a device; collects what cannot be expressed.
+pub(crate) struct Resolver<'a> {
+    device: &'a Device,
+    options: &'a Options,
+    /// What is left out or assumed.
+    pub(crate) notes: Vec<Note>,
+    /// What would come out wrong.
+    pub(crate) errors: Vec<Note>,
+}
+
+impl<'a> Resolver<'a> {
+    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
+        Self { device, options, notes: Vec::new(), errors: Vec::new() }
+    }
+
+    /// The entry of `object` at a place; `None`, with a note, when a table cannot have it.
+    pub(crate) fn entry(&mut self, object: &Object, index: u16, sub: u8, entry: &Entry) -> Option<Resolved> {
+        let place = Place::entry(index, sub);
+        let object_type = entry.object_type.unwrap_or(ObjectType::Var);
+        if object_type == ObjectType::Null {
+            self.notes.push(Note::new(place, "an object of type NULL has no data and is left out"));
+            return None;
+        }
+        let data_type = self.data_type(object, &place, sub, entry)?;
+        self.misfits(&place, entry, data_type);
+        let access = self.access(object, &place, entry);
+        let kind = data_type.kind();
+        let (shape, default) = match kind {
+            TypeKind::VisibleString | TypeKind::OctetString | TypeKind::UnicodeString | TypeKind::Domain => {
+                let bytes = self.string(&place, entry, data_type);
+                let capacity = self.capacity(data_type, access, bytes.len());
+                if capacity == 0 && kind == TypeKind::Domain {
+                    self.notes.push(
+                        Note::new(place.clone(), "a DOMAIN without default has no room in the table")
+                            .help("let the application transfer the data, or set a capacity for DOMAINs"),
+                    );
+                }
+                (Shape::Bytes(data_type, capacity), Datum::Bytes(bytes))
+            }
+            TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved => {
+                let length = self.defined_length(&place, data_type)?;
+                (Shape::Block(length), Datum::Bytes(self.block(&place, entry, usize::from(length))))
+            }
+            _ => {
+                let default = self.word(place.clone().field(value_field(entry)), entry.value(), data_type);
+                (Shape::Word(data_type), default.unwrap_or(Datum::Word(0)))
+            }
+        };
+        let (low, high) = self.limits(&place, entry, data_type);
+        let (tpdo, rpdo) = directions(access, entry.pdo_mapping.unwrap_or_default());
+        let constant = access == Access::Const || is_fixed(object, sub, access);
+        Some(Resolved { shape, access, tpdo, rpdo, constant, default, low, high })
+    }
+
+    /// The data type that an entry has or that its object implies.
+    fn data_type(&mut self, object: &Object, place: &Place, sub: u8, entry: &Entry) -> Option<DataType> {
+        let implied = match (entry.object_type, object.object_type(), sub) {
+            (Some(ObjectType::Domain), _, _) => Some(DataType::DOMAIN),
+            (_, ObjectType::DefType, 0) => Some(DataType::UNSIGNED32), // its length in bits
+            (_, ObjectType::DefStruct, 0) => Some(DataType::UNSIGNED8), // its highest sub-index
+            (_, ObjectType::DefStruct, _) => Some(DataType::UNSIGNED16), // the type of a member
+            _ => None,
+        };
+        let data_type = entry.data_type.or(implied);
+        if data_type.is_none() {
+            let place = place.clone().field(Field::DataType);
+            self.notes.push(match entry.misfits.get(&Field::DataType) {
+                Some(misfit) => {
+                    Note::new(place, format!("`{}` is no data type; the entry is left out", misfit.text))
+                }
+                None => Note::new(place, "an entry without data type is left out"),
+            });
+        }
+        data_type
+    }
+
+    fn access(&mut self, object: &Object, place: &Place, entry: &Entry) -> Access {
+        if let Some(access) = entry.access {
+            return access;
+        }
+        if entry.object_type == Some(ObjectType::Domain) {
+            return Access::Rw; // CiA 306-1 §4.6.3.2: what a DOMAIN has when nothing is said
+        }
+        if matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct) {
+            return Access::Const;
+        }
+        let place = place.clone().field(Field::AccessType);
+        self.notes.push(match entry.misfits.get(&Field::AccessType) {
+            Some(misfit) => Note::new(place, format!("`{}` is no access type; `ro` is assumed", misfit.text)),
+            None => Note::new(place, "an entry without access type is assumed to be `ro`"),
+        });
+        Access::Ro
+    }
+
+    /// Notes the texts that stand where values should.
+    pub(crate) fn misfits(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
+        for (field, instead) in [
+            (Field::ParameterValue, "the default is used, zero or empty where there is none"),
+            (Field::DefaultValue, "zero or empty is used"),
+            (Field::LowLimit, "the limit is not enforced"),
+            (Field::HighLimit, "the limit is not enforced"),
+        ] {
+            let ignored = field == Field::DefaultValue && entry.configured_value().is_some();
+            if let (Some(misfit), false) = (entry.misfits.get(&field), ignored) {
+                let text = format!("`{}` is no value of {data_type}; {instead}", misfit.text);
+                self.notes.push(Note::new(place.clone().field(field), text));
+            }
+        }
+    }
+
+    /// The number of a value; `None` where there is none.
+    fn word(&mut self, place: Place, value: Option<&Value>, data_type: DataType) -> Option<Datum> {
+        let value = value?;
+        if let Value::NodeId(offset) = *value {
+            if data_type.is_integer() && value.resolve(data_type, 127).is_some() {
+                return Some(Datum::Formula(offset));
+            }
+            let text = format!("`{value}` does not fit {data_type} for every node-ID up to 127");
+            self.errors.push(Note::new(place, text));
+            return None;
+        }
+        let word = word(value, data_type);
+        if word.is_none() {
+            self.errors.push(Note::new(place, format!("`{value}` is no value of {data_type}")));
+        }
+        word.map(Datum::Word)
+    }
+
+    /// The bytes of a string's or DOMAIN's value; none where there is no value.
+    fn string(&mut self, place: &Place, entry: &Entry, data_type: DataType) -> Vec<u8> {
+        let place = place.clone().field(value_field(entry));
+        let Some(value) = entry.value() else {
+            return Vec::new();
+        };
+        match value.to_bytes(data_type) {
+            Some(bytes) if bytes.len() <= LONGEST_VALUE => return bytes,
+            Some(bytes) => {
+                let text = format!("a value of {} bytes; a table holds {LONGEST_VALUE} at most", bytes.len());
+                self.errors.push(Note::new(place, text));
+            }
+            None => self.errors.push(Note::new(place, format!("`{value}` is no value of {data_type}"))),
+        }
+        Vec::new()
+    }
+
+    /// Bytes of room for a string or DOMAIN whose default has `length` bytes.
+    fn capacity(&self, data_type: DataType, access: Access, length: usize) -> u16 {
+        let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are errors already
+        let room = match data_type.kind() {
+            TypeKind::Domain => self.options.domain_capacity,
+            TypeKind::UnicodeString => self.options.string_capacity.max(2) & !1,
+            _ => self.options.string_capacity.max(1),
+        };
+        match access {
+            Access::Const => length,
+            _ if access.is_writable() || length == 0 => length.max(room),
+            _ => length,
+        }
+    }
+
+    /// Bytes of a type that a DEFTYPE of the device defines: its value is the length in bits (CiA 301 §7.4.7.3).
+    fn defined_length(&mut self, place: &Place, data_type: DataType) -> Option<u16> {
+        let definition = self.device.object(data_type.0);
+        let definition = definition.filter(|object| object.object_type() == ObjectType::DefType);
+        let bits = definition.and_then(|object| object.entry(0)?.value()?.as_integer());
+        let length = bits.and_then(|bits| u16::try_from((bits + 7) / 8).ok()).filter(|&length| length > 0);
+        if length.is_none() {
+            let text =
+                format!("the length of the data type `{data_type}` is not known; the entry is left out");
+            let note = Note::new(place.clone().field(Field::DataType), text);
+            self.notes.push(note.help("describe the type as a DEFTYPE whose value is its length in bits"));
+        }
+        length
+    }
+
+    /// The value of a type of the device's own: a number, little-endian.
+    fn block(&mut self, place: &Place, entry: &Entry, length: usize) -> Vec<u8> {
+        let number = match entry.value() {
+            None => Some(0),
+            Some(Value::Raw(text)) => plain_number(text),
+            Some(value) => value.as_integer().and_then(|number| u128::try_from(number).ok()),
+        };
+        let bytes =
+            number.map(u128::to_le_bytes).filter(|bytes| bytes.iter().skip(length).all(|&byte| byte == 0));
+        if let (None, Some(value)) = (bytes, entry.value()) {
+            let text = format!("`{value}` cannot be turned into {length} bytes; zeros are used");
+            self.notes.push(Note::new(place.clone().field(value_field(entry)), text));
+        }
+        let mut block: Vec<u8> = bytes.into_iter().flatten().take(length).collect();
+        block.resize(length, 0);
+        block
+    }
+
+    /// Both limits; `None` where the type has no order.
+    fn limits(
+        &mut self,
+        place: &Place,
+        entry: &Entry,
+        data_type: DataType,
+    ) -> (Option<Datum>, Option<Datum>) {
+        let mut limit = |field: Field, value: Option<&Value>| {
+            let place = place.clone().field(field);
+            if value.is_some() && !data_type.is_numeric() {
+                let text = format!("values of {data_type} have no order; the limit is not enforced");
+                self.notes.push(Note::new(place, text));
+                return None;
+            }
+            if value.and_then(Value::as_real).is_some_and(f64::is_nan) {
+                self.notes.push(Note::new(place, "a limit that is not a number is not enforced"));
+                return None;
+            }
+            self.word(place, value, data_type)
+        };
+        let low = limit(Field::LowLimit, entry.low_limit.as_ref());
+        let high = limit(Field::HighLimit, entry.high_limit.as_ref());
+        (low, high)
+    }
+}
+
+/// The field that the value of an entry comes from.
+fn value_field(entry: &Entry) -> Field {
+    if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue }
+}
+
+/// The number of a value of at most eight bytes; `None` when it is not one of `data_type`.
+fn word(value: &Value, data_type: DataType) -> Option<u64> {
+    if data_type.integer_range().is_some() {
+        let typed = Value::from_integer(value.as_integer()?, data_type)?;
+        return match typed {
+            Value::Boolean(value) => Some(u64::from(value)),
+            Value::Unsigned(value) => Some(value),
+            Value::Signed(value) => Some(value as u64), // the same bits
+            _ => None,
+        };
+    }
+    let bytes = value.to_bytes(data_type).filter(|bytes| bytes.len() <= 8)?;
+    Some(bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)))
+}
+
+/// The number of a text: decimal or `0x…`.
+fn plain_number(text: &str) -> Option<u128> {
+    let text = text.trim();
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(hex) if !hex.starts_with('+') => u128::from_str_radix(hex, 16).ok(),
+        Some(_) => None,
+        None if text.starts_with('+') => None,
+        None => text.parse().ok(),
+    }
+}
+
+/// Whether a TPDO and whether an RPDO may carry the entry.
+fn directions(access: Access, mapping: PdoMapping) -> (bool, bool) {
+    match mapping {
+        PdoMapping::No => (false, false),
+        PdoMapping::Optional | PdoMapping::Default => (access.fits_tpdo(), access.fits_rpdo()),
+        PdoMapping::Tpdo => (access.fits_tpdo(), false),
+        PdoMapping::Rpdo => (false, access.fits_rpdo()),
+    }
+}
+
+/// Whether an entry cannot change although its access type leaves it open: a type definition, and the highest sub-index
+/// of a RECORD or of an object in compact storage.
+fn is_fixed(object: &Object, sub: u8, access: Access) -> bool {
+    let count = sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
+    let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
+    access == Access::Ro && (count || definition)
+}

@@ -1,0 +1,26 @@
+//! The target `rust`: one file without dependencies, `od.rs`.
+
+mod view;
+
+use super::table::Table;
+use super::{Backend, GenerateError, Generated, Options, render};
+use crate::model::Device;
+
+/// Tables for Rust, with or without its standard library.
+pub(super) struct Rust;
+
+impl Backend for Rust {
+    fn name(&self) -> &'static str {
+        "rust"
+    }
+
+    fn summary(&self) -> &'static str {
+        "one Rust file (no_std, no unsafe, no dependency): dictionary, values, SDO access by index and sub-index"
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let table = Table::new(device, options)?;
+        let file = render("od.rs", &view::Od::new(&table))?;
+        Ok(Generated { files: vec![file], notes: table.notes })
+    }
+}

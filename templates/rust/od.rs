@@ -1,0 +1,169 @@
+// Made by objdict {{ version }}; do not edit.
+//
+// Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
+//
+// `Data` holds the values that can change, `Data::read` and `Data::write` serve an SDO, and every
+// object has a module with the numbers of its entries. The file has no dependency and needs no
+// standard library; take it in as a module or with `include!`. A product seldom uses all of it, so
+// dead code is allowed; `unreachable_pub` depends on where it is taken in.
+{%- if let Some(node_id) = table.node_id %}
+
+/// The node-ID that the device was configured for.
+#[allow(dead_code, unreachable_pub)]
+pub const NODE_ID: u8 = {{ node_id }};
+{%- endif %}
+{%- for view in objects %}
+
+/// {{ "{:04X}"|format(view.object.index) }}h: {{ view.object.name|code_span }}.
+#[allow(dead_code, unreachable_pub)]
+pub mod {{ view.object.module }} {
+    /// Index of the object.
+    pub const INDEX: u16 = 0x{{ "{:04X}"|format(view.object.index) }};
+{%- for row in view.entries %}
+    /// Sub-index {{ "{:02X}"|format(row.sub) }}h: {{ row.name|code_span }}.
+    pub const {{ row.constant|upper }}: u8 = 0x{{ "{:02X}"|format(row.sub) }};
+{%- endfor %}
+}
+{%- endfor %}
+
+/// The values that can change; constants are in flash.
+#[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data {
+    node_id: u8,
+{%- for field in fields %}
+    /// {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
+    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
+    pub {{ field.name }}: {{ field.type_ }},
+{%- endfor %}
+}
+
+#[allow(dead_code, unreachable_pub)]
+impl Data {
+    /// The defaults of the node `node_id`: 1 to 127, only the lower seven bits count.
+    #[must_use]
+    #[rustfmt::skip]
+    #[allow(clippy::approx_constant, clippy::cast_lossless, clippy::too_many_lines)]
+    pub const fn new(node_id: u8) -> Self {
+        let node_id = node_id & 0x7F;
+        Self {
+            node_id,
+{%- for field in fields %}
+            {{ field.name }}: {{ field.value }},
+{%- endfor %}
+        }
+    }
+
+    #[rustfmt::skip]
+    #[allow(clippy::too_many_lines)]
+    fn field(&self, ram: Offset) -> Option<&dyn Field> {
+        let field: &dyn Field = match ram {
+{%- for field in fields %}
+{%- if field.array %}
+            {{ field.pattern }} => self.{{ field.name }}.get((ram - {{ field.place }}) as usize)?,
+{%- else %}
+            {{ field.pattern }} => &self.{{ field.name }},
+{%- endif %}
+{%- endfor %}
+            _ => return None,
+        };
+        Some(field)
+    }
+
+    #[rustfmt::skip]
+    #[allow(clippy::too_many_lines)]
+    fn field_mut(&mut self, ram: Offset) -> Option<&mut dyn Field> {
+        let field: &mut dyn Field = match ram {
+{%- for field in fields %}
+{%- if field.array %}
+            {{ field.pattern }} => self.{{ field.name }}.get_mut((ram - {{ field.place }}) as usize)?,
+{%- else %}
+            {{ field.pattern }} => &mut self.{{ field.name }},
+{%- endif %}
+{%- endfor %}
+            _ => return None,
+        };
+        Some(field)
+    }
+
+    /// The node-ID that the values were made for.
+    #[must_use]
+    pub const fn node_id(&self) -> u8 {
+        self.node_id
+    }
+
+    /// Reads a value into `buffer`, as an SDO upload transfers it; returns the number of its bytes.
+    ///
+    /// # Errors
+    /// The code to abort the upload with.
+    pub fn read(&self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        let entry = find(index, sub)?;
+        if !entry.is_readable() {
+            return Err(Abort::WriteOnly);
+        }
+        let value = match self.field(entry.ram) {
+            Some(field) => field.load(),
+            None => entry.in_flash(self.node_id)?,
+        };
+        let bytes = match &value {
+            Value::Number(number) => &number[..entry.size().min(8)],
+            Value::Bytes(bytes) => bytes,
+        };
+        let room = buffer.get_mut(..bytes.len()).ok_or(Abort::OutOfMemory)?;
+        room.copy_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    /// Writes a value that an SDO download transferred, if the dictionary allows it.
+    ///
+    /// # Errors
+    /// The code to abort the download with; the value did not change.
+    pub fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        let entry = find(index, sub)?;
+        if !entry.is_writable() {
+            return Err(Abort::ReadOnly);
+        }
+        let node_id = self.node_id;
+        let field = self.field_mut(entry.ram).ok_or(Abort::CannotStore)?;
+        entry.check_length(bytes.len())?;
+        if entry.is_number() {
+            let number = number(entry.data_type, bytes);
+            entry.check_value(number, node_id)?;
+            field.store(Value::Number(number.to_le_bytes()));
+        } else {
+            field.store(Value::Bytes(bytes));
+        }
+        Ok(())
+    }
+}
+{%- if table.node_id.is_some() %}
+
+/// The defaults of the node that the device was configured for.
+#[allow(dead_code)]
+impl Default for Data {
+    fn default() -> Self {
+        Self::new(NODE_ID)
+    }
+}
+{%- endif %}
+
+{% include "_values.rs" %}
+
+{% include "_entry.rs" %}
+
+/// All entries in ascending order of index and sub-index.
+#[allow(dead_code, unreachable_pub)]
+#[rustfmt::skip]
+pub static ENTRIES: [Entry; {{ rows.len() }}] = [
+{%- for view in rows %}
+    Entry::row((0x{{ "{:04X}"|format(view.row.index) }}, 0x{{ "{:02X}"|format(view.row.sub) }}), {{ view.type_ }}, {{ view.flags }}, {{ view.ram }}, {{ view.row.rom }}), // {{ view.row.name|code_span }}
+{%- endfor %}
+];
+
+/// Defaults and limits.
+#[rustfmt::skip]
+static ROM: [u8; {{ table.rom.len() }}] = [
+{%- for line in rom %}
+    {{ line }},
+{%- endfor %}
+];
