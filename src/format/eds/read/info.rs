@@ -79,7 +79,7 @@ impl Reader<'_> {
             Some(Field::NetRefd) => node.net_reference_designator = text(item),
             Some(Field::CanOpenManager) => node.manager = items.boolean(item, &mut node.misfits),
             Some(Field::LssSerialNumber) => {
-                node.lss_serial_number = items.integer(item, U32, &mut node.misfits)
+                node.lss_serial_number = items.integer(item, U32, &mut node.misfits);
             }
             _ => items.unknown(item, &mut node.extra),
         });
