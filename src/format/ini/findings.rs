@@ -349,17 +349,14 @@ fn check_characters(document: &Document, findings: &mut Findings) {
     // without an early exit the loop over a chunk is a few vector instructions
     let has_control = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_control(byte));
     if text.as_bytes().chunks(4096).any(has_control) {
-        let mut last_line = usize::MAX;
-        for (at, byte) in text.bytes().enumerate().filter(|(_, byte)| is_control(byte)) {
-            let line = document.source().lines().line_of(at as u32);
-            if line != last_line {
-                let message = format!("control character {byte:02X}h");
-                findings.push(
-                    Diagnostic::new(&CONTROL_CHARACTER, Span::new(at as u32, at as u32 + 1), message)
-                        .help("remove it"),
-                );
+        for line in document.lines() {
+            let bytes = line.span.of(text).as_bytes();
+            if let Some(at) = bytes.iter().position(is_control) {
+                let start = line.span.start + at as u32;
+                let message = format!("control character {:02X}h", bytes[at]);
+                let finding = Diagnostic::new(&CONTROL_CHARACTER, Span::new(start, start + 1), message);
+                findings.push(finding.help("remove it"));
             }
-            last_line = line;
         }
     }
 }

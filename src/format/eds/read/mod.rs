@@ -9,6 +9,7 @@ mod modules;
 mod objects;
 
 use std::collections::HashSet;
+use std::hash::{BuildHasher, RandomState};
 
 use self::compact::PendingCompact;
 pub(crate) use self::items::{Item, Items};
@@ -34,8 +35,10 @@ struct Reader<'a> {
     /// The parts that were met, objects and their entries excepted: those are in the device.
     seen: HashSet<Part>,
     compact: Vec<PendingCompact>,
-    /// How each section starts that the model does not know, to find those that stand twice.
-    unknown: HashSet<Box<str>>,
+    /// The hashes of the names of sections that the model does not know, to find those that stand twice. There may be a
+    /// million of them.
+    unknown: HashSet<u64>,
+    hasher: RandomState,
 }
 
 impl<'a> Reader<'a> {
@@ -47,6 +50,7 @@ impl<'a> Reader<'a> {
             seen: HashSet::new(),
             compact: Vec::new(),
             unknown: HashSet::new(),
+            hasher: RandomState::new(),
         }
     }
 
@@ -117,13 +121,12 @@ impl<'a> Reader<'a> {
 
     fn unknown_section(&mut self, section: &ini::Section) {
         let (name, at) = self.header_of(section);
-        let lower: Box<str> = name.to_ascii_lowercase().into();
-        if self.unknown.contains(&lower) {
-            let first = Place::of(Part::Section(lower));
-            self.findings.push(findings::duplicate_section(name, at, first, true));
-        } else {
-            self.unknown.insert(lower);
+        let lower = name.to_ascii_lowercase();
+        if self.unknown.insert(self.hasher.hash_one(&lower)) {
             self.findings.push(findings::unknown_section(name, at));
+        } else {
+            let first = Place::of(Part::Section(lower.into()));
+            self.findings.push(findings::duplicate_section(name, at, first, true));
         }
         let mut entries = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
