@@ -8,9 +8,9 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use self::eds::Locator;
-use self::ini::Document;
+use self::ini::{Document, EditError};
 use crate::diagnostic::{At, Findings, RuleInfo};
-use crate::model::{Device, DeviceKind, Place};
+use crate::model::{Commissioning, Device, DeviceKind, Place};
 use crate::source::{SourceError, SourceFile, SourceOptions, Span};
 
 /// A kind of file.
@@ -120,6 +120,25 @@ impl Description {
             At::Span(span) => *span,
             At::Place(place) => self.locate(place).unwrap_or_default(),
         }
+    }
+
+    /// The bytes of this text as a DCF called `file_name`, for `node`: edits of the text, so comments, order, spelling,
+    /// line ends and encoding stay. `LastEDS` is the name that the text was read by, unless it is a DCF already.
+    ///
+    /// # Errors
+    /// When an edited text cannot be written in the encoding of the file.
+    pub fn to_dcf(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
+        let last_eds = self.source().name().rsplit(['/', '\\']).next();
+        let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
+        eds::to_dcf(&self.document, file_name, last_eds, node)
+    }
+
+    /// The bytes of this text as an EDS called `file_name`: without the node and the values that were configured for it.
+    ///
+    /// # Errors
+    /// When an edited text cannot be written in the encoding of the file.
+    pub fn to_eds(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
+        eds::to_eds(&self.document, file_name)
     }
 
     /// What the reader of the format found: in the spelling and structure of the text.

@@ -1,8 +1,10 @@
 //! The INI layer under EDS, DCF and node lists: lossless on bytes, with a span for everything, and never an error.
 
 mod document;
+mod edit;
 pub(crate) mod findings;
 mod scan;
 
 pub use document::{Document, Entry, Header, Section};
+pub use edit::{EditError, Editor};
 pub use scan::{Line, LineKind, Lines};

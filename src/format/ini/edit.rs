@@ -1,0 +1,217 @@
+//! Edits of a document by spans: what they do not touch stays as it was, byte for byte.
+
+use super::{Document, Line, LineKind, Section};
+use crate::source::{Span, Unencodable};
+
+/// Changes of one document, in any order.
+#[derive(Debug)]
+pub struct Editor<'a> {
+    document: &'a Document,
+    line_end: &'static str,
+    changes: Vec<Change>,
+}
+
+/// A span and the text that takes its place; of changes at one offset the first one made comes first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Change {
+    span: Span,
+    text: String,
+}
+
+/// Why a document cannot be edited.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EditError {
+    /// Two edits touch the same bytes.
+    #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
+    Overlap(Span),
+    /// The bytes of the file are not those of its text, so an edited text cannot be written.
+    #[error("`{0}` is damaged in its encoding and cannot be edited; save it as UTF-8 first")]
+    ReadOnly(String),
+    /// A new text has a character that the encoding of the file lacks.
+    #[error(transparent)]
+    Unencodable(#[from] Unencodable),
+}
+
+impl<'a> Editor<'a> {
+    /// No changes yet. New lines end like the first line of the document, or with CR LF where it has none.
+    pub fn new(document: &'a Document) -> Self {
+        let text = document.text();
+        let first = document.lines().next();
+        let line_end = match first.map(|line| Span::new(line.span.end, line.next).of(text)) {
+            Some("\n") => "\n",
+            Some("\r") => "\r",
+            _ => "\r\n",
+        };
+        Self { document, line_end, changes: Vec::new() }
+    }
+
+    /// Puts `text` in the place of `span`.
+    pub fn replace(&mut self, span: Span, text: impl Into<String>) {
+        self.changes.push(Change { span, text: text.into() });
+    }
+
+    /// Takes the lines of a span away, which starts with a line and ends with one.
+    pub fn remove(&mut self, span: Span) {
+        self.replace(span, "");
+    }
+
+    /// Gives a key a value: where it stands, else in a new line behind the last key of the section.
+    pub fn set(&mut self, section: &Section, key: &str, value: &str) {
+        let text = self.document.text();
+        match section.entries.iter().find(|entry| entry.key.of(text).eq_ignore_ascii_case(key)) {
+            Some(entry) if entry.value.of(text) == value => {}
+            Some(entry) => self.replace(entry.value, value),
+            None => {
+                let line = format!("{key}={value}");
+                self.insert_lines(end_of(section), &[line]);
+            }
+        }
+    }
+
+    /// Takes the line of a key away.
+    pub fn remove_key(&mut self, section: &Section, key: &str) {
+        let text = self.document.text();
+        let entries = section.entries.iter().filter(|entry| entry.key.of(text).eq_ignore_ascii_case(key));
+        for line in entries.filter_map(|entry| self.line_at(entry.key.start)).collect::<Vec<_>>() {
+            self.remove(Span::new(line.span.start, line.next));
+        }
+    }
+
+    /// Takes a section away: its header, its entries and the blank lines behind them. Comments behind the last entry
+    /// stay, for they most likely belong to what follows.
+    pub fn remove_section(&mut self, section: &Section) {
+        let Some(first) = section.header.and_then(|header| self.line_at(header.line.start)) else { return };
+        let last = self.line_at(end_of(section)).unwrap_or(first);
+        let lines = super::Lines::from(self.document.text(), last.next);
+        let blank = lines.take_while(|line| line.kind == LineKind::Blank).last();
+        let end = blank.map_or(last.next, |line| line.next);
+        self.remove(Span::new(first.span.start, end));
+    }
+
+    /// Adds a section behind another one, or at the start of the document.
+    pub fn insert_section(&mut self, behind: Option<&Section>, name: &str, entries: &[(&str, String)]) {
+        let mut lines: Vec<String> = vec![format!("[{name}]")];
+        lines.extend(entries.iter().map(|(key, value)| format!("{key}={value}")));
+        match behind {
+            Some(section) => {
+                lines.insert(0, String::new());
+                self.insert_lines(end_of(section), &lines);
+            }
+            None => {
+                lines.push(String::new());
+                let text: String = lines.iter().flat_map(|line| [line.as_str(), self.line_end]).collect();
+                self.replace(Span::empty(0), text);
+            }
+        }
+    }
+
+    /// Adds lines behind the line that holds `offset`, which may be the last one and have no line end.
+    fn insert_lines(&mut self, offset: u32, lines: &[String]) {
+        let at = self.line_at(offset).map_or(offset, |line| line.span.end);
+        let text: String = lines.iter().flat_map(|line| [self.line_end, line.as_str()]).collect();
+        self.replace(Span::empty(at), text);
+    }
+
+    fn line_at(&self, offset: u32) -> Option<Line> {
+        let source = self.document.source();
+        let start = source.lines().line_span(source.text(), source.lines().line_of(offset)).start;
+        super::Lines::from(source.text(), start).next()
+    }
+
+    /// The edited text.
+    ///
+    /// # Errors
+    /// When two changes overlap.
+    pub fn text(&self) -> Result<String, EditError> {
+        let text = self.document.text();
+        let mut changes: Vec<&Change> = self.changes.iter().collect();
+        changes.sort_by_key(|change| (change.span.start, change.span.end));
+        let mut edited = String::with_capacity(text.len());
+        let mut at = 0;
+        for change in changes {
+            if change.span.start < at {
+                return Err(EditError::Overlap(change.span));
+            }
+            edited.push_str(Span::new(at, change.span.start).of(text));
+            edited.push_str(&change.text);
+            at = change.span.end;
+        }
+        edited.push_str(Span::new(at, text.len() as u32).of(text));
+        Ok(edited)
+    }
+
+    /// The edited document in the encoding of the file; without changes, the bytes as they came.
+    ///
+    /// # Errors
+    /// When two changes overlap, or the file cannot be written in its encoding.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
+        let source = self.document.source();
+        if self.changes.is_empty() {
+            return Ok(source.to_bytes());
+        }
+        if source.is_read_only() {
+            return Err(EditError::ReadOnly(source.name().to_owned()));
+        }
+        Ok(source.encode(&self.text()?)?)
+    }
+}
+
+/// An offset in the last line of a section.
+fn end_of(section: &Section) -> u32 {
+    let header = section.header.map_or(0, |header| header.line.start);
+    section.entries.last().map_or(header, |entry| entry.key.start)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::SourceFile;
+
+    fn edit(text: &str, change: impl Fn(&mut Editor<'_>, &[Section])) -> String {
+        let document = Document::new(SourceFile::from_text("test.eds", text));
+        let mut sections = Vec::new();
+        document.visit(|section| sections.push(section.clone()), |_| {});
+        let mut editor = Editor::new(&document);
+        change(&mut editor, &sections);
+        editor.text().unwrap()
+    }
+
+    #[test]
+    fn a_set_value_keeps_everything_around_it() {
+        let edited = edit("; a\n[A]\nKey =  1  \nB=2", |editor, sections| {
+            editor.set(&sections[1], "key", "17");
+            editor.set(&sections[1], "C", "3");
+        });
+        assert_eq!(edited, "; a\n[A]\nKey =  17  \nB=2\nC=3");
+    }
+
+    #[test]
+    fn removed_lines_leave_no_trace() {
+        let edited = edit("[A]\r\nB=1\r\nC=2\r\n\r\n; of D\r\n[D]\r\nE=1\r\n", |editor, sections| {
+            editor.remove_key(&sections[1], "b");
+            editor.remove_section(&sections[2]);
+        });
+        assert_eq!(edited, "[A]\r\nC=2\r\n\r\n; of D\r\n");
+    }
+
+    #[test]
+    fn a_new_section_stands_behind_the_last_key() {
+        let entries = [("NodeID", "5".to_owned())];
+        let edited = edit("[A]\nB=1\n\n[C]\n", |editor, sections| {
+            editor.insert_section(Some(&sections[1]), "N", &entries);
+            editor.insert_section(Some(&sections[2]), "M", &[]);
+            editor.insert_section(None, "Z", &entries);
+        });
+        assert_eq!(edited, "[Z]\nNodeID=5\n\n[A]\nB=1\n\n[N]\nNodeID=5\n\n[C]\n\n[M]\n");
+    }
+
+    #[test]
+    fn overlapping_changes_are_an_error() {
+        let document = Document::new(SourceFile::from_text("test.eds", "[A]\nB=1\n"));
+        let mut editor = Editor::new(&document);
+        editor.replace(Span::new(0, 6), "x");
+        editor.replace(Span::new(4, 8), "y");
+        assert_eq!(editor.to_bytes(), Err(EditError::Overlap(Span::new(4, 8))));
+    }
+}
