@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use super::input::InputArgs;
 use super::output::Color;
+use super::show::Address;
 use crate::diagnostic::Severity;
 
 /// The CANopen object-dictionary toolchain
@@ -26,6 +27,7 @@ pub(super) struct Args {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Check(CheckArgs),
+    Show(ShowArgs),
 }
 
 /// Say what is wrong with descriptions, and where
@@ -53,6 +55,42 @@ pub(super) enum ReportFormat {
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,
+}
+
+/// Show the dictionary as a table, or one object or entry of it in detail
+#[derive(Debug, Parser)]
+pub(super) struct ShowArgs {
+    /// The file; `-` is the standard input
+    pub file: PathBuf,
+    /// Only this object or entry: 1018, 0x1018, 1018:1, 1018sub1; all numbers are hexadecimal
+    #[arg(value_name = "INDEX[:SUB]")]
+    pub address: Option<Address>,
+    /// The node that formulas such as $NODEID+0x180 are worked out for; a DCF names its own
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// How to write it
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+/// How a dictionary is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ShowFormat {
+    /// For people
+    Table,
+    /// For programs: one JSON document, one entry a line (docs/json.md)
+    Json,
+}
+
+/// 1 to 127, in decimal or as `0x7F`.
+fn node_id(text: &str) -> Result<u8, String> {
+    let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => u8::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    };
+    number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
 }
 
 /// A severity, as an argument.

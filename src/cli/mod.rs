@@ -5,6 +5,7 @@ mod args;
 mod check;
 mod input;
 mod output;
+mod show;
 
 use std::fmt;
 use std::process::ExitCode;
@@ -27,6 +28,7 @@ pub fn run() -> ExitCode {
     let mut out = Output::stdout(args.color);
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
+        Command::Show(command) => show::run(command, &mut out),
     };
     outcome
         .and_then(|outcome| out.finish().map(|()| outcome))

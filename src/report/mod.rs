@@ -139,6 +139,19 @@ fn plural(count: usize, word: &str) -> String {
     if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
 }
 
+#[cfg(feature = "cli")]
+/// A character, or U+FFFD for one that steers the terminal or the direction of the text.
+pub(crate) fn visible(character: char) -> char {
+    match character {
+        '\t' => character,
+        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' => {
+            char::REPLACEMENT_CHARACTER
+        }
+        _ if character.is_control() => char::REPLACEMENT_CHARACTER,
+        _ => character,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
 use self::excerpt::Excerpts;
-use super::{Report, Tally};
+use super::{Report, Tally, visible};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::format::Description;
 
@@ -95,7 +95,7 @@ impl<'a> Rendered<'a> {
 
 /// A message without control characters and not endless: it may quote anything that stands in a file.
 fn shown(message: &str) -> String {
-    let mut shown: String = message.chars().take(MAX_MESSAGE).map(excerpt::visible).collect();
+    let mut shown: String = message.chars().take(MAX_MESSAGE).map(visible).collect();
     if shown.len() < message.len() && message.chars().nth(MAX_MESSAGE).is_some() {
         shown.push('…');
     }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
+use crate::report::visible;
 use crate::source::{SourceFile, Span};
 
 /// The most bytes of a line that are shown; of a longer one a window around the label.
@@ -142,16 +143,4 @@ fn printable(text: &str) -> Cow<'_, str> {
         });
     }
     Cow::Owned(shown)
-}
-
-/// A character, or U+FFFD for one that steers the terminal or the direction of the text.
-pub(super) fn visible(character: char) -> char {
-    match character {
-        '\t' => character,
-        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' => {
-            char::REPLACEMENT_CHARACTER
-        }
-        _ if character.is_control() => char::REPLACEMENT_CHARACTER,
-        _ => character,
-    }
 }

@@ -1,0 +1,99 @@
+//! The entries of a dictionary as JSON, flat and with all formulas worked out; `docs/json.md` describes it. The model as
+//! it is, to be read back, is what `convert` writes.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+use serde_json::Value as Json;
+
+use super::View;
+use super::value::Reader;
+use crate::model::{Entry, Object, PdoMapping, Value};
+
+/// The version of the document. It changes when a field is removed or means something else, not when one is added.
+const VERSION: u32 = 1;
+
+#[derive(Serialize)]
+struct Row<'a> {
+    index: String,
+    sub: u8,
+    name: &'a str,
+    object: &'a str,
+    object_type: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    data_type: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    access: Option<&'static str>,
+    pdo_mapping: PdoMapping,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    default: Option<Json>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    value: Option<Json>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    low_limit: Option<Json>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    high_limit: Option<Json>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bytes: Option<String>,
+}
+
+/// Writes the entries of `objects` that `is_wanted` takes, one a line.
+pub(super) fn write<'a>(
+    view: &View<'_>,
+    objects: impl Iterator<Item = (u16, &'a Object)>,
+    is_wanted: impl Fn(u8) -> bool,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write!(out, "{{\"version\":{VERSION},\"file\":{},", Json::from(view.file))?;
+    write!(
+        out,
+        "\"format\":{},\"node_id\":{},\"entries\":[",
+        Json::from(view.format),
+        Json::from(view.node_id)
+    )?;
+    let mut separator = "\n";
+    for (index, object) in objects {
+        for (sub, entry) in object.entries().filter(|(sub, _)| is_wanted(*sub)) {
+            out.write_all(separator.as_bytes())?;
+            serde_json::to_writer(&mut *out, &row(view.reader(index), sub, object, &entry))?;
+            separator = ",\n";
+        }
+    }
+    out.write_all(b"\n]}\n")
+}
+
+fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row<'a> {
+    let value = |value: &Option<Value>| Some(json(&reader.resolve(value.as_ref()?, entry.data_type)));
+    Row {
+        index: format!("0x{:04X}", reader.index),
+        sub,
+        name: &entry.name,
+        object: object.name(),
+        object_type: object.object_type().name(),
+        data_type: entry.data_type.map(|data_type| data_type.to_string()),
+        access: entry.access.map(crate::model::Access::name),
+        pdo_mapping: entry.pdo_mapping.unwrap_or_default(),
+        default: value(&entry.default),
+        value: value(&entry.configured_value().cloned()),
+        low_limit: value(&entry.low_limit),
+        high_limit: value(&entry.high_limit),
+        bytes: entry.value().and_then(|value| reader.bytes(value, entry.data_type, "")),
+    }
+}
+
+/// Whole numbers and finite REAL as numbers, BOOLEAN as such, everything else as the text that a table shows.
+fn json(value: &Value) -> Json {
+    match value {
+        Value::Boolean(value) => Json::from(*value),
+        Value::Signed(value) => Json::from(*value),
+        Value::Unsigned(value) => Json::from(*value),
+        Value::Real32(value) if value.is_finite() => shortest(&value.to_string()),
+        Value::Real64(value) if value.is_finite() => Json::from(*value),
+        _ => Json::from(value.to_string()),
+    }
+}
+
+/// A REAL32 with its own digits, not with those of the REAL64 next to it.
+fn shortest(text: &str) -> Json {
+    text.parse::<f64>().map_or_else(|_| Json::from(text), Json::from)
+}

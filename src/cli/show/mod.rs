@@ -1,0 +1,106 @@
+//! `objdict show`: the dictionary as a table, one object or one entry of it in detail.
+
+mod address;
+mod json;
+mod meaning;
+mod table;
+mod text;
+mod value;
+
+use std::borrow::Cow;
+
+pub(super) use self::address::Address;
+use self::value::Reader;
+use super::args::{ShowArgs, ShowFormat};
+use super::output::Output;
+use super::{Failure, Outcome};
+use crate::model::{Device, Entry, Object};
+
+/// A device to be shown.
+struct View<'a> {
+    file: &'a str,
+    format: &'static str,
+    device: &'a Device,
+    /// The node that formulas are worked out for.
+    node_id: Option<u8>,
+}
+
+impl View<'_> {
+    fn reader(&self, index: u16) -> Reader {
+        Reader { index, node_id: self.node_id }
+    }
+}
+
+pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let description = args.input.open(&args.file)?;
+    let device = description.device();
+    let view = View {
+        file: description.source().name(),
+        format: description.format().name(),
+        device,
+        node_id: args.node_id.or(device.node_id()),
+    };
+    match args.address {
+        None => show_device(&view, args.format, out)?,
+        Some(address) => show_address(&view, address, args.format, out)?,
+    }
+    Ok(Outcome::Clean)
+}
+
+fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {
+    match format {
+        ShowFormat::Table => text::device(view, out)?,
+        ShowFormat::Json => {
+            let objects = view.device.objects.iter().map(|(&index, object)| (index, object));
+            json::write(view, objects, |_| true, out)?;
+        }
+    }
+    Ok(())
+}
+
+fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {
+    let Some(object) = view.device.object(at.index) else {
+        return Err(no_object(view, at.index));
+    };
+    let entry = match at.sub {
+        Some(sub) => Some((sub, object.entry(sub).ok_or_else(|| no_entry(at.index, object, sub))?)),
+        None => single(object),
+    };
+    match format {
+        ShowFormat::Json => {
+            let is_wanted = |sub| at.sub.is_none_or(|wanted| wanted == sub);
+            json::write(view, std::iter::once((at.index, object)), is_wanted, out)?;
+        }
+        ShowFormat::Table => match entry {
+            Some((sub, entry)) => text::entry(view, (at.index, sub), object, &entry, out)?,
+            None => text::object(view, at.index, object, out)?,
+        },
+    }
+    Ok(())
+}
+
+/// The only entry of a VAR or DOMAIN.
+fn single(object: &Object) -> Option<(u8, Cow<'_, Entry>)> {
+    let is_single = !object.object_type().has_subs() && object.subs.is_empty();
+    if is_single { object.entry(0).map(|entry| (0, entry)) } else { None }
+}
+
+fn no_object(view: &View<'_>, index: u16) -> Failure {
+    let objects = &view.device.objects;
+    let below = objects.range(..index).next_back();
+    let above = objects.range(index..).next();
+    let near: Vec<String> = below
+        .into_iter()
+        .chain(above)
+        .map(|(index, object)| format!("0x{index:04X} {}", table::fit(object.name(), 60)))
+        .collect();
+    let failure = Failure::new(format_args!("`{}` has no object 0x{index:04X}", view.file));
+    if near.is_empty() { failure } else { failure.help(format!("next to it: {}", near.join(", "))) }
+}
+
+fn no_entry(index: u16, object: &Object, sub: u8) -> Failure {
+    let subs: Vec<String> = object.entries().map(|(sub, _)| format!("{sub:X}")).take(32).collect();
+    let name = table::fit(object.name(), 60);
+    Failure::new(format_args!("0x{index:04X} {name} has no sub-index {sub:X} (hex)"))
+        .help(format!("it has {}", subs.join(", ")))
+}
