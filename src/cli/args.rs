@@ -2,12 +2,14 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use super::input::InputArgs;
 use super::output::Color;
 use super::show::Address;
 use crate::diagnostic::Severity;
+use crate::generate::Target;
 
 /// The CANopen object-dictionary toolchain
 ///
@@ -28,6 +30,7 @@ pub(super) struct Args {
 pub(super) enum Command {
     Check(CheckArgs),
     Show(ShowArgs),
+    Generate(GenerateArgs),
 }
 
 /// Say what is wrong with descriptions, and where
@@ -82,6 +85,41 @@ pub(super) enum ShowFormat {
     Table,
     /// For programs: one JSON document, one entry a line (docs/json.md)
     Json,
+}
+
+/// Turn a description into what a product compiles or downloads
+///
+/// Checks the description first and generates nothing when there is an error in it. Files are only written when they
+/// change, and then as a whole.
+#[derive(Debug, Parser)]
+pub(super) struct GenerateArgs {
+    /// The description; `-` is the standard input
+    pub file: PathBuf,
+    /// What to generate; may be given several times, or with commas between
+    #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
+    pub targets: Vec<String>,
+    /// The folder that the files go to
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// The node-ID of the node; a DCF names its own
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// Generate although there are errors in the description
+    #[arg(long)]
+    pub force: bool,
+    /// Room for a string that can be written and has a shorter default or none
+    #[arg(long, value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..))]
+    pub string_capacity: Option<u16>,
+    /// Room for a DOMAIN that can be written; without it, only for its default
+    #[arg(long, value_name = "BYTES")]
+    pub domain_capacity: Option<u16>,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+fn targets() -> PossibleValuesParser {
+    let value = |target: Target| clap::builder::PossibleValue::new(target.name()).help(target.summary());
+    PossibleValuesParser::new(Target::all().map(value))
 }
 
 /// 1 to 127, in decimal or as `0x7F`.

@@ -3,9 +3,12 @@
 
 mod args;
 mod check;
+mod generate;
 mod input;
 mod output;
+mod save;
 mod show;
+mod table;
 
 use std::fmt;
 use std::process::ExitCode;
@@ -28,6 +31,7 @@ pub fn run() -> ExitCode {
     let mut out = Output::stdout(args.color);
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
+        Command::Generate(command) => generate::run(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
     };
     outcome

@@ -123,40 +123,46 @@ fn mapped(device: &Device, sub: u8, number: u32) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn of(index: u16, sub: u8, value: Value, node_id: Option<u8>) -> String {
-        super::of(&Device::default(), index, sub, &value, node_id).unwrap_or_default()
+    fn of(index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> String {
+        super::of(&Device::default(), index, sub, value, node_id).unwrap_or_default()
     }
 
     #[test]
     fn cob_ids_say_what_they_do() {
-        assert_eq!(of(0x1400, 1, Value::NodeId(0x200), Some(5)), "CAN-ID 0x205, 11 bits, exists");
+        assert_eq!(of(0x1400, 1, &Value::NodeId(0x200), Some(5)), "CAN-ID 0x205, 11 bits, exists");
         assert_eq!(
-            of(0x1400, 1, Value::NodeId(0x8000_0200), None),
+            of(0x1400, 1, &Value::NodeId(0x8000_0200), None),
             "CAN-ID $NODEID+0x200, 11 bits, does not exist"
         );
         assert_eq!(
-            of(0x1801, 1, Value::Unsigned(0x4000_0285), None),
+            of(0x1801, 1, &Value::Unsigned(0x4000_0285), None),
             "CAN-ID 0x285, 11 bits, exists, no remote frames"
         );
-        assert_eq!(of(0x1005, 0, Value::Unsigned(0x4000_0080), None), "CAN-ID 0x080, 11 bits, produces SYNC");
-        assert_eq!(of(0x1012, 0, Value::Unsigned(0x8000_0100), None), "CAN-ID 0x100, 11 bits, consumes TIME");
-        assert_eq!(of(0x1200, 1, Value::Unsigned(0x2001_0000), None), "CAN-ID 0x10000, 29 bits, exists");
+        assert_eq!(
+            of(0x1005, 0, &Value::Unsigned(0x4000_0080), None),
+            "CAN-ID 0x080, 11 bits, produces SYNC"
+        );
+        assert_eq!(
+            of(0x1012, 0, &Value::Unsigned(0x8000_0100), None),
+            "CAN-ID 0x100, 11 bits, consumes TIME"
+        );
+        assert_eq!(of(0x1200, 1, &Value::Unsigned(0x2001_0000), None), "CAN-ID 0x10000, 29 bits, exists");
     }
 
     #[test]
     fn mappings_say_what_they_carry() {
-        assert_eq!(of(0x1A00, 1, Value::Unsigned(0x0005_0008), None), "8 bits unused (dummy UNSIGNED8)");
-        assert_eq!(of(0x1A00, 2, Value::Unsigned(0), None), "");
-        let missing = of(0x1600, 1, Value::Unsigned(0x6040_0010), None);
+        assert_eq!(of(0x1A00, 1, &Value::Unsigned(0x0005_0008), None), "8 bits unused (dummy UNSIGNED8)");
+        assert_eq!(of(0x1A00, 2, &Value::Unsigned(0), None), "");
+        let missing = of(0x1600, 1, &Value::Unsigned(0x6040_0010), None);
         assert_eq!(missing, "0x6040sub0, which the description does not have, 16 bits");
     }
 
     #[test]
     fn times_have_units() {
-        assert_eq!(of(0x1800, 3, Value::Unsigned(105), None), "10.5 ms");
-        assert_eq!(of(0x1016, 2, Value::Unsigned(0x0003_01F4), None), "node 3, 500 ms");
+        assert_eq!(of(0x1800, 3, &Value::Unsigned(105), None), "10.5 ms");
+        assert_eq!(of(0x1016, 2, &Value::Unsigned(0x0003_01F4), None), "node 3, 500 ms");
         assert_eq!(
-            of(0x1000, 0, Value::Unsigned(0x0002_0192), None),
+            of(0x1000, 0, &Value::Unsigned(0x0002_0192), None),
             "device profile CiA 402 (drives), additional information 0x0002"
         );
     }

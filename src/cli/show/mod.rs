@@ -3,7 +3,6 @@
 mod address;
 mod json;
 mod meaning;
-mod table;
 mod text;
 mod value;
 
@@ -13,6 +12,7 @@ pub(super) use self::address::Address;
 use self::value::Reader;
 use super::args::{ShowArgs, ShowFormat};
 use super::output::Output;
+use super::table::fit;
 use super::{Failure, Outcome};
 use crate::model::{Device, Entry, Object};
 
@@ -92,7 +92,7 @@ fn no_object(view: &View<'_>, index: u16) -> Failure {
     let near: Vec<String> = below
         .into_iter()
         .chain(above)
-        .map(|(index, object)| format!("0x{index:04X} {}", table::fit(object.name(), 60)))
+        .map(|(index, object)| format!("0x{index:04X} {}", fit(object.name(), 60)))
         .collect();
     let failure = Failure::new(format_args!("`{}` has no object 0x{index:04X}", view.file));
     if near.is_empty() { failure } else { failure.help(format!("next to it: {}", near.join(", "))) }
@@ -100,7 +100,7 @@ fn no_object(view: &View<'_>, index: u16) -> Failure {
 
 fn no_entry(index: u16, object: &Object, sub: u8) -> Failure {
     let subs: Vec<String> = object.entries().map(|(sub, _)| format!("{sub:X}")).take(32).collect();
-    let name = table::fit(object.name(), 60);
+    let name = fit(object.name(), 60);
     Failure::new(format_args!("0x{index:04X} {name} has no sub-index {sub:X} (hex)"))
         .help(format!("it has {}", subs.join(", ")))
 }

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use super::View;
 use super::meaning;
-use super::table::{Table, fit};
 use super::value::Reader;
+use crate::cli::table::{Table, fit};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 
 /// The most characters that a cell of the large table shows; the page of one entry shows all.
@@ -63,7 +63,7 @@ pub(super) fn entry(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let reader = view.reader(index);
-    writeln!(out, "0x{index:04X}sub{sub:X}  {}", fit(&entry.name, LINE))?;
+    writeln!(out, "0x{index:04X}sub{sub:X}  {}\n", fit(&entry.name, LINE))?;
     let mut lines = Table::new(["", ""], LINE);
     let mut line = |name: &str, text: String| lines.row([format!("  {name}"), text]);
     if object.object_type().has_subs() {

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use crate::report::visible;
 
-/// Columns with a heading; a column that is empty in every row is left out.
-pub(super) struct Table<const N: usize> {
+/// Columns with a heading; a column that is empty in every row is left out, and the headings when there are none.
+pub(in crate::cli) struct Table<const N: usize> {
     headings: [&'static str; N],
     rows: Vec<[String; N]>,
     /// The most characters that a cell shows.
@@ -13,22 +13,23 @@ pub(super) struct Table<const N: usize> {
 }
 
 impl<const N: usize> Table<N> {
-    pub(super) fn new(headings: [&'static str; N], limit: usize) -> Self {
+    pub(in crate::cli) fn new(headings: [&'static str; N], limit: usize) -> Self {
         Self { headings, rows: Vec::new(), limit }
     }
 
-    pub(super) fn row(&mut self, cells: [String; N]) {
+    pub(in crate::cli) fn row(&mut self, cells: [String; N]) {
         self.rows.push(cells.map(|cell| fit(&cell, self.limit)));
     }
 
-    pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub(in crate::cli) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let width = |column: usize| {
             let widest = self.rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default();
             if widest == 0 { 0 } else { widest.max(self.headings[column].chars().count()) }
         };
         let widths: [usize; N] = std::array::from_fn(width);
         let headings = self.headings.map(str::to_owned);
-        for row in std::iter::once(&headings).chain(&self.rows) {
+        let has_headings = headings.iter().any(|heading| !heading.is_empty());
+        for row in has_headings.then_some(&headings).into_iter().chain(&self.rows) {
             let mut line = String::new();
             for (cell, &width) in row.iter().zip(&widths).filter(|(_, width)| **width > 0) {
                 let padding = width.saturating_sub(cell.chars().count());
@@ -42,7 +43,7 @@ impl<const N: usize> Table<N> {
 }
 
 /// A text as one line of at most `limit` characters, safe for a terminal.
-pub(super) fn fit(text: &str, limit: usize) -> String {
+pub(in crate::cli) fn fit(text: &str, limit: usize) -> String {
     let mut shown: String =
         text.chars().take(limit).map(|c| if c == '\t' { ' ' } else { visible(c) }).collect();
     if text.chars().nth(limit).is_some() {

@@ -1,0 +1,131 @@
+//! `objdict generate`.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::args::GenerateArgs;
+use super::output::Output;
+use super::save::{Saved, save};
+use super::table::Table;
+use super::{Failure, Outcome};
+use crate::diagnostic::{Findings, Severity};
+use crate::format::Description;
+use crate::generate::{GenerateError, Generated, Note, Options, Target, generate};
+use crate::report::{Report, Tally, Text};
+
+pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let description = args.input.open(&args.file)?;
+    let findings = crate::check(&description);
+    if findings.has_errors() && !args.force {
+        report_errors(&description, findings)?;
+        Failure::new("nothing was generated, for a tool or a device would do wrong with this file")
+            .help("mend the errors, or use `--force`")
+            .print();
+        return Ok(Outcome::Findings);
+    }
+    let outputs = outputs(args, &description)?;
+    let mut table = Table::new(["", "", "", ""], usize::MAX);
+    for (target, generated) in &outputs {
+        for file in &generated.files {
+            let path = args.out.join(&file.path);
+            let saved = match save(&path, &file.contents)? {
+                Saved::Written => "",
+                Saved::Unchanged => "unchanged",
+            };
+            let size = format!("{} bytes", file.contents.len());
+            table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
+        }
+    }
+    writeln!(out, "{}: {}", description.source().name(), facts(&description, &findings))?;
+    table.write(out)?;
+    out.flush()?;
+    for (target, generated) in &outputs {
+        print_notes(*target, &generated.notes);
+    }
+    Ok(Outcome::Clean)
+}
+
+/// Everything that is to be written, before anything is.
+fn outputs(args: &GenerateArgs, description: &Description) -> Result<Vec<(Target, Generated)>, Failure> {
+    let default = Options::default();
+    let options = Options {
+        node_id: args.node_id,
+        file_stem: stem(&args.file),
+        string_capacity: args.string_capacity.unwrap_or(default.string_capacity),
+        domain_capacity: args.domain_capacity.unwrap_or(default.domain_capacity),
+    };
+    let mut outputs = Vec::new();
+    let mut paths: BTreeMap<String, Target> = BTreeMap::new();
+    for (position, name) in args.targets.iter().enumerate() {
+        if args.targets[..position].contains(name) {
+            continue;
+        }
+        let target = Target::named(name).map_err(Failure::new)?;
+        let generated =
+            generate(description.device(), target, &options).map_err(|error| refusal(target, &error))?;
+        for file in &generated.files {
+            if let Some(other) = paths.insert(file.path.clone(), target) {
+                let (first, second) = (other.name(), target.name());
+                let message = format!("the targets `{first}` and `{second}` both write `{}`", file.path);
+                return Err(Failure::new(message).help("generate them into two folders"));
+            }
+        }
+        outputs.push((target, generated));
+    }
+    Ok(outputs)
+}
+
+fn refusal(target: Target, error: &GenerateError) -> Failure {
+    if let GenerateError::NoEntries { notes } = error {
+        print_notes(target, notes);
+    }
+    Failure::new(format_args!("target `{}`: {error}", target.name()))
+}
+
+fn print_notes(target: Target, notes: &[Note]) {
+    let mut text = String::new();
+    for note in notes {
+        text.push_str(&format!("note: {}: {note}\n", target.name()));
+        if let Some(help) = &note.help {
+            text.push_str(&format!("  help: {help}\n"));
+        }
+    }
+    // nobody is left to read it when this fails
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
+/// The findings that stop the work, on the standard error.
+fn report_errors(description: &Description, findings: Findings) -> Result<(), Failure> {
+    let mut errors = Findings::new();
+    for finding in findings.into_vec() {
+        if finding.severity == Severity::Error {
+            errors.push(finding);
+        }
+    }
+    let mut text = Vec::new();
+    let mut report = Text::new(&mut text, false);
+    report.file(description, &errors)?;
+    report.finish()?;
+    let _ = std::io::stderr().write_all(&text);
+    Ok(())
+}
+
+fn facts(description: &Description, findings: &Findings) -> String {
+    let device = description.device();
+    let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
+    let mut tally = Tally::default();
+    tally.add(findings);
+    let found = match (tally.errors, tally.warnings) {
+        (0, 0) => "no errors".to_owned(),
+        (0, warnings) => format!("no errors, {warnings} warnings (`objdict check` tells them)"),
+        (errors, _) => format!("{errors} errors, generated all the same"),
+    };
+    format!("{} objects, {entries} entries, {found}", device.objects.len())
+}
+
+/// The file's name without its last ending.
+fn stem(file: &Path) -> String {
+    let name = if file == Path::new("-") { PathBuf::from("device") } else { file.to_owned() };
+    name.file_stem().map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
