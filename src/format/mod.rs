@@ -1,7 +1,9 @@
 //! Description files: what a file is, and from its bytes to the model.
 
+pub mod concise;
 pub(crate) mod eds;
 pub mod ini;
+pub mod json;
 pub mod literal;
 
 use std::path::Path;

@@ -6,7 +6,7 @@ use super::{Extra, Misfits};
 
 /// The node that a device description was configured for: `DeviceComissioning`, as the standard spells it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Commissioning {
     /// `NodeID`, 1 to 127; 255 for a node that waits for LSS.
     #[serde(skip_serializing_if = "Option::is_none")]

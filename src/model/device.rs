@@ -11,7 +11,7 @@ use super::{
 
 /// A device description, whatever format it came from.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Device {
     /// Whether this describes a device type or one configured node.
     pub kind: DeviceKind,
@@ -31,6 +31,7 @@ pub struct Device {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub commissioning: Option<Commissioning>,
     /// The lists that name the objects.
+    #[serde(skip_serializing_if = "super::is_default")]
     pub lists: ObjectLists,
     /// The objects by index.
     #[serde(with = "super::index_keys")]
@@ -62,7 +63,7 @@ pub enum DeviceKind {
 
 /// The lists that name a device's objects; `None` for a list that the file does not have.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct ObjectLists {
     /// `MandatoryObjects`.
     #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
@@ -103,7 +104,7 @@ impl ObjectLists {
 
 /// Which data types may be dummies in an RPDO (CiA 306-1 §4.6.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct DummyUsage {
     /// Data types with whether they may.
     #[serde(with = "super::unique_keys")]

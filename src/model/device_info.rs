@@ -6,7 +6,7 @@ use super::{Extra, Field, Misfits};
 
 /// Vendor, product and general features of the device.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct DeviceInfo {
     /// `VendorName`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -27,6 +27,7 @@ pub struct DeviceInfo {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order_code: Option<String>,
     /// `BaudRate_x`: which bit rates the device supports.
+    #[serde(skip_serializing_if = "super::is_default")]
     pub baud_rates: BaudRates,
     /// `SimpleBootUpMaster`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,7 +69,7 @@ pub struct DeviceInfo {
 
 /// What a description says of each bit rate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct BaudRates {
     /// 10 kbit/s.
     #[serde(rename = "10", skip_serializing_if = "Option::is_none")]

@@ -6,7 +6,7 @@ use super::{DataType, Extra, Misfits};
 
 /// The segments of the process image that network variables live in (CiA 302-4).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct DynamicChannels {
     /// The segments, in the order of the file.
     pub segments: Vec<Segment>,
@@ -20,7 +20,7 @@ pub struct DynamicChannels {
 
 /// A range of indexes for network variables of one data type and direction.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Segment {
     /// `TypeN`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -38,7 +38,7 @@ pub struct Segment {
 
 /// A program that a configuration tool can start.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Tool {
     /// `Name`.
     pub name: String,

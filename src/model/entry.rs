@@ -6,7 +6,7 @@ use super::{Access, DataType, Extra, Misfits, ObjectType, PdoMapping, Value};
 
 /// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(try_from = "super::flat::EntryForm")]
 pub struct Entry {
     /// `ParameterName`; empty when missing.
     pub name: Box<str>,
@@ -67,7 +67,7 @@ impl ObjFlags {
 
 /// What a DCF says of an entry (CiA 306-1 §5.3).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Configured {
     /// `ParameterValue`: the value that the node shall have.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,7 +88,7 @@ pub struct Configured {
 
 /// What a safety device says of an entry (CiA 306-1 annex A).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Safety {
     /// `SRDOMapping`: whether an SRDO may carry the entry.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -2,13 +2,14 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Extra, Misfits};
 
 /// Who made the description, when, and of which version.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct FileInfo {
     /// `FileName`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -55,7 +56,7 @@ pub struct FileInfo {
 }
 
 /// A day of the Gregorian calendar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Date {
     /// Year.
     pub year: u16,
@@ -87,7 +88,7 @@ impl fmt::Display for Date {
 }
 
 /// A time of day to the minute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ClockTime {
     /// Hour, 0 to 23.
     pub hour: u8,
@@ -111,4 +112,46 @@ impl fmt::Display for ClockTime {
         };
         write!(f, "{hour:02}:{:02}{}", self.minute, if self.hour < 12 { "AM" } else { "PM" })
     }
+}
+
+/// In JSON as in ISO 8601: `2024-03-04`.
+impl Serialize for Date {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{:04}-{:02}-{:02}", self.year, self.month, self.day))
+    }
+}
+
+impl<'de> Deserialize<'de> for Date {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let date = || {
+            let mut parts = text.splitn(3, '-').map(number);
+            let (year, month, day) = (parts.next()??, parts.next()??, parts.next()??);
+            Self::new(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?)
+        };
+        date().ok_or_else(|| D::Error::custom(format!("`{text}` is no date such as `2024-03-04`")))
+    }
+}
+
+/// In JSON as in ISO 8601: `14:40`.
+impl Serialize for ClockTime {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{:02}:{:02}", self.hour, self.minute))
+    }
+}
+
+impl<'de> Deserialize<'de> for ClockTime {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let time = || {
+            let (hour, minute) = text.split_once(':')?;
+            Self::new(u8::try_from(number(hour)?).ok()?, u8::try_from(number(minute)?).ok()?)
+        };
+        time().ok_or_else(|| D::Error::custom(format!("`{text}` is no time such as `14:40`")))
+    }
+}
+
+fn number(text: &str) -> Option<u16> {
+    let digits = text.bytes().all(|byte| byte.is_ascii_digit());
+    if digits { text.parse().ok() } else { None }
 }

@@ -57,6 +57,7 @@ impl<'de> Deserialize<'de> for Extra {
 
 /// A section that the model does not know.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ExtraSection {
     /// The name, without brackets.
     pub name: Box<str>,
@@ -102,6 +103,7 @@ pub enum Reason {
 
 /// A text that stands in a known field and is no value of it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Misfit {
     /// The field.
     pub field: Field,
@@ -112,7 +114,7 @@ pub struct Misfit {
 }
 
 /// The misfits of one part of the model. The typed fields hold no value for them.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Misfits(Option<Box<Vec<Misfit>>>);
 
@@ -135,5 +137,12 @@ impl Misfits {
     /// The misfit of a field.
     pub fn get(&self, field: &Field) -> Option<&Misfit> {
         self.iter().find(|misfit| misfit.field == *field)
+    }
+}
+
+impl<'de> Deserialize<'de> for Misfits {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let misfits = Vec::<Misfit>::deserialize(deserializer)?;
+        Ok(Self(Some(Box::new(misfits)).filter(|misfits| !misfits.is_empty())))
     }
 }

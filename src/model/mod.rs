@@ -15,6 +15,7 @@ mod dynamic;
 mod entry;
 mod field;
 mod file_info;
+mod flat;
 mod identity;
 mod implicit_pdo;
 mod kept;
@@ -44,5 +45,7 @@ pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
-pub(crate) use serial::{hex_number, hex_text, index_keys, index_list, real_text, unique_keys};
+pub(crate) use serial::{
+    hex_number, hex_text, index_keys, index_list, is_default, real_text, sub_list, unique_keys,
+};
 pub use value::{Time, Value};

@@ -8,7 +8,7 @@ use super::{Entry, Extra, Misfits, Object};
 
 /// The modules that a bus coupler supports and those that are plugged in.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Modules {
     /// `NrOfEntries` of `SupportedModules`, as the description states it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -29,7 +29,7 @@ pub struct Modules {
 
 /// A module and what it adds to the coupler's dictionary.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Module {
     /// `ProductName`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,7 +68,7 @@ pub struct Module {
 
 /// The sub-indexes that a module adds to an object.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(try_from = "super::flat::ExtensionForm")]
 pub struct Extension {
     /// What each new sub-index holds.
     #[serde(flatten)]

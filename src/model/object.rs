@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::serial::HexText;
 use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
@@ -13,7 +13,7 @@ use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Val
 /// entries in [`subs`](Self::subs), or, stored compactly, in [`compact`](Self::compact). [`Object::entries`] shows all
 /// of them alike.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(try_from = "super::flat::ObjectForm")]
 pub struct Object {
     /// Whether only sub-indexes are described and the object itself is not: a defect of the description.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -108,18 +108,19 @@ impl FromIterator<(u8, Entry)> for Subs {
 /// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` are alike but for
 /// names and values.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
+    #[serde(deserialize_with = "compact_count_of_json")]
     pub count: u8,
     /// Names of single entries; the others are called like the object with their number behind it.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
     pub names: Vec<(u8, Box<str>)>,
     /// Configured values of single entries (DCF).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
     pub values: Vec<(u8, Value)>,
     /// Denotations of single entries (DCF).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
     pub denotations: Vec<(u8, Box<str>)>,
     /// Texts that are no values of their fields.
     #[serde(skip_serializing_if = "Misfits::is_empty")]
@@ -127,6 +128,16 @@ pub struct Compact {
     /// Keys that the model does not know.
     #[serde(skip_serializing_if = "Extra::is_empty")]
     pub extra: Extra,
+}
+
+fn compact_count_of_json<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u8, D::Error> {
+    let count = u8::deserialize(deserializer)?;
+    if (1..=254).contains(&count) {
+        return Ok(count);
+    }
+    Err(serde::de::Error::custom(format!(
+        "`{count}` is no count of compactly stored entries: there are 1 to 254"
+    )))
 }
 
 fn of_sub<T>(list: &[(u8, T)], sub: u8) -> Option<&T> {
@@ -278,7 +289,7 @@ impl Serialize for Subs {
 }
 
 impl<'de> Deserialize<'de> for Subs {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let entries = super::unique_keys::deserialize::<HexText<u8>, Entry, D>(deserializer)?;
         Ok(entries.into_iter().map(|(HexText(sub), entry)| (sub, entry)).collect())
     }

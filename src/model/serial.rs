@@ -1,12 +1,17 @@
 //! How the model is spelled in JSON where JSON has no word of its own: indexes and sub-indexes in hex, bytes as hex
 //! digits, REAL numbers bit by bit, maps whose keys must not repeat.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Whether a value is nothing special and need not be written.
+pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
 
 /// A number of a fixed count of hex digits behind `0x`.
 pub(crate) trait Hex: Copy + Ord {
@@ -211,6 +216,51 @@ pub(crate) mod unique_keys {
                 map.insert(key, access.next_value()?);
             }
             Ok(map)
+        }
+    }
+}
+
+/// Items of single sub-indexes in the order of the file: keys such as `0x0A`, none of them twice.
+pub(crate) mod sub_list {
+    use super::{
+        BTreeSet, Deserialize, Deserializer, Error, HexText, MapAccess, PhantomData, Serialize, Serializer,
+        Visitor, fmt,
+    };
+
+    /// Writes an object with keys of two upper-case hex digits behind `0x`.
+    pub(crate) fn serialize<T: Serialize, S: Serializer>(
+        list: &[(u8, T)],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(list.iter().map(|(sub, item)| (HexText(*sub), item)))
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Vec<(u8, T)>, D::Error> {
+        deserializer.deserialize_map(List(PhantomData))
+    }
+
+    struct List<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for List<T> {
+        type Value = Vec<(u8, T)>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a map")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Self::Value, A::Error> {
+            let mut seen = BTreeSet::new();
+            let mut list = Vec::new();
+            while let Some(HexText(sub)) = access.next_key()? {
+                if !seen.insert(sub) {
+                    return Err(A::Error::custom(format!("the key `{}` stands here twice", HexText(sub))));
+                }
+                list.push((sub, access.next_value()?));
+            }
+            Ok(list)
         }
     }
 }

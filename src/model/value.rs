@@ -30,6 +30,7 @@ pub enum Value {
     /// TIME_OF_DAY and TIME_DIFFERENCE.
     Time(Time),
     /// The node-ID plus this number (CiA 306-1 §4.3: `$NODEID+n`), for integer types.
+    #[serde(rename = "node_id_plus")]
     NodeId(u64),
     /// A text whose data type is not a static one, kept as it was written.
     Raw(Box<str>),
@@ -37,6 +38,7 @@ pub enum Value {
 
 /// A TIME_OF_DAY or TIME_DIFFERENCE (CiA 301 §7.1.6.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Time {
     /// Whole days; of TIME_OF_DAY since 1984-01-01.
     pub days: u16,
@@ -106,6 +108,23 @@ impl Value {
             TypeKind::Signed(_) => i64::try_from(number).ok().map(Self::Signed),
             TypeKind::Unsigned(_) => u64::try_from(number).ok().map(Self::Unsigned),
             _ => None,
+        }
+    }
+
+    /// Whether this is a value of `data_type`. Of a type that is no static one, or that is not known, every value may be.
+    pub fn is_of(&self, data_type: Option<DataType>) -> bool {
+        let Some(data_type) = data_type else { return true };
+        match (self, data_type.kind()) {
+            (_, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved) => true,
+            (Self::NodeId(_), _) => data_type.is_integer(),
+            (Self::Time(time), TypeKind::TimeOfDay | TypeKind::TimeDifference) => {
+                time.milliseconds >> 28 == 0
+            }
+            (Self::Boolean(_) | Self::Signed(_) | Self::Unsigned(_), _) => {
+                let number = self.as_integer().and_then(|number| Self::from_integer(number, data_type));
+                number.as_ref() == Some(self)
+            }
+            _ => self.to_bytes(data_type).is_some(),
         }
     }
 

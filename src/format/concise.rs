@@ -1,0 +1,101 @@
+//! Concise DCF: the stream that a CANopen manager keeps in 1F22h for each node (CiA 302-3).
+//!
+//! The stream itself is encoded and decoded in [`crate::download`]; here it is a file that people look at.
+
+use std::fmt::Write;
+
+use crate::download::{Configuration, DecodeError, EncodeError, decode, encode};
+
+/// Data bytes that a line of the table shows.
+const SHOWN: usize = 16;
+
+/// The configuration of a file.
+///
+/// # Errors
+/// When the bytes are no such stream, with the offset where it goes wrong.
+pub fn read(bytes: &[u8]) -> Result<Configuration, DecodeError> {
+    decode(bytes)
+}
+
+/// The bytes of a file.
+///
+/// # Errors
+/// When a count or a size is beyond 32 bits.
+pub fn write(configuration: &Configuration) -> Result<Vec<u8>, EncodeError> {
+    encode(configuration)
+}
+
+/// The configuration for people: a line a download, with its offset in the stream, and what the bytes are as a number
+/// or text.
+pub fn table(configuration: &Configuration) -> String {
+    let mut text = format!("{} downloads\n", configuration.0.len());
+    if !configuration.0.is_empty() {
+        text.push_str("offset  entry    size  data\n");
+    }
+    let mut offset = 4;
+    for download in &configuration.0 {
+        let size = download.data.len();
+        // a String takes every text
+        let _ = write!(text, "{offset:6}  {:04X}:{:02X}  {size:4}  ", download.index, download.sub);
+        text.push_str(&data(&download.data));
+        text.truncate(text.trim_end().len());
+        text.push('\n');
+        offset += 7 + size;
+    }
+    text
+}
+
+/// Bytes in hex, and what they may stand for.
+fn data(data: &[u8]) -> String {
+    let shown = &data[..data.len().min(SHOWN)];
+    let mut text: Vec<String> = shown.iter().map(|byte| format!("{byte:02X}")).collect();
+    if shown.len() < data.len() {
+        text.push("…".to_owned());
+    }
+    if let Some(meaning) = meaning(data) {
+        text.push(format!(" {meaning}"));
+    }
+    text.join(" ")
+}
+
+/// Up to eight bytes as the number that they most likely are, more as text where they are printable.
+fn meaning(data: &[u8]) -> Option<String> {
+    let printable = data.iter().all(|byte| (0x20..0x7F).contains(byte));
+    match data.len() {
+        0 => None,
+        1..=8 => {
+            let number = data.iter().rev().fold(0u64, |number, &byte| number << 8 | u64::from(byte));
+            Some(format!("0x{number:0width$X} = {number}", width = 2 * data.len()))
+        }
+        _ if printable => {
+            let text: String = data.iter().take(4 * SHOWN).map(|&byte| char::from(byte)).collect();
+            Some(format!("{text:?}"))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::download::Download;
+
+    #[test]
+    fn the_table_shows_what_is_written_where() {
+        let configuration = Configuration(vec![
+            Download::new(0x1017, 0, [0xFA, 0]),
+            Download::new(0x2001, 0x1F, *b"a text of 18 bytes"),
+            Download::new(0x2002, 0, [0; 17]),
+            Download::new(0x2003, 0, []),
+        ]);
+        insta::assert_snapshot!(table(&configuration), @r#"
+        4 downloads
+        offset  entry    size  data
+             4  1017:00     2  FA 00  0x00FA = 250
+            13  2001:1F    18  61 20 74 65 78 74 20 6F 66 20 31 38 20 62 79 74 …  "a text of 18 bytes"
+            38  2002:00    17  00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 …
+            62  2003:00     0
+        "#);
+        assert_eq!(table(&Configuration::default()), "0 downloads\n");
+    }
+}

@@ -1,0 +1,167 @@
+//! JSON: the whole model of a device, or a configuration, with stable names.
+//!
+//! A document says in `kind` what it holds and in `version` which names it uses. A name that a version does not have,
+//! a key that stands twice and a value that does not fit its data type are errors with line and column: nothing that
+//! somebody wrote is passed over.
+
+use std::fmt;
+
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::download::Configuration;
+use crate::model::Device;
+
+/// The version of the names. A change that older readers would not understand counts it up.
+pub const VERSION: u32 = 1;
+
+/// What a document holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Kind {
+    /// A device description.
+    Device,
+    /// A configuration, as a concise DCF carries it.
+    ConciseDcf,
+}
+
+/// Why a text is no such document.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}, column {column}: {message}")]
+pub struct JsonError {
+    /// Line, counted from 1.
+    pub line: usize,
+    /// Column in bytes, counted from 1; 0 at the end of a line.
+    pub column: usize,
+    /// What is wrong.
+    pub message: String,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DeviceDocument<T> {
+    version: Version,
+    kind: Kind,
+    device: T,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ConciseDocument<T> {
+    version: Version,
+    kind: Kind,
+    entries: T,
+}
+
+/// What every document starts with; the rest is looked at when this is known.
+#[derive(Deserialize)]
+#[serde(expecting = "an object with `version` and `kind`")]
+struct Head {
+    #[serde(rename = "version")]
+    _version: Version,
+    kind: Kind,
+}
+
+/// The device as a document, indented, with a line feed at its end.
+pub fn write_device(device: &Device) -> String {
+    print(&DeviceDocument { version: Version, kind: Kind::Device, device })
+}
+
+/// The configuration as a document, indented, with a line feed at its end.
+pub fn write_configuration(configuration: &Configuration) -> String {
+    print(&ConciseDocument { version: Version, kind: Kind::ConciseDcf, entries: configuration })
+}
+
+/// What a document holds.
+///
+/// # Errors
+/// When it is no JSON, or no document of this version.
+pub fn kind(text: &str) -> Result<Kind, JsonError> {
+    serde_json::from_str(text).map(|Head { kind, .. }| kind).map_err(JsonError::from)
+}
+
+/// The device of a document.
+///
+/// # Errors
+/// What is wrong first, and where.
+pub fn read_device(text: &str) -> Result<Device, JsonError> {
+    expect(text, Kind::Device)?;
+    let document: DeviceDocument<Device> = serde_json::from_str(text)?;
+    Ok(document.device)
+}
+
+/// The configuration of a document.
+///
+/// # Errors
+/// What is wrong first, and where.
+pub fn read_configuration(text: &str) -> Result<Configuration, JsonError> {
+    expect(text, Kind::ConciseDcf)?;
+    let document: ConciseDocument<Configuration> = serde_json::from_str(text)?;
+    Ok(document.entries)
+}
+
+fn expect(text: &str, expected: Kind) -> Result<(), JsonError> {
+    let found = kind(text)?;
+    if found == expected {
+        return Ok(());
+    }
+    let message = format!("the document holds {}, not {}", found.name(), expected.name());
+    Err(JsonError { line: 1, column: 1, message })
+}
+
+fn print(document: &impl Serialize) -> String {
+    // only a map with keys that are no texts could fail, and the model has none
+    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+impl Kind {
+    /// What people call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Device => "a device description",
+            Self::ConciseDcf => "a concise DCF",
+        }
+    }
+}
+
+impl From<serde_json::Error> for JsonError {
+    fn from(error: serde_json::Error) -> Self {
+        let (line, column) = (error.line(), error.column());
+        let text = error.to_string();
+        let place = format!(" at line {line} column {column}");
+        Self { line, column, message: text.strip_suffix(&place).unwrap_or(&text).to_owned() }
+    }
+}
+
+/// The number [`VERSION`], and no other.
+struct Version;
+
+impl Serialize for Version {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_u32(VERSION)
+    }
+}
+
+impl<'de> Deserialize<'de> for Version {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Self)
+    }
+}
+
+impl<'de> Visitor<'de> for Version {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the version {VERSION}")
+    }
+
+    fn visit_u64<E: de::Error>(self, version: u64) -> Result<Self, E> {
+        match version {
+            version if version == u64::from(VERSION) => Ok(Self),
+            _ => Err(E::custom(format!("the version `{version}` is unknown, this tool knows {VERSION}"))),
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The JSON of entries and of what contains one: all fields side by side, and none that is not known.
+//!
+//! serde can write a field flat but, reading it back, forgets where the text stands and passes over unknown names. So
+//! what is read has a form of its own with the same names.
+
+use serde::Deserialize;
+
+use super::{
+    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, Misfits, ObjFlags,
+    Object, ObjectType, PdoMapping, Safety, Subs, Value,
+};
+
+macro_rules! form {
+    ($Form:ident { $($own:ident: $Type:ty $(, with $with:literal)?;)* }) => {
+        #[derive(Default, Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        pub(super) struct $Form {
+            name: Box<str>,
+            object_type: Option<ObjectType>,
+            data_type: Option<DataType>,
+            access: Option<Access>,
+            pdo_mapping: Option<PdoMapping>,
+            default: Option<Value>,
+            low_limit: Option<Value>,
+            high_limit: Option<Value>,
+            flags: Option<ObjFlags>,
+            configured: Option<Box<Configured>>,
+            safety: Option<Box<Safety>>,
+            extra: Extra,
+            misfits: Misfits,
+            $($(#[serde(with = $with)])? $own: $Type,)*
+        }
+
+        impl $Form {
+            /// The entry, when its values are of its data type.
+            fn take_entry(&mut self) -> Result<Entry, Unfit> {
+                let form = std::mem::take(self);
+                $(self.$own = form.$own;)*
+                let entry = Entry {
+                    name: form.name,
+                    object_type: form.object_type,
+                    data_type: form.data_type,
+                    access: form.access,
+                    pdo_mapping: form.pdo_mapping,
+                    default: form.default,
+                    low_limit: form.low_limit,
+                    high_limit: form.high_limit,
+                    flags: form.flags,
+                    configured: form.configured,
+                    safety: form.safety,
+                    extra: form.extra,
+                    misfits: form.misfits,
+                };
+                check(&entry)?;
+                Ok(entry)
+            }
+        }
+    };
+}
+
+form!(EntryForm {});
+
+form!(ObjectForm {
+    orphan: bool;
+    sub_number: Option<u8>;
+    compact: Option<Box<Compact>>;
+    subs: Subs;
+    links: Vec<u16>, with "super::index_list";
+});
+
+form!(ExtensionForm {
+    count: Option<ExtensionCount>;
+    obj_extend: Option<u8>;
+});
+
+/// Why fields do not go together.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Unfit {
+    /// A value that is none of its entry's data type.
+    #[error("{field}: `{value}` is no value of {data_type}")]
+    Value { field: &'static str, value: Value, data_type: DataType },
+    /// A name, value or denotation of an entry that is not there.
+    #[error("{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly")]
+    Sub { field: &'static str, sub: u8, count: u8 },
+}
+
+fn check(entry: &Entry) -> Result<(), Unfit> {
+    let values = [
+        ("default", entry.default.as_ref()),
+        ("low_limit", entry.low_limit.as_ref()),
+        ("high_limit", entry.high_limit.as_ref()),
+        ("configured", entry.configured_value()),
+    ];
+    let values = values.into_iter().filter_map(|(field, value)| Some((field, value?)));
+    values.into_iter().try_for_each(|(field, value)| fits(field, value, entry.data_type))
+}
+
+fn fits(field: &'static str, value: &Value, data_type: Option<DataType>) -> Result<(), Unfit> {
+    match data_type {
+        Some(data_type) if !value.is_of(Some(data_type)) => {
+            Err(Unfit::Value { field, value: value.clone(), data_type })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_compact(compact: &Compact, data_type: Option<DataType>) -> Result<(), Unfit> {
+    fn subs<T>(list: &[(u8, T)]) -> impl Iterator<Item = u8> {
+        list.iter().map(|(sub, _)| *sub)
+    }
+    let names = subs(&compact.names).map(|sub| ("names", sub));
+    let values = subs(&compact.values).map(|sub| ("values", sub));
+    let denotations = subs(&compact.denotations).map(|sub| ("denotations", sub));
+    let count = compact.count;
+    if let Some((field, sub)) =
+        names.chain(values).chain(denotations).find(|(_, sub)| !(1..=count).contains(sub))
+    {
+        return Err(Unfit::Sub { field, sub, count });
+    }
+    compact.values.iter().try_for_each(|(_, value)| fits("values", value, data_type))
+}
+
+impl TryFrom<EntryForm> for Entry {
+    type Error = Unfit;
+
+    fn try_from(mut form: EntryForm) -> Result<Self, Unfit> {
+        form.take_entry()
+    }
+}
+
+impl TryFrom<ObjectForm> for Object {
+    type Error = Unfit;
+
+    fn try_from(mut form: ObjectForm) -> Result<Self, Unfit> {
+        let main = form.take_entry()?;
+        form.compact.as_ref().map_or(Ok(()), |compact| check_compact(compact, main.data_type))?;
+        let ObjectForm { orphan, sub_number, compact, subs, links, .. } = form;
+        Ok(Self { orphan, main, sub_number, compact, subs, links })
+    }
+}
+
+impl TryFrom<ExtensionForm> for Extension {
+    type Error = Unfit;
+
+    fn try_from(mut form: ExtensionForm) -> Result<Self, Unfit> {
+        let entry = form.take_entry()?;
+        Ok(Self { entry, count: form.count, obj_extend: form.obj_extend })
+    }
+}
