@@ -4,6 +4,7 @@ mod support;
 
 use objdict::download::{Configuration, NeededFile, PlanOptions, Scope, plan};
 use objdict::format::{self, concise};
+use objdict::generate::{Options, Target, generate};
 use objdict::model::{Device, Value};
 use objdict::source::SourceOptions;
 
@@ -51,4 +52,39 @@ fn the_stream_in_a_manager_is_read() {
     let Some(Value::Bytes(stream)) = entry.configured_value() else { panic!("{entry:?}") };
     let configuration = concise::read(stream).unwrap();
     insta::assert_snapshot!(concise::table(&configuration));
+}
+
+#[test]
+fn the_target_concise_writes_the_stream() {
+    let device = device("dcf/manager-302-node1.dcf");
+    let mut options = Options::default();
+    options.file_stem = "manager".to_owned();
+    let generated = generate(&device, Target::named("concise").unwrap(), &options).unwrap();
+    assert_eq!(generated.files[0].path, "manager.cdcf");
+    let stream = concise::read(&generated.files[0].contents).unwrap();
+    let mut expected = configuration(&device, &PlanOptions::default());
+    expected.0.retain(|download| download.index != 0x2101);
+    assert_eq!(stream, expected);
+    let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        notes,
+        ["0x2101sub0: not part of the stream: its data are in the file `manager-302-node1-routes.bin`"]
+    );
+}
+
+#[test]
+fn a_type_of_device_has_an_empty_stream() {
+    let generated =
+        generate(&device("eds/minimal.eds"), Target::named("concise").unwrap(), &Options::default()).unwrap();
+    assert_eq!(generated.files[0].contents, [0; 4]);
+    assert!(generated.notes[0].message.contains("the stream is empty"));
+}
+
+#[test]
+fn what_a_stream_cannot_carry_is_named() {
+    let mut device = device("dcf/io-401-node5.dcf");
+    device.commissioning = None;
+    let error = generate(&device, Target::named("concise").unwrap(), &Options::default()).unwrap_err();
+    let expected = "0x1400sub1: `$NODEID+0x200` has no value without the node-ID";
+    assert!(error.to_string().starts_with(expected), "{error}");
 }

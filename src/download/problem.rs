@@ -133,32 +133,29 @@ impl fmt::Display for PlanError {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = &self.place;
-        match &self.kind {
-            ProblemKind::NeedsNodeId(value) => {
-                write!(f, "`{place}`: `{value}` has no value without the node-ID")
+        write!(f, "`{}`: {}", self.place, self.kind)
+    }
+}
+
+impl fmt::Display for ProblemKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NeedsNodeId(value) => write!(f, "`{value}` has no value without the node-ID"),
+            Self::NotOfType { value, data_type } => write!(f, "the value `{value}` does not fit {data_type}"),
+            Self::BelowLimit { value, limit } => {
+                write!(f, "the value `{value}` is below the low limit `{limit}`")
             }
-            ProblemKind::NotOfType { value, data_type } => {
-                write!(f, "`{place}`: the value `{value}` does not fit {data_type}")
+            Self::AboveLimit { value, limit } => {
+                write!(f, "the value `{value}` is above the high limit `{limit}`")
             }
-            ProblemKind::BelowLimit { value, limit } => {
-                write!(f, "`{place}`: the value `{value}` is below the low limit `{limit}`")
+            Self::Unreadable(text) => write!(f, "the text `{text}` is no value of its type"),
+            Self::UnknownType { value, data_type: Some(data_type) } => {
+                write!(f, "the bytes of `{value}` are unknown, for the data type {data_type} is")
             }
-            ProblemKind::AboveLimit { value, limit } => {
-                write!(f, "`{place}`: the value `{value}` is above the high limit `{limit}`")
+            Self::UnknownType { value, data_type: None } => {
+                write!(f, "the bytes of `{value}` are unknown, for the entry has no data type")
             }
-            ProblemKind::Unreadable(text) => {
-                write!(f, "`{place}`: the text `{text}` is no value of its type")
-            }
-            ProblemKind::UnknownType { value, data_type: Some(data_type) } => {
-                write!(f, "`{place}`: the bytes of `{value}` are unknown, for the data type {data_type} is")
-            }
-            ProblemKind::UnknownType { value, data_type: None } => {
-                write!(f, "`{place}`: the bytes of `{value}` are unknown, for the entry has no data type")
-            }
-            ProblemKind::NoCobId => {
-                write!(f, "`{place}`: to be changed it must be switched off, but its COB-ID is unknown")
-            }
+            Self::NoCobId => f.write_str("to be changed it must be switched off, but its COB-ID is unknown"),
         }
     }
 }

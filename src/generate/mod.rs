@@ -1,4 +1,4 @@
-//! What a product compiles or downloads, made from a [`Device`]: tables in Rust and C.
+//! What a product compiles or downloads, made from a [`Device`]: tables in Rust and C, concise DCF.
 //!
 //! A *target* is a name such as `rust`; the [`Backend`] behind it turns a device into files. Backends see the model and
 //! nothing of the format that it came from. To add one, write a folder beside this file and a line in the registry
@@ -22,6 +22,7 @@
 //! ```
 
 mod c;
+mod concise;
 mod escape;
 mod names;
 mod resolve;
@@ -35,7 +36,7 @@ use std::fmt;
 use crate::model::{Device, Place};
 
 /// Every backend, one line each, in the order in which help lists them.
-static BACKENDS: &[&dyn Backend] = &[&rust::Rust, &c::C];
+static BACKENDS: &[&dyn Backend] = &[&rust::Rust, &c::C, &concise::Concise];
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
