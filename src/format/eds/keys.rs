@@ -4,15 +4,20 @@ use std::sync::LazyLock;
 
 use crate::model::Field;
 
-/// The names of all fixed fields with their numbers, in groups of equal length.
-static BY_LENGTH: LazyLock<Vec<Vec<(&'static str, u8)>>> = LazyLock::new(|| {
-    let longest = Field::NAMED.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
-    let mut groups = vec![Vec::new(); longest + 1];
+/// The numbers of all fixed fields, in groups that share length, first and last letter: one or two each.
+static GROUPS: LazyLock<[Vec<u8>; 256]> = LazyLock::new(|| {
+    let mut groups = [const { Vec::new() }; 256];
     for (number, (name, _)) in Field::NAMED.iter().enumerate() {
-        groups[name.len()].push((*name, number as u8));
+        groups[group_of(name.as_bytes())].push(number as u8);
     }
     groups
 });
+
+/// The group of a name, the same for upper and lower case.
+fn group_of(name: &[u8]) -> usize {
+    let lower = |byte: Option<&u8>| byte.map_or(0, |byte| usize::from(byte | 0x20));
+    (name.len() * 3 + lower(name.first()) * 5 + lower(name.last()) * 11) % 256
+}
 
 /// A field with a fixed name: its number in [`Field::NAMED`], small enough for a bit set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,12 +26,12 @@ pub(crate) struct Key(u8);
 impl Key {
     /// The key of a text, whatever the case of its letters; `None` for one that the standard does not have.
     pub(crate) fn find(text: &str) -> Option<Self> {
-        let group = BY_LENGTH.get(text.len())?;
-        let first = text.as_bytes().first()?.to_ascii_lowercase();
-        let mut candidates =
-            group.iter().filter(|(name, _)| name.as_bytes()[0].to_ascii_lowercase() == first);
-        let found = candidates.find(|(name, _)| *name == text || name.eq_ignore_ascii_case(text));
-        found.map(|&(_, number)| Self(number))
+        let group = &GROUPS[group_of(text.as_bytes())];
+        let is_name = |number: &&u8| {
+            let (name, _) = Field::NAMED[usize::from(**number)];
+            name.len() == text.len() && (name == text || name.eq_ignore_ascii_case(text))
+        };
+        group.iter().find(is_name).map(|&number| Self(number))
     }
 
     /// The field.

@@ -62,20 +62,34 @@ impl Iterator for Lines<'_> {
         let start = self.at;
         let rest = self.bytes.get(start..).filter(|rest| !rest.is_empty())?;
         let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
-        let end = start + length;
-        let line_end = match &self.bytes[end..] {
+        let (line, behind) = rest.split_at(length);
+        let line_end = match behind {
             [b'\r', b'\n', ..] => 2,
             [] => 0,
             _ => 1,
         };
-        self.at = end + line_end;
-        let kind = classify(self.bytes, start, end);
-        Some(Line { kind, span: span(start, end), next: self.at as u32 })
+        self.at = start + length + line_end;
+        let kind = plain_entry(line, start).unwrap_or_else(|| classify(self.bytes, start, start + length));
+        Some(Line { kind, span: span(start, start + length), next: self.at as u32 })
     }
 }
 
 fn span(start: usize, end: usize) -> Span {
     Span::new(start as u32, end as u32)
+}
+
+/// What most lines are: an entry without blanks at its ends and around the `=`.
+fn plain_entry(line: &[u8], start: usize) -> Option<LineKind> {
+    let (first, last) = (*line.first()?, *line.last()?);
+    if !first.is_ascii_alphanumeric() || is_blank(last) {
+        return None;
+    }
+    let equals = memchr::memchr(b'=', line)?;
+    if is_blank(line[equals - 1]) || line.get(equals + 1).is_some_and(|&byte| is_blank(byte)) {
+        return None;
+    }
+    let (equals, end) = (start + equals, start + line.len());
+    Some(LineKind::Entry { key: span(start, equals), value: span(equals + 1, end) })
 }
 
 fn classify(bytes: &[u8], start: usize, end: usize) -> LineKind {
@@ -130,6 +144,7 @@ mod tests {
     #[test]
     fn lines_of_every_kind() {
         let text = "[A]\r\nk = v \n\n;c\r# c\n  [ B ] ; text\n<<<<<<< HEAD\n=======\n[1018sub1\na=b=c";
+        assert_eq!(kinds("k=\n=v\nk =v\nk= v\nk=v\t\n k=v"), ["k=", "Junk", "k=v", "k=v", "k=v", "k=v"]);
         let expected =
             ["[A]", "k=v", "Blank", "Comment", "Comment", "[B]", "Junk", "Junk", "[1018sub1]", "a=b=c"];
         assert_eq!(kinds(text), expected);
