@@ -8,6 +8,7 @@ pub mod format;
 pub mod generate;
 pub mod lint;
 pub mod model;
+pub mod profile;
 pub mod registry;
 pub mod report;
 pub mod source;
