@@ -1,6 +1,7 @@
 //! What a rule about the model is made of.
 
 use crate::diagnostic::{Findings, RuleInfo};
+use crate::lint::{Facts, PdoFacts};
 use crate::model::{Device, Entry, Field, Object, Place};
 
 /// A rule about the model.
@@ -20,6 +21,10 @@ pub(crate) enum Check {
     Object(fn(&Device, u16, &Object, &mut Findings)),
     /// Each entry that the description states: an object's own section, or a sub-index.
     Entry(fn(&EntryAt<'_>, &mut Findings)),
+    /// The communication as a whole.
+    Facts(fn(&Facts<'_>, &mut Findings)),
+    /// Each PDO that the description has an object for.
+    Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
 }
 
 /// An entry with where it is.

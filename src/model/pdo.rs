@@ -127,7 +127,8 @@ impl MappedObject {
 /// As the field writes it: `6041h:00, 16 bits`.
 impl fmt::Display for MappedObject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:04X}h:{:02X}, {} bits", self.index, self.sub, self.bits)
+        let unit = if self.bits == 1 { "bit" } else { "bits" };
+        write!(f, "{:04X}h:{:02X}, {} {unit}", self.index, self.sub, self.bits)
     }
 }
 

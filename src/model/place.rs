@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::Field;
+use super::{Device, Entry, Field};
 
 /// Where in a device description something stands, whatever its format: a part and, mostly, a field of it.
 ///
@@ -141,6 +141,27 @@ impl Place {
     #[must_use]
     pub fn field(self, field: Field) -> Self {
         Self { field: Some(field), ..self }
+    }
+}
+
+impl Device {
+    /// Where the value of a sub-index stands: what a DCF configures, else the default ([`Object::value`](super::Object::value)).
+    pub fn value_place(&self, index: u16, sub: u8) -> Place {
+        let Some(object) = self.object(index) else { return Place::object(index) };
+        let field = |entry: &Entry| match entry.configured_value() {
+            Some(_) => Field::ParameterValue,
+            None => Field::DefaultValue,
+        };
+        if let Some(entry) = object.subs.get(sub) {
+            return Place::entry(index, sub).field(field(entry));
+        }
+        match &object.compact {
+            Some(_) if sub == 0 => Place::object(index).field(Field::CompactSubObj),
+            Some(compact) if compact.values.iter().any(|(number, _)| *number == sub) => {
+                Place::of(Part::CompactValues(index)).field(Field::Item(sub.into()))
+            }
+            _ => Place::object(index).field(field(&object.main)),
+        }
     }
 }
 

@@ -1,0 +1,45 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::lint::rule;
+use crate::model::{Device, ObjectList, Part, Place};
+use crate::profile::cia301;
+
+rule! {
+    /// an object that every device has is missing
+    ///
+    /// ## What it checks
+    /// Whether 1000h (device type), 1001h (error register) and 1018h (identity) are there. An object that is listed without being described, or stands in the wrong list, is the matter of other rules.
+    ///
+    /// ## Why it matters
+    /// A manager reads 1000h and 1018h when a node boots and refuses one that answers with an abort; tools tell devices apart by 1018h.
+    ///
+    /// ## Example
+    /// no `[1018]`
+    ///
+    /// ## How to mend
+    /// Describe the object, and name it in `MandatoryObjects`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1
+    "cia301/missing-mandatory-object", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    // a file that has nothing of a device is no device with missing objects
+    if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
+        return;
+    }
+    for facts in cia301::mandatory() {
+        let (index, name) = (facts.first, facts.name);
+        // what is listed and not described has a rule of its own
+        if device.objects.contains_key(&index) || device.lists.iter().any(|(_, listed)| listed == index) {
+            continue;
+        }
+        let place = match device.lists.mandatory {
+            Some(_) => Place::of(Part::List(ObjectList::Mandatory)),
+            None => Place::device(),
+        };
+        let message = format!("the mandatory object {index:04X}h ({name}) is missing");
+        let help = format!("add `[{index:04X}]` and name `0x{index:04X}` in `MandatoryObjects`");
+        findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
+    }
+}

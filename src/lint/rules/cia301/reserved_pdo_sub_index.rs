@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::lint::{Facts, rule};
+use crate::model::{DataType, Place};
+
+rule! {
+    /// a PDO communication parameter has the reserved sub-index 4
+    ///
+    /// ## What it checks
+    /// Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. One finding for the device, with every such PDO. An UNSIGNED8, which older devices have there for compatibility, is a note: a quarter of the files that we looked at have it, and it does no harm. Another data type is a warning, for then something is meant that has its place elsewhere.
+    ///
+    /// ## Why it matters
+    /// CiA 301 keeps the sub-index reserved; a device answers there with an abort. Who writes the event timer into it, which is sub-index 5, gets no event timer.
+    ///
+    /// ## Example
+    /// `[1800sub4]`
+    ///
+    /// ## How to mend
+    /// Remove the section. The gap between 3 and 5 is right, and sub-index 0 stays the highest one.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37
+    "cia301/reserved-pdo-sub-index", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    let mut with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?))).peekable();
+    let Some(&(first, _)) = with.peek() else { return };
+    let message = format!("{first} has sub-index 4 in {:04X}h, which is reserved", first.communication_index());
+    let place = Place::entry(first.communication_index(), 4);
+    let mut finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Note);
+    for (pdo, entry) in with {
+        if entry.data_type != Some(DataType::UNSIGNED8) {
+            finding.severity = Severity::Warning;
+        }
+        if pdo.communication_index() != first.communication_index() {
+            finding = finding.label(Place::entry(pdo.communication_index(), 4), format!("{pdo} too"));
+        }
+    }
+    findings.push(finding.help("remove the section; the event timer is sub-index 5"));
+}
