@@ -25,12 +25,12 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity);
     let Some(granularity) = granularity.filter(|granularity| (2..=64).contains(granularity)) else { return };
-    let is_odd = |bits: u8| bits > 0 && bits % granularity != 0;
-    let known = pdo.mapped.iter().filter(|mapped| match mapped.target {
+    let is_odd = |bits: u8| !bits.is_multiple_of(granularity);
+    let mut known = pdo.mapped.iter().filter(|mapped| match mapped.target {
         Target::Entry(_) => mapped.wrong_length().is_none(),
         _ => matches!(mapped.target, Target::Dummy),
     });
-    let Some(first) = known.into_iter().find(|mapped| is_odd(mapped.object.bits)) else { return };
+    let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
     let message = format!("{} maps {}, and the granularity is `{granularity}` bits", pdo.pdo, first.object);
     let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
     let finding = Diagnostic::new(&RULE.info, place, message);
