@@ -6,6 +6,7 @@ use std::path::Path;
 use clap::Args;
 
 use super::Failure;
+use crate::format::nodelist::is_node_list;
 use crate::format::{self, Description, Format};
 use crate::source::{DEFAULT_MAX_SIZE, Encoding, SourceFile, SourceOptions};
 
@@ -26,20 +27,31 @@ pub(super) struct InputArgs {
 impl InputArgs {
     /// The description in a file; `-` is the standard input.
     pub(super) fn open(&self, path: &Path) -> Result<Description, Failure> {
+        let source = self.source(path)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if is_node_list(&name) {
+            let path = path.display();
+            let failure = Failure::new(format_args!("`{path}` is a node list, no description of a device"));
+            return Err(failure.help(format!("`objdict show {path}` tells its nodes")));
+        }
+        Ok(format::read(source, Format::from_name(&name).unwrap_or(Format::Eds)))
+    }
+
+    /// The text of a file; `-` is the standard input.
+    pub(super) fn source(&self, path: &Path) -> Result<SourceFile, Failure> {
         let options = self.options();
         if path == Path::new("-") {
-            let source = self.stdin(&options)?;
-            return Ok(format::read(source, Format::Eds));
+            return self.stdin(&options);
         }
         if path.is_dir() {
             let path = path.display();
             let failure = Failure::new(format_args!("`{path}` is a directory"));
             return Err(failure.help(format!("name files, such as `{path}/*.eds`")));
         }
-        format::open(path, &options).map_err(Failure::new)
+        SourceFile::open(path, &options).map_err(Failure::new)
     }
 
-    pub(super) fn options(&self) -> SourceOptions {
+    fn options(&self) -> SourceOptions {
         SourceOptions { encoding: self.encoding, max_size: self.max_size }
     }
 

@@ -5,6 +5,7 @@ pub(crate) mod eds;
 pub mod ini;
 pub mod json;
 pub mod literal;
+pub mod nodelist;
 
 use std::path::Path;
 use std::sync::OnceLock;

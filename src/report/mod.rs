@@ -135,7 +135,8 @@ impl fmt::Display for Tally {
     }
 }
 
-fn plural(count: usize, word: &str) -> String {
+/// A number with its noun: `1 file`, `2 files`.
+pub(crate) fn plural(count: usize, word: &str) -> String {
     if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
 }
 

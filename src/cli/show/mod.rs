@@ -3,6 +3,7 @@
 mod address;
 mod json;
 mod meaning;
+mod nodes;
 mod text;
 mod value;
 
@@ -14,6 +15,7 @@ use super::args::{ShowArgs, ShowFormat};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
+use crate::format::nodelist::is_node_list;
 use crate::model::{Device, Entry, Object};
 
 /// A device to be shown.
@@ -32,6 +34,10 @@ impl View<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    if is_node_list(&args.file.to_string_lossy()) {
+        nodes::show(args, out)?;
+        return Ok(Outcome::Clean);
+    }
     let description = args.input.open(&args.file)?;
     let device = description.device();
     let view = View {

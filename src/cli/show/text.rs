@@ -7,6 +7,7 @@ use super::meaning;
 use super::value::Reader;
 use crate::cli::table::{Table, fit};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
+use crate::report::plural;
 
 /// The most characters that a cell of the large table shows; the page of one entry shows all.
 const CELL: usize = 44;
@@ -211,12 +212,12 @@ fn summary(view: &View<'_>) -> String {
     }
     let pdos = |kind| device.pdos().filter(|pdo| pdo.kind == kind).count();
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
-    facts.push(format!("{} RPDOs", pdos(PdoKind::Rpdo)));
-    facts.push(format!("{} TPDOs", pdos(PdoKind::Tpdo)));
-    facts.push(format!("{} objects", device.objects.len()));
-    facts.push(format!("{entries} entries"));
+    facts.push(plural(pdos(PdoKind::Rpdo), "RPDO"));
+    facts.push(plural(pdos(PdoKind::Tpdo), "TPDO"));
+    facts.push(plural(device.objects.len(), "object"));
+    facts.push(if entries == 1 { "1 entry".to_owned() } else { format!("{entries} entries") });
     if let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) {
-        facts.push(format!("{} kinds of modules", modules.supported.len()));
+        facts.push(format!("{} to plug in", plural(modules.supported.len(), "module")));
     }
     fit(&format!("{product}{vendor}"), LINE) + "\n" + &fit(&facts.join(", "), LINE)
 }

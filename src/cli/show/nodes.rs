@@ -1,0 +1,84 @@
+//! Node lists.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::cli::Failure;
+use crate::cli::args::{ShowArgs, ShowFormat};
+use crate::cli::output::Output;
+use crate::cli::table::{Table, fit};
+use crate::format::nodelist;
+use crate::model::{Network, NodeList};
+use crate::report::plural;
+
+/// The most characters of a name.
+const CELL: usize = 60;
+
+pub(super) fn show(args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
+    let source = args.input.source(&args.file)?;
+    let list = nodelist::read(&source)
+        .map_err(|error| Failure::new(format_args!("cannot read `{}`: {error}", source.name())))?;
+    if args.address.is_some() {
+        let failure = Failure::new(format_args!("`{}` is a node list and has no objects", source.name()));
+        return Err(failure.help("name the description of one of its nodes"));
+    }
+    match args.format {
+        ShowFormat::Table => write_tables(&list, &args.file, out)?,
+        ShowFormat::Json => {
+            write!(out, "{{\"version\":1,\"file\":{},", serde_json::Value::from(source.name()))?;
+            out.write_all(b"\"networks\":")?;
+            serde_json::to_writer(&mut *out, &list.networks).map_err(io::Error::from)?;
+            out.write_all(b"}\n")?;
+        }
+    }
+    Ok(())
+}
+
+fn write_tables(list: &NodeList, file: &Path, out: &mut dyn Write) -> io::Result<()> {
+    for (position, network) in list.networks.iter().enumerate() {
+        if position > 0 {
+            writeln!(out)?;
+        }
+        writeln!(out, "{}\n", fit(&summary(network), CELL * 4))?;
+        let mut table = Table::new(["Node", "Name", "Present", "DCF", "", "Reference"], CELL);
+        for node in &network.nodes {
+            let text = |text: &Option<String>| text.clone().unwrap_or_default();
+            let dcf = node.dcf.as_deref();
+            let is_missing = node.present && dcf.is_some_and(|dcf| !exists(file, network, dcf));
+            table.row([
+                node.id.to_string(),
+                text(&node.name),
+                if node.present { "yes" } else { "no" }.to_owned(),
+                text(&node.dcf),
+                if is_missing { "not found" } else { "" }.to_owned(),
+                text(&node.reference_designator),
+            ]);
+        }
+        table.write(out)?;
+    }
+    Ok(())
+}
+
+/// Whether a file is there, seen from the node list or from the folder of descriptions that it names. Projects come from
+/// systems with the other separator.
+fn exists(node_list: &Path, network: &Network, name: &str) -> bool {
+    let folder = node_list.parent().unwrap_or(Path::new(""));
+    let is_file = |name: &str| folder.join(name).is_file() || folder.join(name.replace('\\', "/")).is_file();
+    let in_eds_folder = network.eds_folder.as_ref().map(|folder| format!("{folder}/{name}"));
+    is_file(name) || in_eds_folder.is_some_and(|name| is_file(&name))
+}
+
+fn summary(network: &Network) -> String {
+    let name = network.name.as_deref().unwrap_or("network without a name");
+    let reference =
+        network.reference_designator.as_ref().map(|text| format!(" ({text})")).unwrap_or_default();
+    let present = network.present();
+    let mut summary = format!("{name}{reference}: {}", plural(present, "node"));
+    if let Some(stated) = network.stated_count.filter(|&stated| usize::from(stated) != present) {
+        summary.push_str(&format!(", though the list says {stated}"));
+    }
+    if let Some(folder) = &network.eds_folder {
+        summary.push_str(&format!(", EDS files in {folder}"));
+    }
+    summary
+}
