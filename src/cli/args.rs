@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
-use super::input::InputArgs;
+use super::input::{FileKind, InputArgs};
 use super::output::Color;
 use super::show::Address;
 use crate::diagnostic::Severity;
@@ -31,6 +31,7 @@ pub(super) enum Command {
     Check(CheckArgs),
     Show(ShowArgs),
     Generate(GenerateArgs),
+    Convert(ConvertArgs),
 }
 
 /// Say what is wrong with descriptions, and where
@@ -115,6 +116,71 @@ pub(super) struct GenerateArgs {
     pub domain_capacity: Option<u16>,
     #[command(flatten)]
     pub input: InputArgs,
+}
+
+/// Turn a file into another format
+///
+/// EDS to EDS and DCF to DCF keep every byte; EDS to DCF and back edit the text and keep comments, order and spelling.
+#[derive(Debug, Parser)]
+pub(super) struct ConvertArgs {
+    /// The file to convert; `-` is the standard input
+    #[arg(value_name = "IN")]
+    pub file: PathBuf,
+    /// The file to write; its ending says what: .eds .dcf .json .cdcf (concise DCF). `-` is the standard output
+    pub out: PathBuf,
+    /// What to write, where the name does not say it
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub to: Option<WrittenKind>,
+    /// The node-ID of the node that a DCF or concise DCF is for
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// The bit rate in kbit/s that a DCF states
+    #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
+    pub bit_rate: Option<u16>,
+    /// The name of the node that a DCF states
+    #[arg(long, value_name = "NAME", value_parser = node_name)]
+    pub node_name: Option<String>,
+    /// Write all values into a concise DCF, not only those that differ from the default
+    #[arg(long)]
+    pub all: bool,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+impl ConvertArgs {
+    /// Whether anything about the node is to be changed.
+    pub(super) fn changes_node(&self) -> bool {
+        self.node_id.is_some() || self.bit_rate.is_some() || self.node_name.is_some()
+    }
+}
+
+/// A kind of file that can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum WrittenKind {
+    Eds,
+    Dcf,
+    Json,
+    Cdcf,
+}
+
+impl From<WrittenKind> for FileKind {
+    fn from(kind: WrittenKind) -> Self {
+        match kind {
+            WrittenKind::Eds => Self::Eds,
+            WrittenKind::Dcf => Self::Dcf,
+            WrittenKind::Json => Self::Json,
+            WrittenKind::Cdcf => Self::Cdcf,
+        }
+    }
+}
+
+/// A text of one line.
+fn node_name(text: &str) -> Result<String, String> {
+    if text.chars().any(char::is_control) {
+        Err("a name is one line".to_owned())
+    } else {
+        Ok(text.to_owned())
+    }
 }
 
 fn targets() -> PossibleValuesParser {

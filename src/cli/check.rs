@@ -16,7 +16,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     let mut tally = Tally::default();
     let mut all_read = true;
     for path in &args.files {
-        match args.input.open(path) {
+        match args.input.description(path) {
             Ok(description) => {
                 let findings = crate::check(&description);
                 tally.add(&findings);

@@ -5,26 +5,36 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::args::GenerateArgs;
+use super::input::{Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
 use super::table::Table;
 use super::{Failure, Outcome};
-use crate::diagnostic::{Findings, Severity};
-use crate::format::Description;
+use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::generate::{GenerateError, Generated, Note, Options, Target, generate};
+use crate::lint;
+use crate::model::{Device, Place};
 use crate::report::{Report, Tally, Text};
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let description = args.input.open(&args.file)?;
-    let findings = crate::check(&description);
+    let input = args.input.read(&args.file)?;
+    let (device, findings) = match &input {
+        Input::Description(description) => (description.device(), crate::check(description)),
+        Input::Device(device) => (device.as_ref(), lint::check(device)),
+        Input::Configuration(_) | Input::NodeList(_) => {
+            let name = args.input.kind(&args.file).name();
+            let message = format!("`{}` is read as {name} and describes no device", name_of(&args.file));
+            return Err(Failure::new(message).help("name an EDS or DCF"));
+        }
+    };
     if findings.has_errors() && !args.force {
-        report_errors(&description, findings)?;
+        report_errors(&input, findings)?;
         Failure::new("nothing was generated, for a tool or a device would do wrong with this file")
             .help("mend the errors, or use `--force`")
             .print();
         return Ok(Outcome::Findings);
     }
-    let outputs = outputs(args, &description)?;
+    let outputs = outputs(args, device)?;
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &outputs {
         for file in &generated.files {
@@ -37,7 +47,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
             table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
         }
     }
-    writeln!(out, "{}: {}", description.source().name(), facts(&description, &findings))?;
+    writeln!(out, "{}: {}", name_of(&args.file), facts(device, &findings))?;
     table.write(out)?;
     out.flush()?;
     for (target, generated) in &outputs {
@@ -47,7 +57,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
 }
 
 /// Everything that is to be written, before anything is.
-fn outputs(args: &GenerateArgs, description: &Description) -> Result<Vec<(Target, Generated)>, Failure> {
+fn outputs(args: &GenerateArgs, device: &Device) -> Result<Vec<(Target, Generated)>, Failure> {
     let default = Options::default();
     let options = Options {
         node_id: args.node_id,
@@ -62,8 +72,7 @@ fn outputs(args: &GenerateArgs, description: &Description) -> Result<Vec<(Target
             continue;
         }
         let target = Target::named(name).map_err(Failure::new)?;
-        let generated =
-            generate(description.device(), target, &options).map_err(|error| refusal(target, &error))?;
+        let generated = generate(device, target, &options).map_err(|error| refusal(target, &error))?;
         for file in &generated.files {
             if let Some(other) = paths.insert(file.path.clone(), target) {
                 let (first, second) = (other.name(), target.name());
@@ -96,7 +105,7 @@ fn print_notes(target: Target, notes: &[Note]) {
 }
 
 /// The findings that stop the work, on the standard error.
-fn report_errors(description: &Description, findings: Findings) -> Result<(), Failure> {
+fn report_errors(input: &Input, findings: Findings) -> Result<(), Failure> {
     let mut errors = Findings::new();
     for finding in findings.into_vec() {
         if finding.severity == Severity::Error {
@@ -104,15 +113,28 @@ fn report_errors(description: &Description, findings: Findings) -> Result<(), Fa
         }
     }
     let mut text = Vec::new();
-    let mut report = Text::new(&mut text, false);
-    report.file(description, &errors)?;
-    report.finish()?;
+    if let Input::Description(description) = input {
+        let mut report = Text::new(&mut text, false);
+        report.file(description, &errors)?;
+        report.finish()?;
+    } else {
+        for error in &errors {
+            writeln!(text, "{}: {}: {}", error.rule.id, place(error), error.message)?;
+        }
+    }
     let _ = std::io::stderr().write_all(&text);
     Ok(())
 }
 
-fn facts(description: &Description, findings: &Findings) -> String {
-    let device = description.device();
+/// Where a finding about a device without a text is.
+fn place(finding: &Diagnostic) -> String {
+    match finding.labels.first().map(|label| &label.at) {
+        Some(At::Place(place)) => place.to_string(),
+        _ => Place::device().to_string(),
+    }
+}
+
+fn facts(device: &Device, findings: &Findings) -> String {
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
     let mut tally = Tally::default();
     tally.add(findings);

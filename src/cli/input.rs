@@ -1,69 +1,182 @@
 //! The files that a command reads.
 
-use std::io::Read;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::Failure;
-use crate::format::nodelist::is_node_list;
-use crate::format::{self, Description, Format};
-use crate::source::{DEFAULT_MAX_SIZE, Encoding, SourceFile, SourceOptions};
+use crate::download::Configuration;
+use crate::format::json::Kind;
+use crate::format::{self, Description, Format, concise, json};
+use crate::model::{Device, NodeList};
+use crate::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
 /// What reports call the standard input.
-pub(super) const STDIN: &str = "<stdin>";
+const STDIN: &str = "<stdin>";
 
 /// How files are read.
 #[derive(Debug, Args)]
 pub(super) struct InputArgs {
+    /// What the files are, where their names do not say it
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub from: Option<FileKind>,
     /// The encoding of the files, where it cannot be found out: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
-    /// The largest file that is read, in bytes or with K, M or G behind the number
+    /// The largest file that is read, in bytes or with K, M or G behind the number; without it 64M
     #[arg(long, value_name = "SIZE", default_value_t = DEFAULT_MAX_SIZE, hide_default_value = true, value_parser = parse_size)]
     pub max_size: u64,
 }
 
+/// A kind of file that commands read or write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum FileKind {
+    /// Electronic data sheet (CiA 306-1)
+    Eds,
+    /// Device configuration file (CiA 306-1)
+    Dcf,
+    /// The model of a device, or the downloads of a concise DCF, as JSON
+    Json,
+    /// Concise DCF (CiA 302-3)
+    Cdcf,
+    /// Node list (CiA 306-3)
+    Cpj,
+}
+
+impl FileKind {
+    /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
+    pub(super) fn of(path: &Path) -> Option<Self> {
+        let name = path.file_name()?.to_string_lossy();
+        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
+            "json" => Some(Self::Json),
+            "cdcf" => Some(Self::Cdcf),
+            "cpj" => Some(Self::Cpj),
+            ending => Format::from_name(ending).map(|format| match format {
+                Format::Dcf => Self::Dcf,
+                _ => Self::Eds,
+            }),
+        })
+    }
+
+    /// What people call it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Eds => "EDS",
+            Self::Dcf => "DCF",
+            Self::Json => "JSON",
+            Self::Cdcf => "concise DCF",
+            Self::Cpj => "node list",
+        }
+    }
+}
+
+/// What was in a file.
+pub(super) enum Input {
+    /// A device as text: EDS or DCF.
+    Description(Box<Description>),
+    /// A device as JSON.
+    Device(Box<Device>),
+    /// The downloads of a concise DCF, as such or as JSON.
+    Configuration(Configuration),
+    /// The nodes of networks.
+    NodeList(NodeList),
+}
+
 impl InputArgs {
-    /// The description in a file; `-` is the standard input.
-    pub(super) fn open(&self, path: &Path) -> Result<Description, Failure> {
-        let source = self.source(path)?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if is_node_list(&name) {
-            let path = path.display();
-            let failure = Failure::new(format_args!("`{path}` is a node list, no description of a device"));
-            return Err(failure.help(format!("`objdict show {path}` tells its nodes")));
+    /// What is in a file; `-` is the standard input.
+    pub(super) fn read(&self, path: &Path) -> Result<Input, Failure> {
+        let unreadable = |error: &dyn std::fmt::Display| {
+            Failure::new(format_args!("cannot read `{}`: {error}", name_of(path)))
+        };
+        match self.kind(path) {
+            kind @ (FileKind::Eds | FileKind::Dcf) => {
+                let format = if kind == FileKind::Dcf { Format::Dcf } else { Format::Eds };
+                Ok(Input::Description(Box::new(format::read(self.source(path)?, format))))
+            }
+            FileKind::Json => {
+                let source = self.source(path)?;
+                let text = source.text();
+                match json::kind(text).map_err(|error| unreadable(&error))? {
+                    Kind::Device => json::read_device(text).map(|device| Input::Device(Box::new(device))),
+                    Kind::ConciseDcf => json::read_configuration(text).map(Input::Configuration),
+                }
+                .map_err(|error| unreadable(&error))
+            }
+            FileKind::Cdcf => {
+                let bytes = self.bytes(path)?;
+                concise::read(&bytes).map(Input::Configuration).map_err(|error| unreadable(&error))
+            }
+            FileKind::Cpj => {
+                let source = self.source(path)?;
+                format::nodelist::read(&source).map(Input::NodeList).map_err(|error| unreadable(&error))
+            }
         }
-        Ok(format::read(source, Format::from_name(&name).unwrap_or(Format::Eds)))
     }
 
-    /// The text of a file; `-` is the standard input.
-    pub(super) fn source(&self, path: &Path) -> Result<SourceFile, Failure> {
-        let options = self.options();
-        if path == Path::new("-") {
-            return self.stdin(&options);
+    /// A description with its text; what has none cannot be checked.
+    pub(super) fn description(&self, path: &Path) -> Result<Description, Failure> {
+        let kind = self.kind(path);
+        match self.read(path)? {
+            Input::Description(description) => Ok(*description),
+            _ => {
+                let name = name_of(path);
+                let message =
+                    format!("only EDS and DCF can be checked, and `{name}` is read as {}", kind.name());
+                Err(Failure::new(message).help(format!("`objdict show {name}` shows what is in it")))
+            }
         }
-        if path.is_dir() {
-            let path = path.display();
-            let failure = Failure::new(format_args!("`{path}` is a directory"));
-            return Err(failure.help(format!("name files, such as `{path}/*.eds`")));
-        }
-        SourceFile::open(path, &options).map_err(Failure::new)
     }
 
-    fn options(&self) -> SourceOptions {
-        SourceOptions { encoding: self.encoding, max_size: self.max_size }
+    /// What a file is: what the user says, else its name, else an EDS.
+    pub(super) fn kind(&self, path: &Path) -> FileKind {
+        self.from.or_else(|| FileKind::of(path)).unwrap_or(FileKind::Eds)
     }
 
-    fn stdin(&self, options: &SourceOptions) -> Result<SourceFile, Failure> {
+    /// The bytes of a file as they are.
+    pub(super) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
+        let unreadable = |error: io::Error| match path.is_dir() {
+            true => directory(path),
+            false => Failure::new(SourceError::Io { path: name_of(path), error }),
+        };
         let mut bytes = Vec::new();
-        let stdin = std::io::stdin().lock();
-        stdin
-            .take(self.max_size.saturating_add(1))
-            .read_to_end(&mut bytes)
-            .map_err(|error| Failure::new(format_args!("cannot read the standard input: {error}")))?;
-        SourceFile::from_bytes(STDIN, bytes, options).map_err(Failure::new)
+        let limit = self.max_size.saturating_add(1);
+        if path == Path::new("-") {
+            io::stdin().lock().take(limit).read_to_end(&mut bytes).map_err(unreadable)?;
+        } else {
+            let file = File::open(path).map_err(unreadable)?;
+            file.take(limit).read_to_end(&mut bytes).map_err(unreadable)?;
+        }
+        let (size, limit) = (bytes.len() as u64, self.max_size);
+        if size > limit {
+            return Err(Failure::new(SourceError::TooLarge { path: name_of(path), size, limit }));
+        }
+        Ok(bytes)
     }
+
+    fn source(&self, path: &Path) -> Result<SourceFile, Failure> {
+        let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
+        let source = if path == Path::new("-") {
+            SourceFile::from_bytes(STDIN, self.bytes(path)?, &options)
+        } else if path.is_dir() {
+            return Err(directory(path));
+        } else {
+            SourceFile::open(path, &options)
+        };
+        source.map_err(Failure::new)
+    }
+}
+
+/// What reports call a file.
+pub(super) fn name_of(path: &Path) -> String {
+    if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
+}
+
+fn directory(path: &Path) -> Failure {
+    let path = path.display();
+    let failure = Failure::new(format_args!("`{path}` is a directory"));
+    failure.help(format!("name files, such as `{path}/*.eds`"))
 }
 
 /// `1000`, `64M`.
@@ -83,7 +196,7 @@ fn parse_size(text: &str) -> Result<u64, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::parse_size;
+    use super::*;
 
     #[test]
     fn sizes_have_units() {
@@ -92,5 +205,15 @@ mod tests {
         assert_eq!(parse_size("2KiB"), Ok(2048));
         assert!(parse_size("99999999999G").is_err());
         assert!(parse_size("much").is_err());
+    }
+
+    #[test]
+    fn the_last_known_ending_counts() {
+        let kind = |name| FileKind::of(Path::new(name));
+        assert_eq!(kind("a/drive.EDS"), Some(FileKind::Eds));
+        assert_eq!(kind("drive.dcf.txt"), Some(FileKind::Dcf));
+        assert_eq!(kind("drive.eds.json"), Some(FileKind::Json));
+        assert_eq!(kind("json"), Some(FileKind::Json));
+        assert_eq!(kind("drive.xml"), None);
     }
 }

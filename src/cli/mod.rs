@@ -3,6 +3,7 @@
 
 mod args;
 mod check;
+mod convert;
 mod generate;
 mod input;
 mod output;
@@ -31,6 +32,7 @@ pub fn run() -> ExitCode {
     let mut out = Output::stdout(args.color);
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
+        Command::Convert(command) => convert::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
     };

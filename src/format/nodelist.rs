@@ -44,11 +44,6 @@ pub enum NodeListError {
     },
 }
 
-/// Whether a file name is that of a node list.
-pub fn is_node_list(name: &str) -> bool {
-    name.rsplit('.').next().is_some_and(|ending| ending.eq_ignore_ascii_case("cpj"))
-}
-
 /// Reads a node list.
 ///
 /// # Errors

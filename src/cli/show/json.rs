@@ -16,7 +16,7 @@ const VERSION: u32 = 1;
 #[derive(Serialize)]
 struct Row<'a> {
     index: String,
-    sub: u8,
+    sub: String,
     name: &'a str,
     object: &'a str,
     object_type: &'static str,
@@ -66,7 +66,7 @@ fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row
     let value = |value: &Option<Value>| Some(json(&reader.resolve(value.as_ref()?, entry.data_type)));
     Row {
         index: format!("0x{:04X}", reader.index),
-        sub,
+        sub: format!("0x{sub:02X}"),
         name: &entry.name,
         object: object.name(),
         object_type: object.object_type().name(),

@@ -8,14 +8,17 @@ mod text;
 mod value;
 
 use std::borrow::Cow;
+use std::io::Write;
 
 pub(super) use self::address::Address;
 use self::value::Reader;
 use super::args::{ShowArgs, ShowFormat};
+use super::input::{Input, name_of};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
-use crate::format::nodelist::is_node_list;
+use crate::download::{Configuration, Download};
+use crate::format::{concise, json as json_format};
 use crate::model::{Device, Entry, Object};
 
 /// A device to be shown.
@@ -34,23 +37,48 @@ impl View<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    if is_node_list(&args.file.to_string_lossy()) {
-        nodes::show(args, out)?;
-        return Ok(Outcome::Clean);
-    }
-    let description = args.input.open(&args.file)?;
-    let device = description.device();
-    let view = View {
-        file: description.source().name(),
-        format: description.format().name(),
-        device,
-        node_id: args.node_id.or(device.node_id()),
+    let input = args.input.read(&args.file)?;
+    let (device, format) = match &input {
+        Input::Description(description) => (description.device(), description.format().name()),
+        Input::Device(device) => (device.as_ref(), "JSON"),
+        Input::NodeList(list) => return nodes::show(list, args, out).map(|()| Outcome::Clean),
+        Input::Configuration(configuration) => {
+            return show_configuration(configuration, args, out).map(|()| Outcome::Clean);
+        }
     };
+    let file = name_of(&args.file);
+    let view = View { file: &file, format, device, node_id: args.node_id.or(device.node_id()) };
     match args.address {
         None => show_device(&view, args.format, out)?,
         Some(address) => show_address(&view, address, args.format, out)?,
     }
     Ok(Outcome::Clean)
+}
+
+/// The downloads of a concise DCF, or those to one object or entry.
+fn show_configuration(
+    configuration: &Configuration,
+    args: &ShowArgs,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let is_wanted = |download: &Download| {
+        args.address
+            .is_none_or(|at| download.index == at.index && at.sub.is_none_or(|sub| sub == download.sub))
+    };
+    if args.format == ShowFormat::Json {
+        let wanted = configuration.0.iter().filter(|download| is_wanted(download));
+        let text = json_format::write_configuration(&Configuration(wanted.cloned().collect()));
+        out.write_all(text.as_bytes())?;
+        return Ok(());
+    }
+    // two lines of headings, then a line a download
+    for (number, line) in concise::table(configuration).lines().enumerate() {
+        let download = number.checked_sub(2).and_then(|number| configuration.0.get(number));
+        if download.is_none_or(is_wanted) {
+            writeln!(out, "{line}")?;
+        }
+    }
+    Ok(())
 }
 
 fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {

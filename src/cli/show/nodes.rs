@@ -5,27 +5,25 @@ use std::path::Path;
 
 use crate::cli::Failure;
 use crate::cli::args::{ShowArgs, ShowFormat};
+use crate::cli::input::name_of;
 use crate::cli::output::Output;
 use crate::cli::table::{Table, fit};
-use crate::format::nodelist;
 use crate::model::{Network, NodeList};
 use crate::report::plural;
 
 /// The most characters of a name.
 const CELL: usize = 60;
 
-pub(super) fn show(args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
-    let source = args.input.source(&args.file)?;
-    let list = nodelist::read(&source)
-        .map_err(|error| Failure::new(format_args!("cannot read `{}`: {error}", source.name())))?;
+pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
     if args.address.is_some() {
-        let failure = Failure::new(format_args!("`{}` is a node list and has no objects", source.name()));
+        let failure =
+            Failure::new(format_args!("`{}` is a node list and has no objects", name_of(&args.file)));
         return Err(failure.help("name the description of one of its nodes"));
     }
     match args.format {
-        ShowFormat::Table => write_tables(&list, &args.file, out)?,
+        ShowFormat::Table => write_tables(list, &args.file, out)?,
         ShowFormat::Json => {
-            write!(out, "{{\"version\":1,\"file\":{},", serde_json::Value::from(source.name()))?;
+            write!(out, "{{\"version\":1,\"file\":{},", serde_json::Value::from(name_of(&args.file)))?;
             out.write_all(b"\"networks\":")?;
             serde_json::to_writer(&mut *out, &list.networks).map_err(io::Error::from)?;
             out.write_all(b"}\n")?;
