@@ -32,6 +32,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     Generate(GenerateArgs),
     Convert(ConvertArgs),
+    Rules(RulesArgs),
+    Explain(ExplainArgs),
 }
 
 /// Say what is wrong with descriptions, and where
@@ -152,6 +154,30 @@ impl ConvertArgs {
     pub(super) fn changes_node(&self) -> bool {
         self.node_id.is_some() || self.bit_rate.is_some() || self.node_name.is_some()
     }
+}
+
+/// List the rules that `check` knows
+#[derive(Debug, Parser)]
+pub(super) struct RulesArgs {
+    /// How to write them
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: RulesFormat,
+}
+
+/// How rules are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum RulesFormat {
+    /// A line each
+    Text,
+    /// One JSON document with their pages
+    Json,
+}
+
+/// Print the page of a rule: what it checks, why it matters, how to mend it
+#[derive(Debug, Parser)]
+pub(super) struct ExplainArgs {
+    /// The rule, such as cia306/duplicate-key; the name alone is enough where it is the only one
+    pub rule: String,
 }
 
 /// A kind of file that can be written.

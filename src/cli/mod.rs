@@ -7,6 +7,7 @@ mod convert;
 mod generate;
 mod input;
 mod output;
+mod rules;
 mod save;
 mod show;
 mod table;
@@ -34,6 +35,8 @@ pub fn run() -> ExitCode {
         Command::Check(command) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
+        Command::Rules(command) => rules::list(command, &mut out),
+        Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
     };
     outcome
