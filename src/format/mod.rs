@@ -11,6 +11,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use self::eds::Locator;
+pub use self::eds::{Loss, LossKind, WriteOptions, Written};
 use self::ini::{Document, EditError};
 use crate::diagnostic::{At, Findings, RuleInfo};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
@@ -84,6 +85,15 @@ pub fn read(source: SourceFile, format: Format) -> Description {
     let (device, mut findings) = eds::read(&document, kind);
     eds::file_name::check(&device, document.source().name(), &mut findings);
     Description { format, document, device, findings, locator: OnceLock::new() }
+}
+
+/// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
+pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
+    let kind = match format {
+        Format::Eds => DeviceKind::Type,
+        Format::Dcf => DeviceKind::Node,
+    };
+    eds::write(device, kind, options)
 }
 
 impl Description {

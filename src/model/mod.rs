@@ -13,6 +13,7 @@ mod device;
 mod device_info;
 mod dynamic;
 mod entry;
+mod expand;
 mod field;
 mod file_info;
 mod flat;

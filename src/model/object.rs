@@ -248,7 +248,7 @@ impl Object {
         if let Some(value) = of_sub(&compact.values, sub) {
             entry.configured_mut().value = Some(value.clone());
         }
-        if let Some(denotation) = of_sub(&compact.denotations, sub) {
+        if let Some(denotation) = of_sub(&compact.denotations, sub).filter(|text| !text.is_empty()) {
             entry.configured_mut().denotation = Some(denotation.clone());
         }
         Some(entry)

@@ -369,10 +369,9 @@ fn module(texts: Texts) -> BoxedStrategy<Module> {
                 order_code,
                 comments,
                 fixed_list: lists.0,
-                // what modules bring has neither compact storage nor links
                 fixed: fixed
                     .into_iter()
-                    .map(|(index, object)| (index, Object { compact: None, links: Vec::new(), ..object }))
+                    .map(|(index, object)| (index, of_module(object)))
                     .filter(|(_, object)| !object.orphan || !object.subs.is_empty())
                     .collect(),
                 extension_list: lists.1,
@@ -382,6 +381,12 @@ fn module(texts: Texts) -> BoxedStrategy<Module> {
             }
         })
         .boxed()
+}
+
+/// What modules bring has neither compact storage nor links.
+fn of_module(object: Object) -> Object {
+    let sub_number = if object.compact.is_some() { Some(0) } else { object.sub_number };
+    Object { sub_number, compact: None, links: Vec::new(), ..object }
 }
 
 fn modules(texts: Texts) -> BoxedStrategy<Modules> {

@@ -7,8 +7,10 @@ mod keys;
 mod locate;
 mod read;
 mod section;
+mod write;
 
 pub(crate) use configure::{to_dcf, to_eds};
 pub(crate) use locate::Locator;
 pub(crate) use read::read;
-pub(crate) use section::section_name;
+pub(crate) use write::write;
+pub use write::{Loss, LossKind, WriteOptions, Written};

@@ -86,14 +86,13 @@ pub(crate) fn section_name(part: &Part) -> Option<String> {
     Some(name)
 }
 
-/// Up to four hex digits without leading zero, and what follows them. A list of names is not a number: `[A]` to
-/// `[FFFF]` are objects, `[Face2]` is not, for its rest is no known suffix.
+/// The number of a name that starts with hex digits, and the known suffix behind them. A list of names is not a number:
+/// `[A]` to `[FFFF]` are objects, `[Face2]` is not. As many digits as can be belong to the number, for `Denotation` starts
+/// with hex digits itself.
 fn hex_prefix(name: &str) -> Option<(u16, &str)> {
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).take(5).count();
-    // `Denotation` starts with hex digits itself: take the four digits of an index, never more
-    let digits =
-        if name.get(4..).is_some_and(|rest| suffix_of(rest).is_some()) { digits.min(4) } else { digits };
-    let index = u16::from_str_radix(name.get(..digits)?, 16).ok()?;
+    let digits = (1..=digits).rev().find(|&digits| suffix_of(&name[digits..]).is_some())?;
+    let index = u16::from_str_radix(&name[..digits], 16).ok()?;
     Some((index, &name[digits..]))
 }
 
@@ -228,6 +227,7 @@ mod tests {
         assert_eq!(standard("A0"), Part::Object(0xA0));
         assert_eq!(standard("3004Name"), Part::CompactNames(0x3004));
         assert_eq!(standard("300DDenotation"), Part::CompactDenotations(0x300D));
+        assert_eq!(standard("4EDenotation"), Part::CompactDenotations(0x4E));
         assert_eq!(standard("6000ObjectLinks"), Part::Links(0x6000));
         assert_eq!(standard("M12SubExt6000"), Part::Module(12, ModulePart::SubExt(0x6000)));
         assert_eq!(standard("M1SubExtends"), Part::Module(1, ModulePart::SubExtends));

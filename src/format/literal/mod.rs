@@ -1,5 +1,7 @@
 //! How values are spelled in description files: CiA 306-1 §4.3, and what real files make of it.
 
 mod parse;
+mod print;
 
 pub use parse::{Quirk, Quirks, integer, strip_comment, value};
+pub use print::{RealSpelling, Spelling, print};

@@ -2,6 +2,7 @@
 
 use super::{Item, Items, Reader};
 use crate::format::eds::findings;
+use crate::format::eds::section::section_name;
 use crate::format::ini;
 use crate::format::literal::{self, Quirks};
 use crate::model::{Extra, Field, ObjectList, Part};
@@ -20,7 +21,7 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         let links = index_list(&mut items, &Field::ObjectLinks, &mut extra);
         self.object_mut(index).links = links;
-        self.keep(&Part::Links(index).to_string(), extra);
+        self.keep(&section_name(&Part::Links(index)).unwrap_or_default(), extra);
     }
 }
 

@@ -5,8 +5,8 @@ use crate::format::eds::findings;
 use crate::format::ini;
 use crate::format::literal::{self, Quirks};
 use crate::model::{
-    Access, Compact, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags, Object,
-    ObjectType, PdoMapping, Place, Reason, Value,
+    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags,
+    Object, ObjectType, PdoMapping, Place, Reason, Safety, Value,
 };
 
 /// An object section as it is read: the entry, and the keys that only an object's own section or a module's has.
@@ -114,7 +114,14 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind) -> O
         }
     });
     read_values(&mut read.entry, &values, items);
+    drop_empty(&mut read.entry);
     read
+}
+
+/// An empty key says as much as a missing one.
+fn drop_empty(entry: &mut Entry) {
+    entry.configured = entry.configured.take().filter(|configured| **configured != Configured::default());
+    entry.safety = entry.safety.take().filter(|safety| **safety != Safety::default());
 }
 
 fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item: &Item<'a>) {

@@ -1,0 +1,286 @@
+//! Sections in the making: every text passes here, so that none can leave its line.
+
+use std::borrow::Cow;
+
+use ini::{EscapePolicy, Ini, LineSeparator, Properties, SectionEntry, WriteOption};
+
+use super::{Loss, LossKind, WriteOptions};
+use crate::format::eds::section::{SectionName, section_name};
+use crate::model::{Extra, ExtraSection, Field, Misfits, Part, Place};
+
+/// The sections of a description, in order.
+pub(super) struct Sheet<'a> {
+    pub(super) options: &'a WriteOptions,
+    sections: Vec<Section>,
+    /// Keys that the model has no field for, by the known section that they stand in.
+    extras: Vec<(Part, &'a Extra)>,
+    losses: Vec<Loss>,
+}
+
+/// A section; keys and values are clean.
+struct Section {
+    part: Part,
+    /// Empty for the keys before the first section.
+    name: String,
+    entries: Vec<(String, String)>,
+}
+
+impl<'a> Sheet<'a> {
+    /// No sections yet; `extra` are the sections that the model does not know, and keys of others.
+    pub(super) fn new(options: &'a WriteOptions, extra: &'a [ExtraSection]) -> Self {
+        let extras = extra.iter().map(|section| (SectionName::parse(&section.name).part, &section.entries));
+        let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_))).collect();
+        Self { options, sections: Vec::new(), extras, losses: Vec::new() }
+    }
+
+    /// Starts the section of a part; what is put comes into it.
+    pub(super) fn open(&mut self, part: Part) {
+        let name = section_name(&part).unwrap_or_default();
+        self.sections.push(Section { part, name, entries: Vec::new() });
+    }
+
+    /// A key with its value. One that is among the section's unknown keys already is not written twice: the text that
+    /// somebody wrote comes before what we would.
+    pub(super) fn put(&mut self, field: Field, value: impl AsRef<str>) {
+        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
+        let key = field.name().into_owned();
+        if self.is_taken(&part, &key) {
+            return;
+        }
+        let place = Place::of(part).field(field);
+        let value = self.clean(value.as_ref(), &place);
+        self.push(key, value);
+    }
+
+    /// A key with its value, where there is one.
+    pub(super) fn put_some(&mut self, field: Field, value: Option<impl AsRef<str>>) {
+        if let Some(value) = value {
+            self.put(field, value);
+        }
+    }
+
+    /// A key with 0 or 1, where that is known.
+    pub(super) fn put_flag(&mut self, field: Field, flag: Option<bool>) {
+        self.put_some(field, flag.map(|flag| if flag { "1" } else { "0" }));
+    }
+
+    /// A key with a decimal number, where there is one.
+    pub(super) fn put_number(&mut self, field: Field, number: Option<impl Into<u64>>) {
+        self.put_some(field, number.map(|number| number.into().to_string()));
+    }
+
+    /// A count and numbered items.
+    pub(super) fn list(&mut self, counter: Field, items: impl ExactSizeIterator<Item = String>) {
+        let taken = self.sections.last().and_then(|section| self.extra_of(&section.part));
+        let taken =
+            taken.map_or(0, |extra| extra.iter().filter(|(key, _)| Field::item(key).is_some()).count());
+        self.put(counter, (items.len() + taken).to_string());
+        let mut number = 0;
+        for item in items {
+            number += 1;
+            while self
+                .sections
+                .last()
+                .is_some_and(|section| self.is_taken(&section.part, &number.to_string()))
+            {
+                number += 1;
+            }
+            self.put(Field::Item(number), item);
+        }
+    }
+
+    /// Keys that the model does not know.
+    pub(super) fn extra(&mut self, extra: &Extra) {
+        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
+        for (key, value) in extra.iter() {
+            let place = Place::of(part.clone()).field(Field::Named(key.into()));
+            let key = self.clean_key(key, &place);
+            let value = self.clean(value, &place);
+            self.push(key, value);
+        }
+    }
+
+    /// Texts that are no values of their fields, as they were written.
+    pub(super) fn misfits(&mut self, misfits: &Misfits) {
+        for misfit in misfits.iter() {
+            self.put(misfit.field.clone(), &misfit.text);
+        }
+    }
+
+    /// Ends the section: the keys that the model keeps for it elsewhere come last.
+    pub(super) fn close(&mut self) {
+        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
+        while let Some(position) = self.extras.iter().position(|(other, _)| *other == part) {
+            let (_, extra) = self.extras.remove(position);
+            self.extra(extra);
+        }
+    }
+
+    /// Sections that the model does not know, and what was kept for known ones that were not written.
+    pub(super) fn rest(&mut self, extra: &'a [ExtraSection]) {
+        for section in extra {
+            let part = SectionName::parse(&section.name).part;
+            match part {
+                Part::Section(_) => {
+                    let place = Place::of(part.clone());
+                    let name = self.clean_name(&section.name, &place);
+                    self.sections.push(Section { part, name, entries: Vec::new() });
+                    self.extra(&section.entries);
+                }
+                part if self.extras.iter().any(|(other, _)| *other == part) => {
+                    self.open(part);
+                    self.close();
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The text, written by rust-ini, and what it could not carry.
+    pub(super) fn finish(self) -> (String, Vec<Loss>) {
+        let mut ini = Ini::new();
+        for section in self.sections {
+            if section.name.is_empty() {
+                section
+                    .entries
+                    .into_iter()
+                    .for_each(|(key, value)| ini.general_section_mut().append(key, value));
+                continue;
+            }
+            let mut properties = Properties::new();
+            section.entries.into_iter().for_each(|(key, value)| properties.append(key, value));
+            match ini.entry(Some(section.name)) {
+                SectionEntry::Vacant(entry) => {
+                    entry.insert(properties);
+                }
+                SectionEntry::Occupied(mut entry) => entry.append(properties),
+            }
+        }
+        let option = WriteOption {
+            escape_policy: EscapePolicy::Nothing,
+            line_separator: LineSeparator::CRLF,
+            kv_separator: "=",
+        };
+        let mut bytes = Vec::new();
+        // a Vec takes every byte, and all of them come from texts
+        let _ = ini.write_to_opt(&mut bytes, option);
+        (String::from_utf8(bytes).unwrap_or_default(), self.losses)
+    }
+
+    fn push(&mut self, key: String, value: String) {
+        if let Some(section) = self.sections.last_mut() {
+            section.entries.push((key, value));
+        }
+    }
+
+    fn extra_of(&self, part: &Part) -> Option<&'a Extra> {
+        self.extras.iter().find(|(other, _)| other == part).map(|(_, extra)| *extra)
+    }
+
+    fn is_taken(&self, part: &Part, key: &str) -> bool {
+        self.extra_of(part).is_some_and(|extra| extra.get(key).is_some())
+    }
+
+    /// A text that stays in its line and its encoding, and is read as it is written.
+    fn clean(&mut self, text: &str, place: &Place) -> String {
+        let clean = self.clean_characters(text, place);
+        let trimmed = clean.trim_matches(BLANKS);
+        if trimmed.len() < clean.len() {
+            self.lose(LossKind::Blanks, text, place);
+            return trimmed.to_owned();
+        }
+        clean.into_owned()
+    }
+
+    /// A key that is read as one.
+    fn clean_key(&mut self, key: &str, place: &Place) -> String {
+        let clean = self.clean_characters(key, place).replace('=', " ");
+        let trimmed = clean.trim_matches(BLANKS);
+        let is_key =
+            !trimmed.is_empty() && !trimmed.starts_with([';', '#', '[']) && !trimmed.starts_with("//");
+        let written = if is_key { trimmed.to_owned() } else { format!("_{trimmed}") };
+        if written != key {
+            self.lose(LossKind::Name, key, place);
+        }
+        written
+    }
+
+    /// A section name that is read as one. An empty one is that of the keys before the first section.
+    fn clean_name(&mut self, name: &str, place: &Place) -> String {
+        let clean = self.clean_characters(name, place).replace(']', " ");
+        let written = clean.trim_matches(BLANKS).to_owned();
+        if written != name {
+            self.lose(LossKind::Name, name, place);
+        }
+        if written.is_empty() && !name.is_empty() { "_".to_owned() } else { written }
+    }
+
+    fn clean_characters<'t>(&mut self, text: &'t str, place: &Place) -> Cow<'t, str> {
+        let options = self.options;
+        if text.bytes().all(|byte| (0x20..0x7F).contains(&byte) || byte == b'\t') {
+            return Cow::Borrowed(text);
+        }
+        if text.chars().any(is_control) {
+            self.lose(LossKind::ControlCharacter, text, place);
+        }
+        let text: Cow<'_, str> =
+            text.chars().map(|c| if is_control(c) { ' ' } else { c }).collect::<String>().into();
+        if text.chars().all(|c| options.can_write(c)) {
+            return text;
+        }
+        self.lose(LossKind::Encoding, &text, place);
+        let mut written = String::with_capacity(text.len());
+        for c in text.chars() {
+            if options.can_write(c) { written.push(c) } else { written.push_str(stand_in(c)) }
+        }
+        written.into()
+    }
+
+    fn lose(&mut self, kind: LossKind, text: &str, place: &Place) {
+        self.losses.push(Loss { place: place.clone(), kind, text: text.to_owned() });
+    }
+}
+
+/// What a reader takes away at the ends of keys and values.
+const BLANKS: [char; 2] = [' ', '\t'];
+
+/// Whether some reader would end the line at this character, or the text.
+fn is_control(c: char) -> bool {
+    (c < ' ' && c != '\t') || matches!(c, '\u{7F}' | '\u{85}' | '\u{2028}' | '\u{2029}')
+}
+
+/// ISO 646 for a character that an encoding lacks.
+const fn stand_in(c: char) -> &'static str {
+    match c {
+        'ä' => "ae",
+        'ö' => "oe",
+        'ü' => "ue",
+        'Ä' => "Ae",
+        'Ö' => "Oe",
+        'Ü' => "Ue",
+        'ß' => "ss",
+        'à' | 'á' | 'â' | 'ã' | 'å' => "a",
+        'ç' => "c",
+        'è' | 'é' | 'ê' | 'ë' => "e",
+        'ì' | 'í' | 'î' | 'ï' => "i",
+        'ñ' => "n",
+        'ò' | 'ó' | 'ô' | 'õ' => "o",
+        'ù' | 'ú' | 'û' => "u",
+        'µ' | 'μ' => "u",
+        '°' => "deg",
+        'Ω' => "Ohm",
+        '²' => "2",
+        '³' => "3",
+        '±' => "+-",
+        '×' => "x",
+        '–' | '—' | '‑' | '−' => "-",
+        '‘' | '’' => "'",
+        '“' | '”' | '„' => "\"",
+        '…' => "...",
+        '®' => "(R)",
+        '©' => "(C)",
+        '™' => "(TM)",
+        '\u{A0}' => " ",
+        _ => "?",
+    }
+}

@@ -1,0 +1,114 @@
+//! Compactly stored entries written out.
+
+use std::borrow::Cow;
+
+use super::{Device, Entry, ExtraSection, Field, Misfit, Misfits, Object};
+
+impl Object {
+    /// The object with every entry described by itself, if it is stored compactly; else itself.
+    ///
+    /// What only holds for all entries together (data type, access, default, limits) leaves the object's own section, for
+    /// it is in each entry then. Unknown keys of the sections with names and values are left out; the device keeps them
+    /// ([`Device::expanded`]).
+    pub fn expanded(&self) -> Cow<'_, Object> {
+        let Some(compact) = &self.compact else { return Cow::Borrowed(self) };
+        let mut subs = self.subs.clone();
+        let (shared, own) = split(&self.main.misfits);
+        for (sub, entry) in self.entries() {
+            if subs.get(sub).is_none() {
+                let misfits = if sub == 0 { Misfits::default() } else { shared.clone() };
+                subs.insert(sub, Entry { misfits, ..entry.into_owned() });
+            }
+        }
+        for misfit in compact.misfits.iter() {
+            let sub = match misfit.field {
+                Field::Item(number) => u8::try_from(number).ok(),
+                _ => None,
+            };
+            if let Some(entry) = sub.and_then(|sub| subs.get_mut(sub)) {
+                entry.misfits.push(Field::ParameterValue, &misfit.text, misfit.reason.clone());
+            }
+        }
+        let main = Entry {
+            // a value that somebody configured here, though it belongs to nothing, keeps its type
+            data_type: self.main.data_type.filter(|_| self.main.configured_value().is_some()),
+            access: None,
+            pdo_mapping: None,
+            default: None,
+            low_limit: None,
+            high_limit: None,
+            misfits: own,
+            ..self.main.clone()
+        };
+        let described = subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
+        Cow::Owned(Object {
+            main,
+            sub_number: u8::try_from(described).ok(),
+            compact: None,
+            subs,
+            ..self.clone()
+        })
+    }
+}
+
+impl Device {
+    /// The device with every entry of its compactly stored objects described by itself. Keys that were unknown in the
+    /// sections of such an object are in a section of their own.
+    pub fn expanded(&self) -> Cow<'_, Device> {
+        if self.objects.values().all(|object| object.compact.is_none()) {
+            return Cow::Borrowed(self);
+        }
+        let mut device = self.clone();
+        for (index, object) in &mut device.objects {
+            if let Some(compact) = object.compact.as_ref().filter(|compact| !compact.extra.is_empty()) {
+                let name = format!("{index:X}Value").into();
+                device.extra.push(ExtraSection { name, entries: compact.extra.clone() });
+            }
+            if let Cow::Owned(expanded) = object.expanded() {
+                *object = expanded;
+            }
+        }
+        Cow::Owned(device)
+    }
+}
+
+/// The misfits of values that all compactly stored entries share, and the others.
+fn split(misfits: &Misfits) -> (Misfits, Misfits) {
+    let (mut shared, mut own) = (Misfits::default(), Misfits::default());
+    for Misfit { field, text, reason } in misfits.iter() {
+        let is_shared = matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit);
+        let of = if is_shared { &mut shared } else { &mut own };
+        of.push(field.clone(), text, reason.clone());
+    }
+    (shared, own)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Compact, DataType, ObjectType, Reason, Value};
+
+    #[test]
+    fn entries_keep_what_they_had() {
+        let main = Entry {
+            name: "Gain".into(),
+            object_type: Some(ObjectType::Array),
+            data_type: Some(DataType::UNSIGNED8),
+            default: Some(Value::Unsigned(7)),
+            ..Entry::default()
+        };
+        let mut misfits = Misfits::default();
+        misfits.push(Field::Item(2), "x", Reason::NotANumber);
+        let compact =
+            Compact { count: 2, values: vec![(1, Value::Unsigned(9))], misfits, ..Compact::default() };
+        let object = Object { main, compact: Some(Box::new(compact)), ..Object::default() };
+        let expanded = object.expanded();
+        assert_eq!(expanded.sub_number, Some(3));
+        assert!(expanded.main.data_type.is_none() && expanded.main.default.is_none());
+        assert_eq!(expanded.subs.get(1).and_then(Entry::value), Some(&Value::Unsigned(9)));
+        let second = expanded.subs.get(2);
+        let misfit = second.and_then(|entry| entry.misfits.get(&Field::ParameterValue));
+        assert_eq!(misfit.map(|misfit| &*misfit.text), Some("x"));
+        assert_eq!(object.entry(1), expanded.entry(1));
+    }
+}
