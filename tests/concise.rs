@@ -1,5 +1,7 @@
 //! Concise DCF of the healthy configurations: planned, encoded, decoded.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 mod support;
 
 use objdict::download::{Configuration, NeededFile, PlanOptions, Scope, plan};

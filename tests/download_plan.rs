@@ -1,5 +1,7 @@
 //! Plans of devices built here, compared byte for byte with streams that were worked out by hand.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use objdict::download::{
     Configuration, Download, PlanError, PlanOptions, ProblemKind, Scope, SkipReason, Step, decode, encode,
     plan,

@@ -1,5 +1,7 @@
 //! JSON: every device reads back equal, and what is wrong with a document is told with its place.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 mod support;
 
 use objdict::download::{Configuration, Download};

@@ -1,5 +1,7 @@
 //! The canonical text of a device reads back as the same device.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 mod support;
 
 use objdict::format::{self, Format, LossKind, WriteOptions, Written, literal::RealSpelling};
