@@ -1,6 +1,9 @@
 //! Another reader of INI files, rust-ini, finds the same sections, keys and values in every healthy description as our
 //! scanner does.
 
+// a fixture that cannot be read is a failed test
+#![allow(clippy::unwrap_used)]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

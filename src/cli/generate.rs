@@ -95,7 +95,8 @@ fn refusal(target: Target, error: &GenerateError) -> Failure {
 fn print_notes(target: Target, notes: &[Note]) {
     let mut text = String::new();
     for note in notes {
-        text.push_str(&format!("note: {}: {note}\n", target.name()));
+        let what = if note.place == Place::device() { note.message.clone() } else { note.to_string() };
+        text.push_str(&format!("note: {}: {what}\n", target.name()));
         if let Some(help) = &note.help {
             text.push_str(&format!("  help: {help}\n"));
         }
