@@ -10,7 +10,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use objdict::format::{self, Description};
+use objdict::format::literal::RealSpelling;
+use objdict::format::{self, Description, WriteOptions};
 use objdict::model::{DataType, Device, TypeKind};
 use objdict::source::SourceOptions;
 use serde_json::json;
@@ -45,4 +46,87 @@ fn run(command: &mut Command) -> Result<(), String> {
 
 fn text_of(output: &Output) -> String {
     format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
+}
+
+/// A healthy fixture, read.
+fn devices() -> Vec<(String, Description)> {
+    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    let open = |path: &PathBuf| format::open(path, &SourceOptions::default()).unwrap();
+    support::good_devices().iter().map(|path| (name(path), open(path))).collect()
+}
+
+/// Writes the canonical text of every healthy device into a new folder.
+fn write_all(devices: &[(String, Description)], folder: &str, options: &WriteOptions) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    fs::create_dir_all(&folder).unwrap();
+    for (name, description) in devices {
+        let written = format::write(description.device(), description.format(), options);
+        fs::write(folder.join(name), written.bytes).unwrap();
+    }
+    folder
+}
+
+/// What an upload of each entry shall give. Left out is what python-canopen cannot serve: entries that are write-only or
+/// have no value, and the TIME types, which it does not know.
+fn expected_entries(device: &Device, node_id: u8) -> Vec<serde_json::Value> {
+    let mut entries = Vec::new();
+    for (&index, object) in &device.objects {
+        for (sub, entry) in object.entries() {
+            let data_type = entry.data_type.unwrap_or(DataType::DOMAIN);
+            let is_time = matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference);
+            let value = entry.value().and_then(|value| value.resolve(data_type, node_id));
+            let bytes = value.and_then(|value| value.to_bytes(data_type));
+            if let Some(bytes) =
+                bytes.filter(|_| !is_time && entry.access.is_some_and(|access| access.is_readable()))
+            {
+                let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+                entries.push(json!({ "index": index, "sub": sub, "bytes": hex }));
+            }
+        }
+    }
+    entries
+}
+
+#[test]
+fn python_canopen_uploads_what_we_wrote() {
+    let Some(programs) = environment() else { return };
+    let devices = devices();
+    let folder = write_all(&devices, "interop-python-canopen", &WriteOptions::default());
+    let expected: Vec<_> = devices
+        .iter()
+        .map(|(name, description)| {
+            let node_id = description.device().node_id().unwrap_or(5);
+            let entries = expected_entries(description.device(), node_id);
+            json!({ "file": name, "node_id": node_id, "entries": entries })
+        })
+        .collect();
+    fs::write(folder.join("expected.json"), serde_json::to_string(&expected).unwrap()).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/interop/read_back.py");
+    let output = Command::new(programs.join("python")).arg(script).arg(&folder).output().unwrap();
+    assert!(output.status.success(), "{}", text_of(&output));
+}
+
+/// What dcf-tools does not know, by file: the words that it refuses the file with.
+const BEYOND_DCF_TOOLS: &[(&str, &str)] = &[];
+
+#[test]
+fn dcf_tools_accepts_what_we_wrote() {
+    let Some(programs) = environment() else { return };
+    let devices = devices();
+    let mut options = WriteOptions::default();
+    options.real = RealSpelling::Hex;
+    let folder = write_all(&devices, "interop-dcf-tools", &options);
+    for (name, description) in &devices {
+        let node_id = description.device().node_id().unwrap_or(5).to_string();
+        let output = Command::new(programs.join("dcfchk"))
+            .args(["-n", &node_id])
+            .arg(folder.join(name))
+            .output()
+            .unwrap();
+        let text = text_of(&output);
+        match BEYOND_DCF_TOOLS.iter().find(|(file, _)| file == name) {
+            None => assert!(output.status.success() && text.is_empty(), "{name}: {text}"),
+            Some((_, words)) => assert!(text.contains(words), "{name}: not refused for `{words}`: {text}"),
+        }
+    }
 }
