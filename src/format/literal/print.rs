@@ -47,7 +47,7 @@ pub fn print(value: &Value, spelling: Spelling) -> String {
         Value::Bytes(bytes) if bytes.is_empty() => "0x".to_owned(),
         Value::Bytes(bytes) => hex_text::print(bytes),
         Value::Time(time) => format!("{} {}", time.days, time.milliseconds),
-        Value::NodeId(0) => "$NODEID".to_owned(),
+        // also for 0: python-canopen cannot read `$NODEID` alone
         Value::NodeId(offset) => format!("$NODEID+0x{offset:X}"),
     }
 }
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(plain(Value::Bytes([1, 0xA1].into())), "01A1");
         assert_eq!(plain(Value::Time(Time { days: 2, milliseconds: 1000 })), "2 1000");
         assert_eq!(plain(Value::NodeId(0x180)), "$NODEID+0x180");
-        assert_eq!(plain(Value::NodeId(0)), "$NODEID");
+        assert_eq!(plain(Value::NodeId(0)), "$NODEID+0x0");
     }
 
     #[test]
