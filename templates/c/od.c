@@ -16,7 +16,7 @@ typedef char od_float_has_4_bytes[sizeof(float) == 4 ? 1 : -1];
 typedef char od_double_has_8_bytes[sizeof(double) == 8 ? 1 : -1];
 {%- endif %}
 
-#define OD_RAM(field) (od_offset_t)offsetof(od_data_t, field)
+#define OD_RAM(field) ((od_offset_t)offsetof(od_data_t, field))
 
 const od_entry_t od_entries[OD_ENTRY_COUNT] = {
 {%- for view in rows %}

@@ -14,13 +14,13 @@ pub const NODE_ID: u8 = {{ node_id }};
 {%- endif %}
 {%- for view in objects %}
 
-/// {{ "{:04X}"|format(view.object.index) }}h: {{ view.object.name|code_span }}.
+/// `0x{{ "{:04X}"|format(view.object.index) }}`: {{ view.object.name|code_span }}.
 #[allow(dead_code, unreachable_pub)]
 pub mod {{ view.object.module }} {
     /// Index of the object.
     pub const INDEX: u16 = 0x{{ "{:04X}"|format(view.object.index) }};
 {%- for row in view.entries %}
-    /// Sub-index {{ "{:02X}"|format(row.sub) }}h: {{ row.name|code_span }}.
+    /// Sub-index `0x{{ "{:02X}"|format(row.sub) }}`: {{ row.name|code_span }}.
     pub const {{ row.constant|upper }}: u8 = 0x{{ "{:02X}"|format(row.sub) }};
 {%- endfor %}
 }
@@ -32,8 +32,8 @@ pub mod {{ view.object.module }} {
 pub struct Data {
     node_id: u8,
 {%- for field in fields %}
-    /// {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
-    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
+    /// `0x{{ "{:04X}"|format(field.first.index) }}` sub-index `0x{{ "{:02X}"|format(field.first.sub) }}`
+    {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
     pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}
 }

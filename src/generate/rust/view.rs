@@ -162,7 +162,7 @@ fn word_value(data_type: DataType, word: u64) -> String {
             if number.is_finite() {
                 real(&format!("{number:?}"))
             } else {
-                format!("f32::from_bits(0x{word:08X})")
+                format!("f32::from_bits({})", unsigned(word))
             }
         }
         TypeKind::Real64 => {
@@ -170,7 +170,7 @@ fn word_value(data_type: DataType, word: u64) -> String {
             if number.is_finite() {
                 real(&format!("{number:?}"))
             } else {
-                format!("f64::from_bits(0x{word:016X})")
+                format!("f64::from_bits({})", unsigned(word))
             }
         }
         TypeKind::TimeOfDay | TypeKind::TimeDifference => {
@@ -242,7 +242,7 @@ mod tests {
         assert_eq!(real64(-0.125), "-0.125");
         assert_eq!(real64(123_456_789.125_5), "123_456_789.125_5");
         assert_eq!(real64(1e-300), "1e-300");
-        assert_eq!(real64(f64::INFINITY), "f64::from_bits(0x7FF0000000000000)");
+        assert_eq!(real64(f64::INFINITY), "f64::from_bits(0x7FF0_0000_0000_0000)");
         assert_eq!(word_value(DataType::REAL32, u64::from(0.1_f32.to_bits())), "0.1");
     }
 

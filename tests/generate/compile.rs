@@ -1,0 +1,69 @@
+//! The compilers.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use objdict::generate::{Generated, Options, Target, generate};
+use objdict::model::Device;
+
+/// The flags that generated C has to bear.
+const C_FLAGS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
+
+/// Where a driver stands.
+pub(crate) fn driver(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/drivers").join(name)
+}
+
+/// The compiler for C; `None`, with a word about it, where there is none and that is no failure.
+pub(crate) fn c_compiler() -> Option<String> {
+    let name = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
+    let runs = Command::new(&name).arg("--version").output().is_ok_and(|output| output.status.success());
+    assert!(runs || std::env::var("CI").as_deref() != Ok("true"), "no C compiler `{name}`");
+    if !runs {
+        eprintln!("skipped: no C compiler `{name}`");
+    }
+    runs.then_some(name)
+}
+
+/// Generates into a folder.
+pub(crate) fn generate_into(folder: &Path, device: &Device, target: &str) -> Generated {
+    let target = Target::named(target).unwrap();
+    let generated = generate(device, target, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated
+}
+
+/// A command of the Rust compiler, for the file `od.rs` of a folder.
+pub(crate) fn rustc(folder: &Path) -> Command {
+    let mut command = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()));
+    command.args(["--edition=2021", "-Dwarnings", "-Copt-level=0", "-Cdebuginfo=0"]);
+    command.env("OD_RS", folder.join("od.rs")).current_dir(folder);
+    command
+}
+
+/// A command of the C compiler with all warnings as errors, in a folder.
+pub(crate) fn cc(compiler: &str, folder: &Path) -> Command {
+    let mut command = Command::new(compiler);
+    command.args(C_FLAGS).current_dir(folder);
+    command
+}
+
+/// Runs a command that has to succeed; what it printed on its output.
+pub(crate) fn succeed(command: &mut Command, input: &str) -> Result<String, String> {
+    let command = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|error| format!("{command:?}: {error}"))?;
+    let mut stdin = child.stdin.take().unwrap();
+    let output = std::thread::scope(|scope| {
+        scope.spawn(move || stdin.write_all(input.as_bytes()));
+        child.wait_with_output()
+    });
+    let output = output.map_err(|error| error.to_string())?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    Err(format!("{command:?}: {}\n{}", output.status, errors.chars().take(4000).collect::<String>()))
+}

@@ -1,0 +1,144 @@
+//! What is generated compiles without a warning and, run, answers as the description says: for every healthy fixture,
+//! the answers of the Rust and of the C table are compared with those that follow from the model, and so with each other.
+
+mod bench_table;
+mod compile;
+mod notes;
+mod odd;
+mod oracle;
+mod output;
+mod script;
+#[path = "../support/mod.rs"]
+mod support;
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use objdict::format;
+use objdict::generate::{Options, Target, generate};
+use objdict::model::Device;
+use objdict::source::SourceOptions;
+
+use compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
+use script::Script;
+
+fn device(path: &Path) -> Device {
+    format::open(path, &SourceOptions::default()).unwrap().into_device()
+}
+
+/// Every healthy fixture, the hostile ones, and a device with everything that no fixture has.
+fn devices() -> Vec<(String, Device)> {
+    let mut paths = support::good_devices();
+    paths.push(support::fixtures().join("broken/hostile-unicode.eds"));
+    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
+    devices.push(("odd".to_owned(), odd::device()));
+    devices
+}
+
+/// Calls `check` for each item on as many threads as there are cores; fails with all messages.
+fn for_all<T: Sync>(items: &[T], check: impl Fn(&T) -> Result<(), String> + Sync) {
+    let next = AtomicUsize::new(0);
+    let failures = Mutex::new(Vec::new());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(8);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    if let Err(failure) = check(item) {
+                        failures.lock().unwrap().push(failure);
+                    }
+                }
+            });
+        }
+    });
+    let failures = failures.into_inner().unwrap();
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+}
+
+/// The first answers that differ from what was expected.
+fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<(), String> {
+    let answers: Vec<&str> = output.lines().collect();
+    let pairs = script.expected.iter().map(String::as_str).zip(answers.iter().copied());
+    let mut differences: Vec<String> = pairs
+        .enumerate()
+        .filter(|(_, (expected, answer))| expected != answer)
+        .map(|(line, (expected, answer))| {
+            format!("answer {line}: `{answer}` where `{expected}` was expected")
+        })
+        .take(5)
+        .collect();
+    if answers.len() != script.expected.len() {
+        differences.push(format!("{} answers where {} were expected", answers.len(), script.expected.len()));
+    }
+    if differences.is_empty() {
+        return Ok(());
+    }
+    Err(format!("{name}, {language}:\n{}", differences.join("\n")))
+}
+
+#[test]
+fn rust_and_c_answer_as_the_description_says() {
+    let compiler = c_compiler();
+    let answers = AtomicUsize::new(0);
+    for_all(&devices(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let script = script::of(device);
+        answers.fetch_add(script.expected.len(), Ordering::Relaxed);
+        let fail = |error: String| format!("{name}: {error}");
+
+        generate_into(folder, device, "rust");
+        succeed(rustc(folder).arg(driver("driver.rs")).args(["-o", "in-rust"]), "").map_err(fail)?;
+        let in_rust =
+            succeed(&mut std::process::Command::new(folder.join("in-rust")), &script.input).map_err(fail)?;
+        compare(name, "Rust", &script, &in_rust)?;
+
+        let Some(compiler) = &compiler else { return Ok(()) };
+        generate_into(folder, device, "c");
+        let mut cc = cc(compiler, folder);
+        succeed(cc.args(["-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
+        let in_c =
+            succeed(&mut std::process::Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
+        compare(name, "C", &script, &in_c)
+    });
+    let answers = answers.into_inner();
+    assert!(answers > 100_000, "only {answers} answers were compared");
+}
+
+/// Damaged files too give code that compiles, unless nothing can be generated, and that is said.
+#[test]
+fn what_damaged_files_give_compiles() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut paths = support::files("broken", &["eds", "dcf"]);
+    paths.extend(support::files("torture", &["eds"]));
+    paths.extend(support::files("errata", &["eds"]));
+    let compiler = c_compiler();
+    let modules = Mutex::new(String::from("#![no_std]\n"));
+    let paths: Vec<(usize, PathBuf)> = paths.into_iter().enumerate().collect();
+    for_all(&paths, |(number, path)| {
+        let fail = |error: String| format!("{}: {error}", path.display());
+        let folder = folder.path().join(number.to_string());
+        std::fs::create_dir(&folder).map_err(|error| error.to_string())?;
+        let device = device(path);
+        for name in ["rust", "c"] {
+            match generate(&device, Target::named(name).unwrap(), &Options::default()) {
+                Ok(_) => drop(generate_into(&folder, &device, name)),
+                Err(error) => {
+                    assert!(!error.to_string().is_empty());
+                    return Ok(());
+                }
+            }
+        }
+        let module = format!("pub mod od{number} {{ include!(\"{number}/od.rs\"); }}\n");
+        modules.lock().unwrap().push_str(&module);
+        let Some(compiler) = &compiler else { return Ok(()) };
+        succeed(cc(compiler, &folder).args(["-fsyntax-only", "od.c"]), "").map_err(fail).map(drop)
+    });
+    let modules = modules.into_inner().unwrap();
+    assert!(modules.lines().count() > paths.len() / 2, "hardly anything was generated");
+    std::fs::write(folder.path().join("all.rs"), modules).unwrap();
+    let mut rustc = rustc(folder.path());
+    succeed(rustc.args(["--crate-type=lib", "--emit=metadata", "all.rs"]), "").unwrap();
+}

@@ -1,0 +1,177 @@
+//! What a table cannot express is named with its place, or nothing is generated.
+
+use objdict::generate::{GenerateError, Generated, Options, Target, generate};
+use objdict::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Reason, Value};
+
+use crate::odd;
+
+fn with(main: Entry) -> Device {
+    let mut device = Device::default();
+    device.objects.insert(0x2000, Object { main, ..Object::default() });
+    // there is always something to generate
+    let main = Entry { data_type: Some(DataType::UNSIGNED8), access: Some(Access::Ro), ..Entry::default() };
+    device.objects.insert(0x2001, Object { main, ..Object::default() });
+    device
+}
+
+fn byte() -> Entry {
+    Entry {
+        name: "Byte".into(),
+        data_type: Some(DataType::UNSIGNED8),
+        access: Some(Access::Rw),
+        ..Entry::default()
+    }
+}
+
+fn run(device: &Device) -> Result<Generated, GenerateError> {
+    let [rust, c] =
+        ["rust", "c"].map(|name| generate(device, Target::named(name).unwrap(), &Options::default()));
+    match (&rust, &c) {
+        (Ok(rust), Ok(c)) => assert_eq!(rust.notes, c.notes),
+        (Err(rust), Err(c)) => assert_eq!(rust.to_string(), c.to_string()),
+        _ => panic!("{rust:?}, {c:?}"),
+    }
+    rust
+}
+
+fn notes(device: &Device) -> Vec<String> {
+    run(device).unwrap().notes.iter().map(ToString::to_string).collect()
+}
+
+fn error(device: &Device) -> String {
+    run(device).unwrap_err().to_string()
+}
+
+#[test]
+fn a_plain_entry_needs_no_note() {
+    assert!(notes(&with(byte())).is_empty());
+}
+
+#[test]
+fn what_is_left_out_is_named() {
+    for (entry, expected) in [
+        (
+            Entry { data_type: None, ..byte() },
+            "0x2000sub0 / DataType: an entry without data type is left out",
+        ),
+        (
+            Entry { data_type: Some(DataType(0x300)), ..byte() },
+            "0x2000sub0 / DataType: the length of the data type `0300h` is not known; the entry is left out",
+        ),
+        (
+            Entry { object_type: Some(ObjectType::Null), ..byte() },
+            "0x2000sub0: an object of type NULL has no data and is left out",
+        ),
+        (
+            Entry { object_type: Some(ObjectType::Record), ..byte() },
+            "0x2000: an object without entries is left out",
+        ),
+        (
+            Entry { data_type: Some(DataType::DOMAIN), ..byte() },
+            "0x2000sub0: a DOMAIN without default has no room in the table",
+        ),
+    ] {
+        assert_eq!(notes(&with(entry)), [expected]);
+    }
+}
+
+#[test]
+fn what_is_assumed_is_named() {
+    let misfit = |field: Field, text: &str| {
+        let mut entry = byte();
+        entry.misfits.push(field, text, Reason::Malformed);
+        entry
+    };
+    for (entry, expected) in [
+        (
+            Entry { access: None, ..byte() },
+            "0x2000sub0 / AccessType: an entry without access type is assumed to be `ro`",
+        ),
+        (
+            Entry { access: None, ..misfit(Field::AccessType, "rx") },
+            "0x2000sub0 / AccessType: `rx` is no access type; `ro` is assumed",
+        ),
+        (
+            misfit(Field::DefaultValue, "256"),
+            "0x2000sub0 / DefaultValue: `256` is no value of UNSIGNED8; zero or empty is used",
+        ),
+        (
+            Entry { default: Some(Value::Unsigned(1)), ..misfit(Field::ParameterValue, "x") },
+            "0x2000sub0 / ParameterValue: `x` is no value of UNSIGNED8; the default is used, zero or empty where there is none",
+        ),
+        (
+            misfit(Field::HighLimit, "high"),
+            "0x2000sub0 / HighLimit: `high` is no value of UNSIGNED8; the limit is not enforced",
+        ),
+        (
+            Entry {
+                data_type: Some(DataType::VISIBLE_STRING),
+                low_limit: Some(Value::Text("a".into())),
+                ..byte()
+            },
+            "0x2000sub0 / LowLimit: values of VISIBLE_STRING have no order; the limit is not enforced",
+        ),
+        (
+            Entry { data_type: Some(DataType::REAL32), high_limit: Some(Value::Real32(f32::NAN)), ..byte() },
+            "0x2000sub0 / HighLimit: a limit that is not a number is not enforced",
+        ),
+    ] {
+        assert_eq!(notes(&with(entry)), [expected]);
+    }
+}
+
+#[test]
+fn a_configured_value_makes_a_bad_default_harmless() {
+    let mut entry = byte();
+    entry.misfits.push(Field::DefaultValue, "256", Reason::Malformed);
+    entry.configured_mut().value = Some(Value::Unsigned(7));
+    assert!(notes(&with(entry)).is_empty());
+}
+
+#[test]
+fn what_would_come_out_wrong_is_refused() {
+    let formula = Value::NodeId(129);
+    for (entry, expected) in [
+        (
+            Entry { default: Some(formula.clone()), ..byte() },
+            "0x2000sub0 / DefaultValue: `$NODEID+0x81` does not fit UNSIGNED8 for every node-ID up to 127",
+        ),
+        (
+            Entry { low_limit: Some(formula.clone()), ..byte() },
+            "0x2000sub0 / LowLimit: `$NODEID+0x81` does not fit UNSIGNED8 for every node-ID up to 127",
+        ),
+        (
+            Entry { default: Some(formula), data_type: Some(DataType::REAL32), ..byte() },
+            "0x2000sub0 / DefaultValue: `$NODEID+0x81` does not fit REAL32 for every node-ID up to 127",
+        ),
+        (
+            Entry { default: Some(Value::Unsigned(256)), ..byte() },
+            "0x2000sub0 / DefaultValue: `256` is no value of UNSIGNED8",
+        ),
+        (
+            Entry {
+                default: Some(Value::Bytes(vec![0; 65_536].into())),
+                data_type: Some(DataType::DOMAIN),
+                ..byte()
+            },
+            "0x2000sub0 / DefaultValue: a value of 65536 bytes; a table holds 65535 at most",
+        ),
+    ] {
+        assert_eq!(error(&with(entry)), expected);
+    }
+}
+
+#[test]
+fn a_device_without_entries_is_refused() {
+    assert_eq!(error(&Device::default()), "the device has no entries");
+}
+
+#[test]
+fn notes_about_entries_of_one_object_are_one() {
+    let mut device = odd::device();
+    let domain = Entry { data_type: Some(DataType::DOMAIN), ..byte() };
+    let subs = (1..=9).map(|sub| (sub, domain.clone())).collect();
+    let main = Entry { object_type: Some(ObjectType::Array), ..byte() };
+    device.objects.insert(0x4000, Object { main, subs, ..Object::default() });
+    insta::assert_snapshot!("odd_notes", notes(&device).join("\n"));
+}

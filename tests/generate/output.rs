@@ -1,0 +1,184 @@
+//! The text of the output: what it looks like, that it is always the same, that the tools of Rust accept it, and that no
+//! text of a description changes what it says.
+
+use std::process::Command;
+
+use objdict::generate::{Options, OutputFile, Target, generate};
+use objdict::model::Device;
+
+use crate::compile::{generate_into, succeed};
+use crate::{device, devices, support};
+
+/// All files that the targets of tables give.
+fn files(device: &Device, options: &Options) -> Vec<OutputFile> {
+    let targets = ["rust", "c"].map(|name| Target::named(name).unwrap());
+    targets.into_iter().flat_map(|target| generate(device, target, options).unwrap().files).collect()
+}
+
+fn text(file: &OutputFile) -> &str {
+    std::str::from_utf8(&file.contents).unwrap()
+}
+
+#[test]
+fn snapshots() {
+    let minimal = device(&support::fixtures().join("eds/minimal.eds"));
+    let version = concat!("objdict ", env!("CARGO_PKG_VERSION"));
+    for file in files(&minimal, &Options::default()) {
+        insta::assert_snapshot!(file.path.as_str(), text(&file).replace(version, "objdict [version]"));
+    }
+}
+
+#[test]
+fn output_is_always_the_same_and_well_formed() {
+    for (name, device) in devices() {
+        let (first, second) = (files(&device, &Options::default()), files(&device, &Options::default()));
+        assert!(first == second, "{name}");
+        for file in &first {
+            let text = text(file);
+            assert!(text.ends_with('\n') && !text.ends_with("\n\n"), "{name}: {}", file.path);
+            for (number, line) in text.lines().enumerate() {
+                let place = format!("{name}: {}:{}: {line}", file.path, number + 1);
+                assert!(line.trim_end() == line && !line.ends_with('\\'), "{place}");
+                assert!(
+                    line.chars().all(|c| c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric()),
+                    "{place}"
+                );
+            }
+        }
+    }
+}
+
+/// The same device, but for its names, gives the same code: names only stand in comments and identifiers.
+#[test]
+fn no_name_changes_the_code() {
+    let plain = device(&support::fixtures().join("eds/io-401.eds"));
+    let mut hostile = plain.clone();
+    for object in hostile.objects.values_mut() {
+        let attack = "x */ } \"); system(\"id\"); // \u{202E} ??/ \\\n#error `";
+        object.main.name = attack.into();
+        object.subs.iter_mut().for_each(|(_, entry)| entry.name = attack.into());
+    }
+    for (plain, hostile) in
+        files(&plain, &Options::default()).iter().zip(files(&hostile, &Options::default()))
+    {
+        let (plain, hostile) = (bare(text(plain)), bare(text(&hostile)));
+        assert_eq!(plain.len(), hostile.len());
+        for (plain, hostile) in plain.iter().zip(&hostile) {
+            assert_eq!(plain, hostile);
+        }
+    }
+}
+
+/// Lines without comments, identifiers and what the order of C's fields decides.
+fn bare(text: &str) -> Vec<String> {
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let without_comment = lines
+        .map(|line| line.split("/*").next().unwrap_or_default().split(" // ").next().unwrap_or_default());
+    let masked = without_comment.map(|line| {
+        let mut masked = String::new();
+        for c in line.trim_end().chars() {
+            let identifier =
+                c.is_ascii_alphabetic() || c == '_' || (c.is_ascii_digit() && masked.ends_with('i'));
+            match (identifier, masked.ends_with('i')) {
+                (true, true) => {}
+                (true, false) => masked.push('i'),
+                (false, _) => masked.push(c),
+            }
+        }
+        masked
+    });
+    masked.collect()
+}
+
+#[test]
+fn a_node_id_is_named_as_the_default() {
+    let mut device = device(&support::fixtures().join("eds/minimal.eds"));
+    let lines = |device: &Device, options: &Options| {
+        let files = files(device, options);
+        (
+            text(&files[0]).contains("pub const NODE_ID: u8 = 9;"),
+            text(&files[1]).contains("#define OD_NODE_ID 9u\n"),
+        )
+    };
+    assert_eq!(lines(&device, &Options::default()), (false, false));
+    let mut options = Options::default();
+    options.node_id = Some(9);
+    assert_eq!(lines(&device, &options), (true, true));
+    device.commissioning.get_or_insert_default().node_id = Some(9);
+    assert_eq!(lines(&device, &Options::default()), (true, true));
+}
+
+/// Places of 32 bits where 16 are too few.
+#[test]
+fn large_dictionaries_get_longer_places() {
+    let mut device = device(&support::fixtures().join("eds/minimal.eds"));
+    let text = objdict::model::Value::Text("0123456789".repeat(6000).into());
+    for (number, index) in [0x2000, 0x2001].into_iter().enumerate() {
+        let mut object = device.objects[&0x1008].clone();
+        object.main.default = Some(text.clone());
+        object.main.access = Some(objdict::model::Access::Rw);
+        object.main.name = format!("Text {number}").into();
+        device.objects.insert(index, object);
+    }
+    let small = files(&crate::device(&support::fixtures().join("eds/minimal.eds")), &Options::default());
+    let large = files(&device, &Options::default());
+    let (in_rust, in_c) = ("type Offset = u16;", "typedef uint16_t od_offset_t;");
+    assert!(self::text(&small[0]).contains(in_rust) && self::text(&small[1]).contains(in_c));
+    let (in_rust, in_c) = ("type Offset = u32;", "typedef uint32_t od_offset_t;");
+    assert!(!self::text(&large[0]).contains(in_rust), "one text of 60,000 bytes is kept once");
+    assert!(self::text(&large[1]).contains(in_c), "two fields of 60,000 bytes");
+}
+
+/// Whether a tool that Rust comes with is there; a word about it where it is not and that is no failure.
+fn has(tool: &mut Command) -> bool {
+    let runs = tool.arg("--version").output().is_ok_and(|output| output.status.success());
+    assert!(runs || std::env::var("CI").as_deref() != Ok("true"), "no {tool:?}");
+    if !runs {
+        eprintln!("skipped: no {tool:?}");
+    }
+    runs
+}
+
+#[test]
+fn rustfmt_changes_nothing() {
+    let program = std::env::var("RUSTFMT").unwrap_or_else(|_| "rustfmt".to_owned());
+    if !has(&mut Command::new(&program)) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (name, device) in devices() {
+        let folder = folder.path().join(&name);
+        std::fs::create_dir(&folder).unwrap();
+        generate_into(&folder, &device, "rust");
+        let mut rustfmt = Command::new(&program);
+        let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
+        succeed(rustfmt.current_dir(folder), "").unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+#[test]
+fn clippy_finds_nothing() {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    if !has(Command::new(&cargo).arg("clippy")) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::create_dir(folder.join("src")).unwrap();
+    let manifest = "[package]\nname = \"tables\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n";
+    std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    let mut modules =
+        String::from("#![no_std]\n#![deny(warnings, clippy::all, clippy::pedantic)]\n//! Tables.\n");
+    for (number, (_, device)) in devices().iter().enumerate() {
+        let source = format!("src/od{number}");
+        std::fs::create_dir(folder.join(&source)).unwrap();
+        generate_into(&folder.join(&source), device, "rust");
+        modules
+            .push_str(&format!("/// A table.\npub mod od{number} {{ include!(\"od{number}/od.rs\"); }}\n"));
+    }
+    std::fs::write(folder.join("src/lib.rs"), modules).unwrap();
+    let mut clippy = Command::new(cargo);
+    let clippy = clippy.args(["clippy", "--offline", "--quiet"]).current_dir(folder);
+    let clippy = clippy.env("CARGO_TARGET_DIR", folder.join("target")).env_remove("RUSTFLAGS");
+    succeed(clippy, "").unwrap_or_else(|error| panic!("{error}"));
+}
