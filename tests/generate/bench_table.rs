@@ -22,10 +22,16 @@ fn device() -> Device {
         device.objects.insert(0x2000 + 7 * number, Object { main, ..Object::default() });
     }
     for number in 0..27_u16 {
-        let main = Entry { name: format!("Axis {number}").into(), object_type: Some(ObjectType::Record), ..Entry::default() };
+        let main = Entry {
+            name: format!("Axis {number}").into(),
+            object_type: Some(ObjectType::Record),
+            ..Entry::default()
+        };
         let count = entry("Highest sub-index supported".to_owned(), Access::Const, 3);
         let subs = (1..=3).map(|sub| (sub, entry(format!("Gain {sub}"), Access::Rw, u64::from(sub))));
-        let subs = std::iter::once((0, Entry { data_type: Some(DataType::UNSIGNED8), ..count })).chain(subs).collect();
+        let subs = std::iter::once((0, Entry { data_type: Some(DataType::UNSIGNED8), ..count }))
+            .chain(subs)
+            .collect();
         device.objects.insert(0x6000 + 16 * number, Object { main, subs, ..Object::default() });
     }
     device

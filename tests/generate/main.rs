@@ -1,6 +1,8 @@
 //! What is generated compiles without a warning and, run, answers as the description says: for every healthy fixture,
 //! the answers of the Rust and of the C table are compared with those that follow from the model, and so with each other.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod bench_table;
 mod compile;
 mod notes;

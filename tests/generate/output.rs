@@ -6,7 +6,7 @@ use std::process::Command;
 use objdict::generate::{Options, OutputFile, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::{generate_into, succeed};
+use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
 use crate::{device, devices, support};
 
 /// All files that the targets of tables give.
@@ -181,4 +181,28 @@ fn clippy_finds_nothing() {
     let clippy = clippy.args(["clippy", "--offline", "--quiet"]).current_dir(folder);
     let clippy = clippy.env("CARGO_TARGET_DIR", folder.join("target")).env_remove("RUSTFLAGS");
     succeed(clippy, "").unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// The examples of the documentation, with the table that they are about.
+#[test]
+fn the_examples_of_the_documentation_run() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/generate.md")).unwrap();
+    let example = |language: &str| {
+        let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
+        rest.split_once("```\n").unwrap().0
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let minimal = device(&support::fixtures().join("eds/minimal.eds"));
+    for target in ["rust", "c"] {
+        generate_into(folder, &minimal, target);
+    }
+    std::fs::write(folder.join("example.rs"), example("rust")).unwrap();
+    succeed(rustc(folder).args(["-o", "in-rust", "example.rs"]), "").unwrap();
+    succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+    std::fs::write(folder.join("example.c"), example("c")).unwrap();
+    if let Some(compiler) = c_compiler() {
+        succeed(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"]), "").unwrap();
+        succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
+    }
 }
