@@ -121,10 +121,10 @@ fn limits(put: &mut impl FnMut(u16, Object)) {
     next(limited(plain.clone(), real(f32::NEG_INFINITY), real(f32::MAX)));
     next(limited(plain, real(1.0), real(2.0)));
     let real = |number: f64| Some(Value::Real64(number));
-    let plain = entry("Long real", DataType::REAL64, Access::Rww, real(3.14159265358979));
+    let plain = entry("Long real", DataType::REAL64, Access::Rww, real(std::f64::consts::PI));
     next(limited(plain.clone(), real(-1e300), real(1e-300)));
     next(limited(plain, None, real(f64::INFINITY)));
-    for number in [f64::NAN, f64::NEG_INFINITY, 2.718281828459045, 1e21, 123_456.789_012] {
+    for number in [f64::NAN, f64::NEG_INFINITY, std::f64::consts::E, 1e21, 123_456.789_012] {
         next(entry("Real", DataType::REAL64, Access::Rw, real(number)));
     }
     let truth = |truth| Some(Value::Boolean(truth));

@@ -140,6 +140,13 @@ impl Facts {
         Some(facts)
     }
 
+    /// Whether another entry takes and refuses the same values.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let facts =
+            |facts: &Self| (facts.data_type, facts.access, facts.size, facts.low.clone(), facts.high.clone());
+        facts(self) == facts(other)
+    }
+
     fn room(&self) -> usize {
         let length = self.default_on(1).len();
         let domain = self.kind == Some(TypeKind::Domain);

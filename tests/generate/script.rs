@@ -23,7 +23,12 @@ pub(crate) fn of(device: &Device) -> Script {
         script.expected.extend(dictionary.table());
         let entries: BTreeMap<(u16, u8), Facts> = facts_of(device).collect();
         for (&(index, sub), facts) in &entries {
-            script.entry(&mut dictionary, index, sub, facts);
+            let neighbours = [sub.wrapping_sub(1), sub.wrapping_add(1)].map(|sub| entries.get(&(index, sub)));
+            if neighbours.iter().flatten().filter(|other| other.is_like(facts)).count() == 2 {
+                script.element(&mut dictionary, index, sub, facts);
+            } else {
+                script.entry(&mut dictionary, index, sub, facts);
+            }
         }
         script.missing(&mut dictionary, &entries);
         for &(index, sub) in entries.keys() {
@@ -52,6 +57,13 @@ impl Script {
             self.read(dictionary, index, sub, 0xFFFF).ok();
         }
         self.write(dictionary, index, sub, &default);
+    }
+
+    /// The least about an element of an array: the first and the last, which are like it, are asked everything.
+    fn element(&mut self, dictionary: &mut Dictionary, index: u16, sub: u8, facts: &Facts) {
+        self.read(dictionary, index, sub, 0xFFFF).ok();
+        self.write(dictionary, index, sub, &vec![sub & 1; facts.size + 1]);
+        self.write(dictionary, index, sub, &vec![sub & 1; facts.size]);
     }
 
     /// Sub-indexes and indexes that do not exist, around those that do.
