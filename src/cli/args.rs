@@ -9,7 +9,10 @@ use super::input::{FileKind, InputArgs};
 use super::output::Color;
 use super::show::Address;
 use crate::diagnostic::Severity;
+use crate::format::WriteOptions;
+use crate::format::literal::RealSpelling;
 use crate::generate::Target;
+use crate::source::Encoding;
 
 /// The CANopen object-dictionary toolchain
 ///
@@ -146,7 +149,54 @@ pub(super) struct ConvertArgs {
     #[arg(long)]
     pub all: bool,
     #[command(flatten)]
+    pub canonical: CanonicalArgs,
+    #[command(flatten)]
     pub input: InputArgs,
+}
+
+/// How an EDS or DCF is written that is no edit of a text.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Canonical EDS and DCF")]
+pub(super) struct CanonicalArgs {
+    /// Write an EDS or DCF anew from the model, in the order and spelling that most tools take, instead of editing the text
+    #[arg(long)]
+    pub canonical: bool,
+    /// How REAL numbers are written; implies --canonical
+    #[arg(long, value_enum, value_name = "SPELLING")]
+    pub real: Option<Real>,
+    /// Put strings into quotes, as Lely's tools want them; implies --canonical
+    #[arg(long)]
+    pub quote_strings: bool,
+    /// Keep compact storage (CompactSubObj), which many tools do not know; implies --canonical
+    #[arg(long)]
+    pub compact: bool,
+}
+
+/// A spelling of REAL numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Real {
+    /// As decimal numbers
+    Decimal,
+    /// As the hex digits of their bits, as Lely's tools read them
+    Bits,
+}
+
+impl CanonicalArgs {
+    /// Whether a new text is wanted although there is one to edit.
+    pub(super) fn is_asked(&self) -> bool {
+        self.canonical || self.real.is_some() || self.quote_strings || self.compact
+    }
+
+    pub(super) fn options(&self, encoding: Option<Encoding>) -> WriteOptions {
+        let mut options = WriteOptions::default();
+        if self.real == Some(Real::Bits) {
+            options.real = RealSpelling::Hex;
+        }
+        options.quote_strings = self.quote_strings;
+        options.compact = self.compact;
+        options.encoding = encoding;
+        options
+    }
 }
 
 impl ConvertArgs {

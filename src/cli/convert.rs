@@ -10,8 +10,8 @@ use super::output::Output;
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
 use crate::download::{Configuration, NeededFile, Plan, PlanError, PlanOptions, Scope, plan};
-use crate::format::{Description, concise, json};
-use crate::model::{Commissioning, Device};
+use crate::format::{self, Description, Format, concise, json};
+use crate::model::{Commissioning, Device, DeviceKind};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let from = args.input.kind(&args.file);
@@ -77,7 +77,10 @@ fn convert_description(
     from: FileKind,
     to: FileKind,
 ) -> Result<Vec<u8>, Failure> {
-    let file_name = args.out.file_name().unwrap_or_default().to_string_lossy();
+    if args.canonical.is_asked() {
+        return convert_device(args, description.device(), to);
+    }
+    let file_name = base_name(&args.out);
     match (from, to) {
         (FileKind::Eds, FileKind::Eds) => Ok(description.source().to_bytes()),
         (FileKind::Dcf, FileKind::Dcf) if !args.changes_node() => Ok(description.source().to_bytes()),
@@ -97,8 +100,31 @@ fn convert_device(args: &ConvertArgs, device: &Device, to: FileKind) -> Result<V
             let configuration = configuration(args, device)?;
             concise::write(&configuration).map_err(Failure::new)
         }
-        _ => Err(Failure::new(format_args!("{} can only be made of EDS and DCF files", to.name()))),
+        FileKind::Eds => Ok(canonical(args, device.clone(), Format::Eds)),
+        FileKind::Dcf => {
+            let mut node_device = device.clone();
+            node_device.commissioning = Some(node(args, device)?);
+            node_device.kind = DeviceKind::Node;
+            Ok(canonical(args, node_device, Format::Dcf))
+        }
+        FileKind::Cpj => Err(Failure::new("node lists are not written")),
     }
+}
+
+/// A new text, written from the model alone.
+fn canonical(args: &ConvertArgs, mut device: Device, format: Format) -> Vec<u8> {
+    if let Some(info) = &mut device.file_info {
+        info.file_name = Some(base_name(&args.out));
+    }
+    let written = format::write(&device, format, &args.canonical.options(args.input.encoding));
+    for loss in &written.losses {
+        print_note(&loss.to_string());
+    }
+    written.bytes
+}
+
+fn base_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// The node of the output: that of the device, with what the arguments change.
