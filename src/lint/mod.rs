@@ -5,6 +5,7 @@ mod expected;
 mod facts;
 mod rule;
 mod rules;
+mod stated;
 
 use crate::diagnostic::Findings;
 use crate::model::Device;

@@ -1,8 +1,8 @@
 //! What a rule about the model is made of.
 
 use crate::diagnostic::{Findings, RuleInfo};
-use crate::lint::{Facts, PdoFacts};
-use crate::model::{Device, Entry, Field, Object, Place};
+use crate::lint::{Facts, PdoFacts, stated};
+use crate::model::{Device, Entry, Field, Object, ObjectType, Place};
 
 /// A rule about the model.
 pub(crate) struct Rule {
@@ -50,6 +50,15 @@ impl EntryAt<'_> {
     /// A field of the entry as a place.
     pub(crate) fn field(&self, field: Field) -> Place {
         self.place().field(field)
+    }
+
+    /// The object type of the entry, VAR where it is missing; `None` where the description leaves it in doubt.
+    pub(crate) fn object_type(&self) -> Option<ObjectType> {
+        match self.sub {
+            None => stated::object_type(self.object),
+            Some(_) if stated::is_misfit(self.entry, &Field::ObjectType) => None,
+            Some(_) => Some(self.entry.object_type.unwrap_or(ObjectType::Var)),
+        }
     }
 
     /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or what a compact object's sub-indexes

@@ -2,7 +2,7 @@
 
 use super::file_name::FILE_NAME;
 use super::read::Item;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, counted, text_rule};
 use crate::format::literal::{Quirk, Quirks};
 use crate::model::{ObjectType, Place};
 use crate::source::Span;
@@ -535,11 +535,12 @@ pub(super) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Op
 
 /// The count `item`, or a missing one, of `actual` numbered keys.
 pub(super) fn wrong_count(item: Option<&Item<'_>>, key: &str, section_at: Span, actual: usize) -> Diagnostic {
+    let entries = counted(actual, "entry follows", "entries follow");
     let (at, message) = match item {
         Some(item) if !item.value.is_empty() => {
-            (item.value_at, format!("`{key}` is `{}`, but {actual} entries follow", item.value))
+            (item.value_at, format!("`{key}` is `{}`, but {entries}", item.value))
         }
-        Some(item) => (item.name_at, format!("`{key}` is empty, but {actual} entries follow")),
+        Some(item) => (item.name_at, format!("`{key}` is empty, but {entries}")),
         None => (section_at, format!("`{key}` is missing")),
     };
     Diagnostic::new(&WRONG_COUNT, at, message).help(format!("write `{key}={actual}`"))

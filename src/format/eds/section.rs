@@ -21,7 +21,7 @@ pub(crate) enum Spelling {
     Standard,
     /// `[DeviceCommissioning]`; the standard has one `m`.
     CorrectCommissioning,
-    /// `[1018sub01]`: a leading zero in the index or sub-index.
+    /// `[1018sub01]`, `[M01ModuleInfo]`: a leading zero in the index, sub-index or module number.
     LeadingZero,
     /// `[0x1018]` or `[1018 sub1]`: understood, but other tools do not.
     Decorated,
@@ -55,7 +55,12 @@ impl SectionName {
         if name.eq_ignore_ascii_case("DeviceCommissioning") {
             return Self { part: Part::Commissioning, spelling: Spelling::CorrectCommissioning };
         }
-        if let Some(part) = module_part(name).or_else(|| tool_part(name)) {
+        if let Some(part) = module_part(name) {
+            let padded = name.as_bytes().get(1) == Some(&b'0');
+            let spelling = if padded { Spelling::LeadingZero } else { Spelling::Standard };
+            return Self { part, spelling };
+        }
+        if let Some(part) = tool_part(name) {
             return Self::standard(part);
         }
         odd_object(name).unwrap_or_else(|| Self::standard(Part::Section(name.to_ascii_lowercase().into())))
@@ -238,6 +243,8 @@ mod tests {
     #[test]
     fn odd_spellings_are_understood() {
         assert_eq!(parse("1018sub01"), (Part::Entry(0x1018, 1), Spelling::LeadingZero));
+        let info = Part::Module(1, ModulePart::Info);
+        assert_eq!(parse("M01ModuleInfo"), (info, Spelling::LeadingZero));
         assert_eq!(parse("0x1000"), (Part::Object(0x1000), Spelling::Decorated));
         assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), Spelling::Decorated));
         assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, Spelling::CorrectCommissioning));

@@ -1,7 +1,7 @@
 //! The rules about an INI file's lines. Only the text can show them, so they are raised here and not by the linter.
 
 use super::{Document, Line, LineKind};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, counted, text_rule};
 use crate::source::{Encoding, Span};
 
 /// Every rule of this module.
@@ -89,7 +89,7 @@ text_rule! {
     /// a line is longer than 255 characters
     ///
     /// ## What it checks
-    /// The length of each line without its line end.
+    /// The length of each line without its line end. So a `ParameterName` has at most 241 characters, a `Description` 243, a `VendorName` 244.
     ///
     /// ## Why it matters
     /// A tool may read lines into a buffer of 256 characters, and then takes the rest for another line.
@@ -337,9 +337,12 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         let others = text.chars().filter(|c| !c.is_ascii()).count();
         let (at, first) = text.char_indices().find(|(_, c)| !c.is_ascii()).unwrap_or_default();
         let span = Span::new(at as u32, (at + first.len_utf8()) as u32);
-        let message = format!(
-            "{others} characters are not ISO 646, `{first}` is the first; the file is read as {encoding}"
-        );
+        let message = match others {
+            1 => format!("`{first}` is not in ISO 646; the file is read as {encoding}"),
+            _ => format!(
+                "{others} characters are not in ISO 646, `{first}` is the first; the file is read as {encoding}"
+            ),
+        };
         findings.push(
             Diagnostic::new(&NOT_ASCII, span, message)
                 .help("use seven-bit characters, such as `deg C` or `ue`"),
@@ -425,7 +428,14 @@ impl LineCheck<'_> {
         if length > MAX_LINE {
             let message = format!("the line has {length} characters, {MAX_LINE} are allowed");
             let finding = Diagnostic::new(&LINE_TOO_LONG, Span::empty(line.span.start), message);
-            self.findings.push(finding.help("shorten it; for the data of a DOMAIN use `DownloadFile`"));
+            self.findings.push(match line.kind {
+                LineKind::Entry { key, .. } => {
+                    let key = key.of(self.text);
+                    let most = MAX_LINE.saturating_sub(key.chars().count() + 1);
+                    finding.help(format!("shorten the value: `{key}` has room for {most} characters"))
+                }
+                _ => finding.help("shorten it"),
+            });
         }
     }
 
@@ -483,12 +493,14 @@ impl LineCheck<'_> {
 
     fn finish(self) {
         if let Some((span, lines)) = self.comment {
-            let message = format!("{lines} comment lines do not start with `;` in the first column");
+            let lines = counted(lines as usize, "comment line does", "comment lines do");
+            let message = format!("{lines} not start with `;` in the first column");
             self.findings
                 .push(Diagnostic::new(&COMMENT_STYLE, span, message).help("start a comment line with `;`"));
         }
         if let Some((span, lines)) = self.blank {
-            let message = format!("{lines} lines have blanks before the key or the `=`");
+            let lines = counted(lines as usize, "line has", "lines have");
+            let message = format!("{lines} blanks before the key or the `=`");
             self.findings
                 .push(Diagnostic::new(&BLANK_BEFORE_EQUALS, span, message).help("write `key=value`"));
         }

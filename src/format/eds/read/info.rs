@@ -14,6 +14,9 @@ fn text(item: &Item<'_>) -> Option<String> {
 const U8: (i64, u64) = (0, u8::MAX as u64);
 const U16: (i64, u64) = (0, u16::MAX as u64);
 const U32: (i64, u64) = (0, u32::MAX as u64);
+/// Bits of the mapping granularity, and the number of PDOs of one direction (CiA 306-1 §4.5).
+const GRANULARITY: (i64, u64) = (0, 64);
+const PDO_COUNT: (i64, u64) = (0, 512);
 
 impl Reader<'_> {
     pub(super) fn file_info(&mut self, section: &ini::Section) {
@@ -108,13 +111,13 @@ fn device_info_item<'a>(info: &mut DeviceInfo, items: &mut Items<'a>, item: &Ite
         Some(Field::BaudRateAuto) => rates.auto = items.boolean(item, misfits),
         Some(Field::SimpleBootUpMaster) => info.simple_boot_up_master = items.boolean(item, misfits),
         Some(Field::SimpleBootUpSlave) => info.simple_boot_up_slave = items.boolean(item, misfits),
-        Some(Field::Granularity) => info.granularity = items.integer(item, U8, misfits),
+        Some(Field::Granularity) => info.granularity = items.integer(item, GRANULARITY, misfits),
         Some(Field::DynamicChannelsSupported) => {
             info.dynamic_channels_supported = items.integer(item, U8, misfits);
         }
         Some(Field::GroupMessaging) => info.group_messaging = items.boolean(item, misfits),
-        Some(Field::NrOfRxPdo) => info.rpdo_count = items.integer(item, U16, misfits),
-        Some(Field::NrOfTxPdo) => info.tpdo_count = items.integer(item, U16, misfits),
+        Some(Field::NrOfRxPdo) => info.rpdo_count = items.integer(item, PDO_COUNT, misfits),
+        Some(Field::NrOfTxPdo) => info.tpdo_count = items.integer(item, PDO_COUNT, misfits),
         Some(Field::LssSupported) => info.lss_supported = items.boolean(item, misfits),
         Some(Field::CompactPdo) => info.compact_pdo = items.integer(item, U8, misfits),
         Some(Field::CanOpenSafetySupported) => info.safety_supported = items.boolean(item, misfits),

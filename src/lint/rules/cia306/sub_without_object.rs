@@ -29,5 +29,6 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some((sub, _)) = object.subs.iter().next() else { return };
     let message = format!("sub-indexes of {index:04X}h are described, the object is not");
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-    findings.push(finding.help(format!("add a section `[{index:X}]` with name, object type and `SubNumber`")));
+    findings
+        .push(finding.help(format!("add a section `[{index:X}]` with name, object type and `SubNumber`")));
 }

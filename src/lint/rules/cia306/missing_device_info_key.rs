@@ -1,0 +1,68 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::lint::rule;
+use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place};
+
+rule! {
+    /// `[DeviceInfo]` does not say all that it has to
+    ///
+    /// ## What it checks
+    /// Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, the numbers of PDOs and LSS are stated. Names may be empty, numbers may not. `BaudRate_x` of rates that the device does not support may be left out. In a DCF, which is for one known device, and where only the order code is missing, it is a note.
+    ///
+    /// ## Why it matters
+    /// A configuration tool finds the description of a device by its numbers, and asks the other keys what it may offer. A conformance test refuses the file.
+    ///
+    /// ## Example
+    /// `[DeviceInfo]` without `NrOfRXPDO`
+    ///
+    /// ## How to mend
+    /// Add the keys; what the device does not have is 0.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia306/missing-device-info-key", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let missing: Vec<Field> = stated(info)
+        .into_iter()
+        .filter(|(field, stated)| !stated && info.misfits.get(field).is_none())
+        .map(|(field, _)| field)
+        .collect();
+    let Some(first) = missing.first() else { return };
+    let message = format!("`[DeviceInfo]` gives no value for {}", listing(&missing));
+    let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(first.clone()), message)
+        .severity(if light { Severity::Note } else { Severity::Warning });
+    findings.push(finding.help(format!("add {}", listing(missing.iter().map(example)))));
+}
+
+/// What is demanded, with whether it is there.
+fn stated(info: &DeviceInfo) -> [(Field, bool); 14] {
+    [
+        (Field::VendorName, info.vendor_name.is_some()),
+        (Field::VendorNumber, info.vendor_number.is_some()),
+        (Field::ProductName, info.product_name.is_some()),
+        (Field::ProductNumber, info.product_number.is_some()),
+        (Field::RevisionNumber, info.revision_number.is_some()),
+        (Field::OrderCode, info.order_code.is_some()),
+        (Field::SimpleBootUpMaster, info.simple_boot_up_master.is_some()),
+        (Field::SimpleBootUpSlave, info.simple_boot_up_slave.is_some()),
+        (Field::Granularity, info.granularity.is_some()),
+        (Field::DynamicChannelsSupported, info.dynamic_channels_supported.is_some()),
+        (Field::GroupMessaging, info.group_messaging.is_some()),
+        (Field::NrOfRxPdo, info.rpdo_count.is_some()),
+        (Field::NrOfTxPdo, info.tpdo_count.is_some()),
+        (Field::LssSupported, info.lss_supported.is_some()),
+    ]
+}
+
+/// A line that the author can start from.
+fn example(field: &Field) -> String {
+    let value = match field {
+        Field::VendorName | Field::ProductName | Field::OrderCode => "",
+        Field::Granularity => "8",
+        _ => "0",
+    };
+    format!("{field}={value}")
+}

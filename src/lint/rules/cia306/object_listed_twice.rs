@@ -1,0 +1,45 @@
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::lint::rule;
+use crate::model::{Device, Field, ObjectList, Part, Place};
+
+rule! {
+    /// an object is listed twice
+    ///
+    /// ## What it checks
+    /// Whether each index stands once in one list.
+    ///
+    /// ## Why it matters
+    /// Some tools make two objects of it, some refuse the file.
+    ///
+    /// ## Example
+    /// `0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`
+    ///
+    /// ## How to mend
+    /// Remove one of the two, number the entries behind it again and write the new count.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.1
+    "cia306/object-listed-twice", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut first: HashMap<u16, (ObjectList, u32)> = HashMap::new();
+    for list in ObjectList::ALL {
+        for (number, &index) in (1..).zip(device.lists.get(list)) {
+            let (other, at) = *first.entry(index).or_insert((list, number));
+            if (other, at) == (list, number) {
+                continue;
+            }
+            let place = |list, number| Place::of(Part::List(list)).field(Field::Item(number));
+            let message = if other == list {
+                format!("{index:04X}h stands twice in `[{list}]`")
+            } else {
+                format!("{index:04X}h stands in `[{other}]` and in `[{list}]`")
+            };
+            let finding = Diagnostic::new(&RULE.info, place(list, number), message);
+            findings.push(finding.label(place(other, at), "first here").help("keep one of the two"));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::lint::rule;
+use crate::model::{Device, Field, Part, Place};
+
+rule! {
+    /// a key of `[DeviceInfo]` is left over from EDS 3.0
+    ///
+    /// ## What it checks
+    /// Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is there.
+    ///
+    /// ## Why it matters
+    /// Version 4.0 reserves these keys and readers ignore them, so what they say reaches nobody.
+    ///
+    /// ## Example
+    /// `ExtendedBootUpMaster=0`
+    ///
+    /// ## How to mend
+    /// Remove the keys.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia306/reserved-key", Note, Device(check)
+}
+
+const RESERVED: [&str; 6] = [
+    "ProductVersion",
+    "ProductRevision",
+    "LMT_ManufacturerName",
+    "LMT_ProductName",
+    "ExtendedBootUpMaster",
+    "ExtendedBootUpSlave",
+];
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let is_reserved = |key: &str| RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key));
+    let keys: Vec<&str> = info.extra.iter().map(|(key, _)| key).filter(|key| is_reserved(key)).collect();
+    let Some(first) = keys.first() else { return };
+    let message = format!("{} of EDS version 3.0: reserved, and ignored by readers", listing(&keys));
+    let place = Place::of(Part::DeviceInfo).field(Field::from_name(first));
+    findings.push(Diagnostic::new(&RULE.info, place, message).help("remove it"));
+}

@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::lint::rule;
+use crate::model::{Device, Field, Part, Place};
+
+rule! {
+    /// a connected module is not among the supported ones
+    ///
+    /// ## What it checks
+    /// Whether each number in `[ConnectedModules]` is that of a module that the file describes.
+    ///
+    /// ## Why it matters
+    /// Nobody knows which objects such a module brings.
+    ///
+    /// ## Example
+    /// `2=7` in `[ConnectedModules]` of a coupler with five modules
+    ///
+    /// ## How to mend
+    /// Write the number of a described module, or copy the description of the module from the EDS.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.4
+    "cia306/unknown-connected-module", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = &device.modules else { return };
+    for (item, number) in (1..).zip(modules.connected.iter().flatten()) {
+        if !modules.supported.contains_key(number) {
+            let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
+            let message = format!("module {number} is connected, but not described");
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(
+                finding.help(format!(
+                    "add the sections `[M{number}ModuleInfo]` and so on, or correct the number"
+                )),
+            );
+        }
+    }
+}

@@ -1,0 +1,49 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::lint::rule;
+use crate::model::{Device, Field, ObjectList, Part, Place};
+
+rule! {
+    /// an object stands in the wrong list
+    ///
+    /// ## What it checks
+    /// Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and everything else in neither. Objects from 6000h on may be mandatory, as a device profile says.
+    ///
+    /// ## Why it matters
+    /// Tools take the list for what the object is: they refuse a device whose mandatory objects are optional, and check an optional one as if every device had it.
+    ///
+    /// ## Example
+    /// `0x2001` in `[OptionalObjects]`
+    ///
+    /// ## How to mend
+    /// Move the entry, and write the new count of both lists.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.1
+    "cia306/wrong-object-list", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    for list in ObjectList::ALL {
+        for (number, &index) in (1..).zip(device.lists.get(list)) {
+            let right = right_list(index, list);
+            // what stands in the right list too is listed twice, which is another finding
+            if right != list && !device.lists.get(right).contains(&index) {
+                let place = Place::of(Part::List(list)).field(Field::Item(number));
+                let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
+                let finding = Diagnostic::new(&RULE.info, place, message);
+                findings.push(finding.help(format!("move it to `[{right}]`")));
+            }
+        }
+    }
+}
+
+/// The list that an index belongs into; the one where it is, when that is as good.
+fn right_list(index: u16, is: ObjectList) -> ObjectList {
+    match index {
+        0x1000 | 0x1001 | 0x1018 => ObjectList::Mandatory,
+        0x2000..=0x5FFF => ObjectList::Manufacturer,
+        0x6000.. if is == ObjectList::Mandatory => is,
+        0..=0xFFF => is,
+        _ => ObjectList::Optional,
+    }
+}

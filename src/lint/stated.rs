@@ -1,0 +1,81 @@
+//! What a description leaves no doubt about. A rule that builds on it is silent where a more basic rule has spoken.
+
+use std::cmp::Ordering;
+
+use crate::model::{Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
+
+/// The object type, VAR where it is missing. `None` where the text of `ObjectType` or `CompactSubObj` is no value of it,
+/// where the object has no section of its own, and where `ObjectType` is missing though the object has sub-indexes.
+pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
+    let misfits = &object.main.misfits;
+    let unreadable = !misfits.is_empty()
+        && (misfits.get(&Field::ObjectType).is_some() || misfits.get(&Field::CompactSubObj).is_some());
+    if object.orphan || unreadable {
+        return None;
+    }
+    match object.main.object_type {
+        None if is_structured(object) => None,
+        None => Some(ObjectType::Var),
+        stated => stated,
+    }
+}
+
+/// Whether an object has sub-indexes, or says so, whatever its object type.
+pub(crate) fn is_structured(object: &Object) -> bool {
+    !object.subs.is_empty() || object.compact.is_some() || object.sub_number.is_some_and(|number| number > 0)
+}
+
+/// Whether the text of a field is no value of it, so that `cia306/invalid-value` has spoken.
+pub(crate) fn is_misfit(entry: &Entry, field: &Field) -> bool {
+    !entry.misfits.is_empty() && entry.misfits.get(field).is_some()
+}
+
+/// Number of described sub-indexes as `SubNumber` counts them: without FFh.
+pub(crate) fn described_subs(object: &Object) -> usize {
+    object.subs.len() - usize::from(object.subs.get(0xFF).is_some())
+}
+
+/// The node-IDs that formulas are tried with: that of the node, else the smallest and the largest.
+pub(crate) fn node_ids(device: &Device) -> [u8; 2] {
+    device.node_id().map_or([1, 127], |node_id| [node_id, node_id])
+}
+
+/// Compares two numbers on the node `node_id`; REAL in the width of the type. `None` for what is no number.
+pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Ordering> {
+    match (left, right) {
+        (Value::Real32(left), Value::Real32(right)) => left.partial_cmp(right),
+        (Value::Real64(left), Value::Real64(right)) => left.partial_cmp(right),
+        _ => Some(left.integer_for(node_id)?.cmp(&right.integer_for(node_id)?)),
+    }
+}
+
+/// Whether sub-index 0 counts entries in use, so that it may hold any number up to the highest sub-index: the error
+/// history, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2, EN 50325-5).
+pub(crate) fn counts_used_entries(index: u16) -> bool {
+    matches!(index, 0x1003 | 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF | 0x1FA0..=0x1FFF)
+}
+
+/// Whether SDO can carry values of any length or structure only, so that no PDO can map them.
+pub(crate) fn is_unmappable(kind: TypeKind) -> bool {
+    matches!(
+        kind,
+        TypeKind::VisibleString
+            | TypeKind::OctetString
+            | TypeKind::UnicodeString
+            | TypeKind::Domain
+            | TypeKind::Structure
+    )
+}
+
+/// The first value that depends on the node-ID.
+pub(crate) fn first_formula(device: &Device) -> Option<Place> {
+    device.objects.iter().find_map(|(&index, object)| {
+        object.described().find_map(|(sub, entry)| {
+            let is_formula = matches!(entry.value(), Some(Value::NodeId(_)));
+            let field =
+                if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+            let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+            is_formula.then(|| place.field(field))
+        })
+    })
+}
