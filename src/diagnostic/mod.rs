@@ -18,7 +18,7 @@ use crate::source::Span;
 pub use findings::{Findings, MAX_PER_RULE};
 pub(crate) use rule::text_rule;
 pub use rule::{HEADINGS, RuleInfo};
-pub(crate) use words::{counted, listing, sub_index};
+pub(crate) use words::{counted, listing, series, sub_index};
 
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

@@ -4,6 +4,11 @@ use std::fmt::Display;
 
 /// "`a`, `b` and `c`": all items in backticks.
 pub(crate) fn listing<T: Display>(items: impl IntoIterator<Item = T>) -> String {
+    series(items.into_iter().map(|item| format!("`{item}`")))
+}
+
+/// "a, b and c".
+pub(crate) fn series<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let mut text = String::new();
     let mut items = items.into_iter().peekable();
     while let Some(item) = items.next() {
@@ -12,7 +17,7 @@ pub(crate) fn listing<T: Display>(items: impl IntoIterator<Item = T>) -> String 
             (false, true) => ", ",
             (false, false) => " and ",
         };
-        text.push_str(&format!("{separator}`{item}`"));
+        text.push_str(&format!("{separator}{item}"));
     }
     text
 }
@@ -35,7 +40,7 @@ mod tests {
     fn items_are_listed_as_people_write_them() {
         assert_eq!(listing(["a"]), "`a`");
         assert_eq!(listing(["a", "b"]), "`a` and `b`");
-        assert_eq!(listing(["a", "b", "c"]), "`a`, `b` and `c`");
+        assert_eq!(series(["a", "b", "c"]), "a, b and c");
         assert_eq!(counted(1, "entry", "entries"), "1 entry");
     }
 }

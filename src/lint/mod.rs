@@ -3,6 +3,7 @@
 
 mod expected;
 mod facts;
+mod index_set;
 mod rule;
 mod rules;
 mod stated;
@@ -12,6 +13,7 @@ use crate::model::Device;
 
 pub(crate) use expected::{Expected, expected, has_shape_of};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
+pub(crate) use index_set::IndexSet;
 pub(crate) use rule::{Check, EntryAt, Rule, rule};
 pub(crate) use rules::RULES;
 

@@ -46,7 +46,11 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = places.first() else { return };
     let what = match &first.field {
         Some(field) => format!("`{field}`"),
-        None => format!("`[{}]`", first.part),
+        None => match first.part {
+            Part::CompactValues(index) => format!("`[{index:X}Value]`"),
+            Part::CompactDenotations(index) => format!("`[{index:X}Denotation]`"),
+            _ => format!("`[{}]`", first.part),
+        },
     };
     let others = others + places.len() - 1;
     let message = match others {

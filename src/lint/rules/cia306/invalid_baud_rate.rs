@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Severity, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -37,7 +37,7 @@ fn check(device: &Device, findings: &mut Findings) {
         } else {
             Severity::Error
         });
-        findings.push(finding.help(format!("the bit rates in kbit/s are {}", listing(RATES))));
+        findings.push(finding.help(format!("the bit rates in kbit/s are {}", series(RATES))));
         return;
     }
     let Some(info) = &device.device_info else { return };
@@ -53,5 +53,5 @@ fn check(device: &Device, findings: &mut Findings) {
     let message = format!("`Baudrate` is {rate}, which the device does not support");
     let label = Place { field, ..Place::of(Part::DeviceInfo) };
     let finding = Diagnostic::new(&RULE.info, place, message).label(label, "not supported");
-    findings.push(finding.help(format!("the device supports {} kbit/s", listing(supported))));
+    findings.push(finding.help(format!("the device supports {} kbit/s", series(supported))));
 }

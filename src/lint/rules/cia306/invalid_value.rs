@@ -43,9 +43,13 @@ fn message(misfit: &Misfit, data_type: Option<DataType>) -> String {
         None => format!("`{field}`"),
     };
     match reason {
-        Reason::OutOfRange { low, high } => format!("`{text}` does not fit {what}, which takes {low} to {high}"),
+        Reason::OutOfRange { low, high } => {
+            format!("`{text}` does not fit {what}, which takes {low} to {high}")
+        }
         Reason::NotANumber => format!("`{text}` is no number; {what} takes one"),
-        Reason::NotOctal => format!("`{text}` is no number: a leading zero means octal, which has no digit 8 or 9"),
+        Reason::NotOctal => {
+            format!("`{text}` is no number: a leading zero means octal, which has no digit 8 or 9")
+        }
         Reason::NotReal => format!("`{text}` is no number that fits {what}"),
         Reason::NotHexBytes => format!("`{text}` is not made of pairs of hex digits, as {what} takes them"),
         Reason::NotATime => format!("`{text}` is no time; {what} takes one"),

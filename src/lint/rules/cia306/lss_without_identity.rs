@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -33,7 +33,7 @@ fn check(device: &Device, findings: &mut Findings) {
     if missing.is_empty() {
         return;
     }
-    let message = format!("`LSS_Supported` is 1, but 1018h has no {}", listing(&missing));
+    let message = format!("`LSS_Supported` is 1, but 1018h has no {}", series(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::object(0x1018), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is supported");
     findings.push(finding.help("describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`"));

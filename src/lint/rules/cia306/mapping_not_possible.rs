@@ -28,13 +28,15 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
-    let (message, field) = match (unmappable, entry.access) {
-        (Some(data_type), _) => (format!("no PDO can map {data_type}"), Field::DataType),
-        (None, Some(Access::Const)) => ("a constant never changes".to_owned(), Field::AccessType),
+    let (message, field, label) = match (unmappable, entry.access) {
+        (Some(data_type), _) => (format!("no PDO can map {data_type}"), Field::DataType, "the data type"),
+        (None, Some(Access::Const)) => {
+            ("a constant never changes".to_owned(), Field::AccessType, "a constant")
+        }
         _ => return,
     };
     let message = format!("`PDOMapping` is 1, but {message}");
     let finding =
-        Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), "");
+        Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);
     findings.push(finding.help("write `PDOMapping=0`"));
 }

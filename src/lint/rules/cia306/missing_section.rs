@@ -64,10 +64,8 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
             report(list.name(), light, "write `SupportedObjects=0` into it", findings);
             continue;
         }
-        let message = format!(
-            "section `[{list}]` is missing, to which {} belong",
-            counted(objects, "described object", "described objects")
-        );
+        let objects_belong = counted(objects, "object belongs", "objects belong");
+        let message = format!("section `[{list}]` is missing, to which {objects_belong}");
         let message = if objects == 0 { missing(list.name()) } else { message };
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
         findings.push(finding.help("list the objects in it: `SupportedObjects=1`, `1=0x1000`"));

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{IndexSet, rule};
 use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 
 rule! {
@@ -32,6 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
 
 fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
     let list = Part::Module(number, ModulePart::FixedObjects);
+    let listed: IndexSet = module.fixed_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.fixed_list) {
         if !module.fixed.contains_key(index) {
             listed_only(&list, item, &format!("M{number}Fixed{index:X}"), findings);
@@ -45,7 +46,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
                 format!("sub-indexes of the fixed object {index:04X}h are described, the object is not");
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help(format!("add a section `[M{number}Fixed{index:X}]`")));
-        } else if !module.fixed_list.contains(&index) {
+        } else if !listed.contains(index) {
             described_only(section, index, &format!("M{number}FixedObjects"), findings);
         }
     }
@@ -53,12 +54,13 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
 
 fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     let list = Part::Module(number, ModulePart::SubExtends);
+    let listed: IndexSet = module.extension_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.extension_list) {
         if !module.extensions.contains_key(index) {
             listed_only(&list, item, &format!("M{number}SubExt{index:X}"), findings);
         }
     }
-    for &index in module.extensions.keys().filter(|index| !module.extension_list.contains(index)) {
+    for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
         let section = Part::Module(number, ModulePart::SubExt(index));
         described_only(section, index, &format!("M{number}SubExtends"), findings);
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, ModulePart, Modules, Part, Place};
 
@@ -44,7 +44,7 @@ fn check(device: &Device, findings: &mut Findings) {
         }
         Some(_) if numbered => {}
         Some(declared) => {
-            let numbers = listing(modules.supported.keys());
+            let numbers = series(modules.supported.keys());
             let message = format!("{declared} modules have the numbers {numbers}, not 1 to {declared}");
             findings.push(Diagnostic::new(&RULE.info, count, message).help("number the modules again"));
         }

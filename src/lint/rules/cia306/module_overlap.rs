@@ -1,5 +1,7 @@
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{IndexSet, rule};
 use crate::model::{Device, DeviceKind, ModulePart, Part, Place};
 
 rule! {
@@ -24,24 +26,28 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(modules) = &device.modules else { return };
+    let mut extended: BTreeMap<u16, u16> = BTreeMap::new();
     for (&number, module) in &modules.supported {
-        for &index in module.fixed.keys() {
+        for &index in module.extensions.keys() {
+            extended.entry(index).or_insert(number);
+        }
+    }
+    let mut seen = IndexSet::new();
+    for (&number, module) in &modules.supported {
+        // what several modules have is reported at the first
+        for &index in module.fixed.keys().filter(|&&index| seen.insert(index)) {
             let place = Place::of(Part::Module(number, ModulePart::Fixed(index)));
+            let fixed = format!("{index:04X}h is a fixed object of module {number}");
             if device.kind == DeviceKind::Type && device.objects.contains_key(&index) {
-                let message =
-                    format!("{index:04X}h is a fixed object of module {number} and an object of the device");
                 let finding =
-                    Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the device's");
+                    Diagnostic::new(&RULE.info, place, format!("{fixed} and an object of the device"))
+                        .label(Place::object(index), "the device's");
                 findings.push(finding.help("keep the object where it comes from"));
-                continue;
-            }
-            let mut others = modules.supported.iter();
-            if let Some((&other, _)) = others.find(|(_, module)| module.extensions.contains_key(&index)) {
-                let message = format!(
-                    "{index:04X}h is a fixed object of module {number} and extended by module {other}"
-                );
+            } else if let Some(&other) = extended.get(&index) {
                 let extension = Place::of(Part::Module(other, ModulePart::SubExt(index)));
-                let finding = Diagnostic::new(&RULE.info, place, message).label(extension, "the extension");
+                let finding =
+                    Diagnostic::new(&RULE.info, place, format!("{fixed} and extended by module {other}"))
+                        .label(extension, "the extension");
                 findings.push(finding.help("an object of modules is either fixed or extended"));
             }
         }

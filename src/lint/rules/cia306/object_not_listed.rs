@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{IndexSet, rule};
 use crate::model::{Device, ObjectList, Place};
 
 rule! {
@@ -26,10 +26,9 @@ fn check(device: &Device, findings: &mut Findings) {
     let lists = &device.lists;
     let [mandatory, optional, manufacturer] =
         [&lists.mandatory, &lists.optional, &lists.manufacturer].map(Option::is_some);
-    let mut listed: Vec<u16> = lists.iter().map(|(_, index)| index).collect();
-    listed.sort_unstable();
+    let listed: IndexSet = lists.iter().map(|(_, index)| index).collect();
     for (&index, object) in device.objects.range(0x1000..) {
-        if object.orphan || listed.binary_search(&index).is_ok() {
+        if object.orphan || listed.contains(index) {
             continue;
         }
         let (list, exists) = match index {

@@ -36,7 +36,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let is_reserved = |key: &str| RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key));
     let keys: Vec<&str> = info.extra.iter().map(|(key, _)| key).filter(|key| is_reserved(key)).collect();
     let Some(first) = keys.first() else { return };
-    let message = format!("{} of EDS version 3.0: reserved, and ignored by readers", listing(&keys));
+    let message = format!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
     let place = Place::of(Part::DeviceInfo).field(Field::from_name(first));
     findings.push(Diagnostic::new(&RULE.info, place, message).help("remove it"));
 }

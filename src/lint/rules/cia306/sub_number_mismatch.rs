@@ -39,7 +39,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     };
     let message = format!("`SubNumber` is {stated}, but {described_text} described");
     let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::SubNumber), message);
-    findings.push(if stated > described {
+    findings.push(if described == 0 {
+        finding.help("describe the sub-indexes, or correct `ObjectType`")
+    } else if stated > described {
         finding.help(format!("describe the others, or write `SubNumber={described}`"))
     } else {
         finding.help(format!("write `SubNumber={described}`"))

@@ -58,14 +58,23 @@ fn contradictory(entry: &Entry, node_ids: [u8; 2]) -> bool {
     node_ids.iter().any(|&node_id| stated::compare(low, high, node_id) == Some(Ordering::Greater))
 }
 
+/// A limit that a value is beyond, and on which node.
+struct Exceeded<'a> {
+    field: Field,
+    limit: &'a Value,
+    node_id: u8,
+}
+
 /// The limit that a value is beyond.
-fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<(Field, &'a Value)> {
-    let beyond = |limit: &Value, order| {
-        node_ids.iter().any(|&node_id| stated::compare(value, limit, node_id) == Some(order))
+fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Exceeded<'a>> {
+    let beyond = |field: Field, limit: Option<&'a Value>, order| {
+        let limit = limit?;
+        let node_id =
+            node_ids.into_iter().find(|&node_id| stated::compare(value, limit, node_id) == Some(order))?;
+        Some(Exceeded { field, limit, node_id })
     };
-    let low = entry.low_limit.as_ref().filter(|low| beyond(low, Ordering::Less));
-    let high = entry.high_limit.as_ref().filter(|high| beyond(high, Ordering::Greater));
-    low.map(|low| (Field::LowLimit, low)).or(high.map(|high| (Field::HighLimit, high)))
+    beyond(Field::LowLimit, entry.low_limit.as_ref(), Ordering::Less)
+        .or_else(|| beyond(Field::HighLimit, entry.high_limit.as_ref(), Ordering::Greater))
 }
 
 fn report(
@@ -73,10 +82,16 @@ fn report(
     place: Place,
     what: &str,
     value: &Value,
-    (limit_field, limit): (Field, &Value),
+    exceeded: Exceeded<'_>,
     findings: &mut Findings,
 ) {
-    let message = format!("{what} is {value}, but `{limit_field}` is {limit}");
-    let finding = Diagnostic::new(&RULE.info, place, message).label(at.field(limit_field), "the limit");
+    let Exceeded { field, limit, node_id } = exceeded;
+    // what a formula is on that node
+    let number = |value: &Value| match (value, value.integer_for(node_id)) {
+        (Value::NodeId(_), Some(number)) => format!("{number} on node {node_id}"),
+        _ => value.to_string(),
+    };
+    let message = format!("{what} is {}, but `{field}` is {}", number(value), number(limit));
+    let finding = Diagnostic::new(&RULE.info, place, message).label(at.field(field), "the limit");
     findings.push(finding.help("correct the value or the limit"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Severity, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -41,8 +41,8 @@ fn check(device: &Device, findings: &mut Findings) {
         findings.push(finding.help("write `CompactPDO=0` or remove the key"));
     } else if corrected != mask {
         let message = match mask & MANDATORY {
-            MANDATORY => format!("no PDO has the sub-indexes {}", subs(mask & !POSSIBLE)),
-            present => format!("every PDO has the sub-indexes {}", subs(MANDATORY & !present)),
+            MANDATORY => format!("no PDO has {}", subs(mask & !POSSIBLE)),
+            present => format!("every PDO has {}", subs(MANDATORY & !present)),
         };
         let only_sub_4 = mask ^ corrected == 1 << 3;
         let finding =
@@ -55,5 +55,6 @@ fn check(device: &Device, findings: &mut Findings) {
 /// The sub-indexes that the bits of a mask stand for.
 fn subs(mask: u8) -> String {
     let subs = (0..8).filter(|bit| mask >> bit & 1 != 0).map(|bit| bit + 1);
-    listing(subs)
+    let word = if mask.is_power_of_two() { "sub-index" } else { "sub-indexes" };
+    format!("{word} {}", series(subs))
 }

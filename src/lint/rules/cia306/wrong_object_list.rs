@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{IndexSet, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -23,11 +23,18 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
+    let [mandatory, optional, manufacturer] =
+        ObjectList::ALL.map(|list| device.lists.get(list).iter().copied().collect::<IndexSet>());
+    let stands_in = |index, list| match list {
+        ObjectList::Mandatory => mandatory.contains(index),
+        ObjectList::Optional => optional.contains(index),
+        ObjectList::Manufacturer => manufacturer.contains(index),
+    };
     for list in ObjectList::ALL {
         for (number, &index) in (1..).zip(device.lists.get(list)) {
             let right = right_list(index, list);
             // what stands in the right list too is listed twice, which is another finding
-            if right != list && !device.lists.get(right).contains(&index) {
+            if right != list && !stands_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
                 let finding = Diagnostic::new(&RULE.info, place, message);
