@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::lint::rule;
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{Device, Field, Part, Place, Value};
 
 rule! {
     /// `[DeviceInfo]` and the identity object disagree
@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for (sub, field, stated) in numbers {
         let (Some(stated), Some(entry)) = (stated, device.entry(0x1018, sub)) else { continue };
         let values = [entry.default.as_ref(), entry.configured_value()];
-        let mut values = values.into_iter().flatten().filter_map(|value| value.as_integer()).peekable();
+        let mut values = values.into_iter().flatten().filter_map(Value::as_integer).peekable();
         let Some(&value) = values.peek() else { continue };
         if values.any(|value| value == i128::from(stated)) {
             continue;

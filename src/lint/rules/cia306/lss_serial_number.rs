@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::rule;
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{Device, Field, Part, Place, Value};
 
 rule! {
     /// the serial number for LSS is not that of 1018h
@@ -28,7 +28,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(entry) = device.entry(0x1018, 4) else { return };
     let field = if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
     // 0 is what an EDS says of a number that each device has of its own
-    let Some(value) = entry.value().and_then(|value| value.as_integer()).filter(|&value| value != 0) else {
+    let Some(value) = entry.value().and_then(Value::as_integer).filter(|&value| value != 0) else {
         return;
     };
     if value != i128::from(stated) {

@@ -32,12 +32,12 @@ fn check(device: &Device, findings: &mut Findings) {
         for (&index, object) in &module.fixed {
             let (first, other) = *fixed.entry(index).or_insert((number, object));
             let (field, place) = (different_object(other, object), ModulePart::Fixed(index));
-            report(index, (first, number), &place, &field, findings);
+            report(index, (first, number), place, &field, findings);
         }
         for (&index, extension) in &module.extensions {
             let (first, other) = *extensions.entry(index).or_insert((number, &extension.entry));
             let fields = different_entry(other, &extension.entry);
-            report(index, (first, number), &ModulePart::SubExt(index), &fields, findings);
+            report(index, (first, number), ModulePart::SubExt(index), &fields, findings);
         }
     }
 }
@@ -73,14 +73,14 @@ fn different_entry(first: &Entry, second: &Entry) -> Vec<Field> {
 fn report(
     index: u16,
     (first, second): (u16, u16),
-    part: &ModulePart,
+    part: ModulePart,
     fields: &[Field],
     findings: &mut Findings,
 ) {
     if fields.is_empty() {
         return;
     }
-    let place = |number| Place::of(Part::Module(number, part.clone()));
+    let place = |number| Place::of(Part::Module(number, part));
     let message = format!("{index:04X}h of the modules {first} and {second} differs in {}", listing(fields));
     let finding =
         Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the other description");
