@@ -156,10 +156,10 @@ fn usual_bit_rate(device: &Device) -> u16 {
 
 /// What a node must be told so that it is configured as the device says.
 fn configuration(args: &ConvertArgs, device: &Device) -> Result<Configuration, Failure> {
-    let scope = if args.all { Scope::All } else { Scope::usual(device) };
+    let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
     let plan = plan(device, &options).map_err(|error| refusal(&error))?;
-    print_notes(&plan, scope != Scope::Changed && !args.all);
+    print_skipped(&plan);
     let folder = args.file.parent().unwrap_or(Path::new(""));
     plan.into_configuration(|file| read_data(folder, file))
 }
@@ -181,15 +181,11 @@ fn read_data(folder: &Path, file: &NeededFile) -> Result<Vec<u8>, Failure> {
     })
 }
 
-fn print_notes(plan: &Plan, has_defaults: bool) {
+fn print_skipped(plan: &Plan) {
     for skipped in &plan.skipped {
         print_note(&format!("{}: not part of the stream: {}", skipped.place, skipped.reason));
     }
-    if has_defaults {
-        print_note(
-            "nothing is configured: the stream carries the defaults of all entries that can be written",
-        );
-    } else if plan.steps.is_empty() {
+    if plan.steps.is_empty() {
         print_note(
             "nothing is configured to another value than its default: the stream is empty; write all values with `--all`",
         );

@@ -3,7 +3,7 @@
 use super::order::arrange;
 use super::settings::Settings;
 use super::{Configuration, Download, PlanError, Skipped};
-use crate::model::{Device, DeviceKind};
+use crate::model::Device;
 
 /// What a plan is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,17 +26,6 @@ pub enum Scope {
     Changed,
     /// All that can be written and have a value.
     All,
-}
-
-impl Scope {
-    /// What people expect of a description: of a node what was configured; a type of device, for which nothing is
-    /// configured, all its defaults, which bring any node of it into a known state.
-    pub fn usual(device: &Device) -> Self {
-        match device.kind {
-            DeviceKind::Node => Self::Changed,
-            DeviceKind::Type => Self::All,
-        }
-    }
 }
 
 /// What to write into a node, in order, and what is left out.

@@ -1,10 +1,10 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
 
 use super::{Backend, GenerateError, Generated, Note, Options, OutputFile};
-use crate::download::{Configuration, Download, Plan, PlanError, PlanOptions, Scope, Step, encode, plan};
+use crate::download::{Configuration, Download, Plan, PlanError, PlanOptions, Step, encode, plan};
 use crate::model::{Device, Place};
 
-/// A concise DCF of what is configured to another value than its default; of a type of device, all its defaults.
+/// A concise DCF of what is configured to another value than its default.
 pub(super) struct Concise;
 
 impl Backend for Concise {
@@ -13,15 +13,13 @@ impl Backend for Concise {
     }
 
     fn summary(&self) -> &'static str {
-        "one concise DCF (.cdcf): the SDO downloads that configure a node; for an EDS, all its defaults"
+        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to what is configured"
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let node_id = options.node_id_of(device)?;
-        let scope = Scope::usual(device);
-        let plan =
-            plan(device, &PlanOptions { node_id, scope, ..PlanOptions::default() }).map_err(inexpressible)?;
-        let notes = notes(&plan, scope);
+        let plan = plan(device, &PlanOptions { node_id, ..PlanOptions::default() }).map_err(inexpressible)?;
+        let notes = notes(&plan);
         let configuration = Configuration(plan.steps.into_iter().filter_map(known).collect());
         let contents = encode(&configuration).map_err(|error| {
             GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())])
@@ -39,7 +37,7 @@ fn known(step: Step) -> Option<Download> {
     }
 }
 
-fn notes(plan: &Plan, scope: Scope) -> Vec<Note> {
+fn notes(plan: &Plan) -> Vec<Note> {
     let mut notes: Vec<Note> = plan
         .skipped
         .iter()
@@ -53,19 +51,12 @@ fn notes(plan: &Plan, scope: Scope) -> Vec<Note> {
             .help("`objdict convert` to a `.cdcf` file reads it")
     }));
     notes.sort_by(|a, b| a.place.cmp(&b.place));
-    match scope {
-        Scope::All => notes.push(Note::new(
+    if plan.steps.is_empty() {
+        let note = Note::new(
             Place::device(),
-            "nothing is configured: the stream carries the defaults of all entries that can be written",
-        )),
-        Scope::Changed if plan.steps.is_empty() => {
-            let note = Note::new(
-                Place::device(),
-                "nothing is configured to another value than its default: the stream is empty",
-            );
-            notes.push(note.help("set values in the DCF (`ParameterValue`)"));
-        }
-        Scope::Changed => {}
+            "nothing is configured to another value than its default: the stream is empty",
+        );
+        notes.push(note.help("set values in a DCF (`ParameterValue`)"));
     }
     notes
 }
