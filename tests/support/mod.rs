@@ -1,6 +1,7 @@
 //! What several tests need: the fixtures.
 
 #![allow(dead_code, reason = "each test binary uses a part of it")]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 pub(crate) mod devices;
 
