@@ -1,4 +1,133 @@
-//! objdict
+//! The object-dictionary toolchain for CANopen: reads the description of a device (EDS) or of a configured node (DCF), says
+//! what is wrong with it and where, and turns it into what a product needs.
+//!
+//! This is the library. The command `objdict` is in the feature `cli`, which is on by default; build scripts and tools of
+//! your own do without it (`default-features = false`).
+//!
+//! # Reading
+//!
+//! [`format::open`] reads a file. What is wrong in it is no error, however damaged it is: the reader takes what it can and
+//! keeps the rest. The [`Device`](model::Device) has *objects* at an index, and these have *entries* at a sub-index.
+//!
+//! ```
+//! use objdict::model::{Access, Value};
+//! use objdict::source::SourceOptions;
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+//! # let path = std::path::Path::new(folder).join("io-401.eds");
+//! let description = objdict::format::open(&path, &SourceOptions::default())?;
+//! let device = description.device();
+//! assert_eq!(device.profile(), Some(401));
+//!
+//! let object = device.object(0x1400).expect("the device has an RPDO");
+//! assert_eq!(object.name(), "RPDO 1 communication parameter");
+//!
+//! let cob_id = device.entry(0x1400, 1).expect("an RPDO has a COB-ID");
+//! assert_eq!(cob_id.access, Some(Access::Rw));
+//! assert_eq!(cob_id.default, Some(Value::NodeId(0x200))); // `$NODEID+0x200`
+//! assert_eq!(cob_id.default.as_ref().and_then(|value| value.integer_for(5)), Some(0x205));
+//! # Ok::<(), objdict::format::ReadError>(())
+//! ```
+//!
+//! # Checking
+//!
+//! [`check()`] finds what is wrong: in the lines of the text, in their spelling, and in the device. A
+//! [`Diagnostic`](diagnostic::Diagnostic) names its rule and speaks of places of the model; the description knows where they
+//! stand in the text.
+//!
+//! ```
+//! use objdict::diagnostic::Severity;
+//! use objdict::format::{self, Format};
+//! use objdict::source::SourceFile;
+//!
+//! let text = "\
+//! [2000]
+//! ParameterName=Brightness
+//! ObjectType=0x7
+//! DataType=0x0005
+//! AccessType=rw
+//! DefaultValue=300
+//! PDOMapping=0
+//! ";
+//! let description = format::read(SourceFile::from_text("lamp.eds", text), Format::Eds);
+//! let findings = objdict::check(&description);
+//!
+//! let finding = findings.iter().find(|finding| finding.rule.id == "cia306/invalid-value").expect("300 is no byte");
+//! assert_eq!(finding.severity, Severity::Error);
+//! assert_eq!(finding.message, "`300` does not fit `DefaultValue` of type UNSIGNED8, which takes 0 to 255");
+//! let span = description.span_of(&finding.labels[0].at);
+//! let at = description.source().line_column(span.start);
+//! assert_eq!((at.line, at.column), (6, 14));
+//!
+//! // a text that is no value of its type is kept, and never taken for a number
+//! let brightness = description.device().entry(0x2000, 0).expect("the entry is there");
+//! assert_eq!(brightness.default, None);
+//! assert_eq!(brightness.misfits.iter().next().map(|misfit| &*misfit.text), Some("300"));
+//! ```
+//!
+//! [`report`] renders findings, [`registry`] lists the rules with their pages.
+//!
+//! # Generating
+//!
+//! [`generate`] makes tables that firmware compiles in, in a build script for example:
+//!
+//! ```
+//! use objdict::generate::{Options, Target, generate};
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+//! # let path = std::path::Path::new(folder).join("drive-402.eds");
+//! let description = objdict::format::open(&path, &Default::default())?;
+//! assert!(!objdict::check(&description).has_errors());
+//!
+//! let generated = generate(description.device(), Target::named("rust")?, &Options::default())?;
+//! let file = &generated.files[0];
+//! assert_eq!(file.path, "od.rs");
+//! // std::fs::write(out_dir.join(&file.path), &file.contents)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Converting
+//!
+//! A DCF is made by editing the text of the EDS, so comments, order and spelling stay. From a DCF, [`download`] plans what a
+//! manager writes into the node, in an order that a device accepts:
+//!
+//! ```
+//! use objdict::download::{PlanOptions, Scope, plan};
+//! use objdict::format::{self, Format, concise, json};
+//! use objdict::model::Commissioning;
+//! use objdict::source::SourceFile;
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+//! # let path = std::path::Path::new(folder).join("io-401.eds");
+//! let eds = format::open(&path, &Default::default())?;
+//! let node = Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
+//! let text = eds.to_dcf("door.dcf", &node)?;
+//! let source = SourceFile::from_bytes("door.dcf", text, &Default::default())?;
+//! let dcf = format::read(source, Format::Dcf);
+//! assert_eq!(dcf.device().node_id(), Some(5));
+//!
+//! let options = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
+//! let plan = plan(dcf.device(), &options)?;
+//! let configuration = plan.into_configuration(|file| std::fs::read(&*file.name))?;
+//! let stream = concise::write(&configuration)?;
+//! assert_eq!(concise::read(&stream)?, configuration);
+//!
+//! // JSON holds the whole model
+//! let document = json::write_device(dcf.device());
+//! assert_eq!(json::read_device(&document)?, *dcf.device());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The pipeline
+//!
+//! Each stage can be used alone, and none reaches back:
+//!
+//! 1. [`source`]: bytes to text and positions; encodings are detected, remembered and restored.
+//! 2. [`format`](mod@format): text to [`model::Device`] and back, without losing a byte on the way.
+//! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they stand in [`registry`].
+//! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
+//! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
+
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -14,3 +143,8 @@ pub mod report;
 pub mod source;
 
 pub use check::check;
+
+/// The examples of the README are compiled with those of this page.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -1,13 +1,75 @@
 //! The command as its users see it: the sessions in `tests/cli/*.md` and on the pages of the documentation are run, and
 //! what they print is compared.
 #![cfg(feature = "cli")]
+// what cannot be set up is a failed test
+#![allow(clippy::unwrap_used)]
 
+use std::fs;
 use std::io::Read;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 #[test]
 fn sessions() {
-    trycmd::TestCases::new().env("NO_COLOR", "1").case("tests/cli/*.md").case("docs/json.md");
+    trycmd::TestCases::new().env("NO_COLOR", "1").case("tests/cli/*.md");
+}
+
+/// The sessions on the pages of the documentation run in a folder of their own that has the fixtures, for they write files.
+/// With `TRYCMD=overwrite` what they print goes into the pages.
+#[test]
+fn pages() {
+    for page in ["README.md", "docs/cli.md", "docs/json.md"] {
+        let folder = tempfile::tempdir().unwrap();
+        let case = folder.path().join("page.md");
+        fs::copy(page, &case).unwrap();
+        fs::create_dir(folder.path().join("page.out")).unwrap();
+        for fixtures in ["eds", "dcf", "broken", "torture", "nodelist"] {
+            copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
+        }
+        let cases = trycmd::TestCases::new();
+        cases.env("NO_COLOR", "1").case(&case).run();
+        if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
+            fs::copy(&case, page).unwrap();
+        }
+    }
+}
+
+fn copy_folder(name: &str, to: &Path) {
+    fs::create_dir_all(to.join(name)).unwrap();
+    for file in fs::read_dir(Path::new("fixtures").join(name)).unwrap() {
+        let file = file.unwrap();
+        fs::copy(file.path(), to.join(name).join(file.file_name())).unwrap();
+    }
+}
+
+/// The README's first command prints what the README says. Sizes change with every template, so they are not compared.
+#[test]
+fn the_first_command_of_the_readme() {
+    let readme = fs::read_to_string("README.md").unwrap();
+    let block = |language: &str| {
+        let rest = readme.split_once(&format!("```{language}\n")).unwrap().1;
+        rest.split_once("```").unwrap().0
+    };
+    let command = block("sh").trim().strip_prefix("cargo run --release -- ").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let mut arguments: Vec<&str> = command.split(' ').collect();
+    let out = arguments.iter().position(|argument| *argument == "--out").unwrap() + 1;
+    let shown = std::mem::replace(&mut arguments[out], folder.path().to_str().unwrap());
+    let output = objdict().args(&arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+    let printed = printed.replace(folder.path().to_str().unwrap(), shown);
+    assert_eq!(without_sizes(&printed), without_sizes(block("text")));
+}
+
+fn without_sizes(text: &str) -> String {
+    let is_size = |pair: &[&str]| pair.get(1) == Some(&"bytes");
+    let line = |line: &str| {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let shown = (0..words.len()).map(|at| if is_size(&words[at..]) { "N" } else { words[at] });
+        shown.collect::<Vec<_>>().join(" ")
+    };
+    text.trim().lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn objdict() -> Command {
