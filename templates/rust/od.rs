@@ -53,6 +53,18 @@ impl Data {
 {%- endfor %}
         }
     }
+{%- if fields.is_empty() %}
+
+    #[allow(clippy::unused_self)]
+    fn field(&self, _: Offset) -> Option<&dyn Field> {
+        None
+    }
+
+    #[allow(clippy::unused_self)]
+    fn field_mut(&mut self, _: Offset) -> Option<&mut dyn Field> {
+        None
+    }
+{%- else %}
 
     #[rustfmt::skip]
     #[allow(clippy::too_many_lines)]
@@ -85,6 +97,7 @@ impl Data {
         };
         Some(field)
     }
+{%- endif %}
 
     /// The node-ID that the values were made for.
     #[must_use]

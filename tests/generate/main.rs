@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../support/devices.rs"]
+mod arbitrary;
 mod bench_table;
 mod compile;
 mod notes;
@@ -22,6 +24,9 @@ use objdict::generate::{Options, Target, generate};
 use objdict::model::Device;
 use objdict::source::SourceOptions;
 
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+
 use compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
 use script::Script;
 
@@ -36,6 +41,7 @@ fn devices() -> Vec<(String, Device)> {
     let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
     let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
     devices.push(("odd".to_owned(), odd::device()));
+    devices.push(("constant".to_owned(), odd::constant()));
     devices
 }
 
@@ -80,11 +86,31 @@ fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<
     Err(format!("{name}, {language}:\n{}", differences.join("\n")))
 }
 
+/// Arbitrary devices from which something can be generated; always the same ones.
+fn arbitrary_devices(count: usize) -> Vec<(String, Device)> {
+    let mut runner = TestRunner::deterministic();
+    let strategy = arbitrary::device(arbitrary::Texts::Any);
+    let rust = Target::named("rust").unwrap();
+    let mut devices = Vec::new();
+    for number in 0..1000 {
+        let device = strategy.new_tree(&mut runner).unwrap().current();
+        match generate(&device, rust, &Options::default()) {
+            Ok(_) => devices.push((format!("arbitrary {number}"), device)),
+            Err(error) => assert!(!error.to_string().is_empty()),
+        }
+        if devices.len() == count {
+            return devices;
+        }
+    }
+    panic!("only {} of 1000 devices could be generated", devices.len());
+}
+
 #[test]
 fn rust_and_c_answer_as_the_description_says() {
     let compiler = c_compiler();
     let answers = AtomicUsize::new(0);
-    for_all(&devices(), |(name, device)| {
+    let devices = [devices(), arbitrary_devices(8)].concat();
+    for_all(&devices, |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let script = script::of(device);
@@ -109,24 +135,25 @@ fn rust_and_c_answer_as_the_description_says() {
     assert!(answers > 150_000, "only {answers} answers were compared");
 }
 
-/// Damaged files too give code that compiles, unless nothing can be generated, and that is said.
+/// Damaged files and arbitrary devices too give code that compiles, unless nothing can be generated, and that is said.
 #[test]
-fn what_damaged_files_give_compiles() {
+fn what_damaged_and_arbitrary_descriptions_give_compiles() {
     let folder = tempfile::tempdir().unwrap();
     let mut paths = support::files("broken", &["eds", "dcf"]);
     paths.extend(support::files("torture", &["eds"]));
     paths.extend(support::files("errata", &["eds"]));
     let compiler = c_compiler();
     let modules = Mutex::new(String::from("#![no_std]\n"));
-    let paths: Vec<(usize, PathBuf)> = paths.into_iter().enumerate().collect();
-    for_all(&paths, |(number, path)| {
-        let fail = |error: String| format!("{}: {error}", path.display());
+    let damaged = paths.into_iter().map(|path| (path.display().to_string(), device(&path)));
+    let devices: Vec<(String, Device)> = damaged.chain(arbitrary_devices(60)).collect();
+    let devices: Vec<(usize, (String, Device))> = devices.into_iter().enumerate().collect();
+    for_all(&devices, |(number, (name, device))| {
+        let fail = |error: String| format!("{name}: {error}");
         let folder = folder.path().join(number.to_string());
         std::fs::create_dir(&folder).map_err(|error| error.to_string())?;
-        let device = device(path);
         for name in ["rust", "c"] {
-            match generate(&device, Target::named(name).unwrap(), &Options::default()) {
-                Ok(_) => drop(generate_into(&folder, &device, name)),
+            match generate(device, Target::named(name).unwrap(), &Options::default()) {
+                Ok(_) => drop(generate_into(&folder, device, name)),
                 Err(error) => {
                     assert!(!error.to_string().is_empty());
                     return Ok(());
@@ -139,7 +166,7 @@ fn what_damaged_files_give_compiles() {
         succeed(cc(compiler, &folder).args(["-fsyntax-only", "od.c"]), "").map_err(fail).map(drop)
     });
     let modules = modules.into_inner().unwrap();
-    assert!(modules.lines().count() > paths.len() / 2, "hardly anything was generated");
+    assert!(modules.lines().count() > devices.len() / 2, "hardly anything was generated");
     std::fs::write(folder.path().join("all.rs"), modules).unwrap();
     let mut rustc = rustc(folder.path());
     succeed(rustc.args(["--crate-type=lib", "--emit=metadata", "all.rs"]), "").unwrap();

@@ -28,6 +28,14 @@ fn limited(entry: Entry, low: Option<Value>, high: Option<Value>) -> Entry {
     Entry { low_limit: low, high_limit: high, ..entry }
 }
 
+/// A device without anything that can change.
+pub(crate) fn constant() -> Device {
+    let mut device = Device::default();
+    let byte = entry("Byte", DataType::UNSIGNED8, Access::Const, Some(Value::NodeId(3)));
+    device.objects.insert(0x2000, var(byte));
+    device
+}
+
 /// The device.
 pub(crate) fn device() -> Device {
     let mut device = Device {
