@@ -3,8 +3,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../support/devices.rs"]
-mod arbitrary;
 mod bench_table;
 mod compile;
 mod notes;
@@ -89,7 +87,7 @@ fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<
 /// Arbitrary devices from which something can be generated; always the same ones.
 fn arbitrary_devices(count: usize) -> Vec<(String, Device)> {
     let mut runner = TestRunner::deterministic();
-    let strategy = arbitrary::device(arbitrary::Texts::Any);
+    let strategy = support::devices::device(support::devices::Texts::Any);
     let rust = Target::named("rust").unwrap();
     let mut devices = Vec::new();
     for number in 0..1000 {
