@@ -29,7 +29,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     };
     let entry = pdo.pdo.communication.and_then(|object| object.subs.get(1));
     let is_configured = entry.is_none_or(|entry| entry.configured_value().is_some());
-    if facts.device.kind == DeviceKind::Node || is_configured || facts.base_without_node_id(&cob_id).is_some() {
+    // a CAN-ID that lacks the node-ID, or belongs to another service, is reported as that
+    let is_reported = facts.base_without_node_id(&cob_id).is_some() || facts.is_restricted(&cob_id);
+    if facts.device.kind == DeviceKind::Node || is_configured || is_reported {
         return;
     }
     let (cob_id, expected) = (cob_id.cob_id, predefined::per_node(base));

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, PdoFacts, rule};
+use crate::lint::{Facts, rule};
 use crate::model::DeviceKind;
 
 rule! {
@@ -25,10 +25,13 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
     let is_type = device.kind == DeviceKind::Type;
-    let mut on = facts.pdos.iter().filter_map(|PdoFacts { pdo, .. }| {
+    let mut on = facts.pdos.iter().filter_map(|of_pdo| {
+        let pdo = &of_pdo.pdo;
         let entry = pdo.communication?.subs.get(1)?;
-        let cob_id = pdo.cob_id.filter(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0)?;
-        (pdo.number > 4 && is_type && entry.configured_value().is_none()).then_some((pdo, cob_id))
+        let cob_id = of_pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)?;
+        // a CAN-ID that belongs to another service is reported as that
+        let is_looked_at = pdo.number > 4 && is_type && !facts.is_restricted(&cob_id);
+        (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
     });
     let Some((first, cob_id)) = on.next() else { return };
     let message = format!("`{cob_id}` switches {first} on by default, and it has no predefined CAN-ID");

@@ -22,6 +22,10 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    // a CAN-ID that belongs to another service is reported as that
+    if pdo.cob_id().is_some_and(|cob_id| facts.is_restricted(&cob_id)) {
+        return;
+    }
     let Some(cob_id) = pdo.pdo.cob_id.filter(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0) else { return };
     if pdo.pdo.mapped_count != Some(0) {
         return;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::lint::{IndexSet, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
@@ -6,7 +6,7 @@ rule! {
     /// an object stands in the wrong list
     ///
     /// ## What it checks
-    /// Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and everything else in neither. Objects from 6000h on may be mandatory, as a device profile says.
+    /// Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and everything else in neither. Objects from 6000h on may be mandatory, as a device profile says. A mandatory object in another list is an error.
     ///
     /// ## Why it matters
     /// Tools take the list for what the object is: they refuse a device whose mandatory objects are optional, and check an optional one as if every device had it.
@@ -37,8 +37,9 @@ fn check(device: &Device, findings: &mut Findings) {
             if right != list && !stands_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
-                let finding = Diagnostic::new(&RULE.info, place, message);
-                findings.push(finding.help(format!("move it to `[{right}]`")));
+                let finding = Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
+                let missed = right == ObjectList::Mandatory;
+                findings.push(if missed { finding.severity(Severity::Error) } else { finding });
             }
         }
     }
