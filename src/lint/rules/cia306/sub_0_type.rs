@@ -23,8 +23,7 @@ rule! {
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
-    // version 3 of CiA 301 had the number of PDOs there
-    if at.sub != Some(0) || at.index == 0x1004 {
+    if at.sub != Some(0) {
         return;
     }
     let Some(data_type) = at.entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED8) else {
