@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 use std::fs;
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -93,6 +93,45 @@ fn a_closed_pipe_is_no_failure() {
     let output = child.wait_with_output().expect("the command ends");
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// `-` is the standard input, for reading, and the standard output, for writing.
+#[test]
+fn a_pipe_through_the_command() {
+    let through = |arguments: &[&str], input: &[u8]| {
+        let mut child = objdict()
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(input).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let eds = fs::read("fixtures/eds/minimal.eds").unwrap();
+    let checked = through(&["check", "-"], &eds);
+    assert_eq!(String::from_utf8_lossy(&checked.stdout), "no findings in 1 file\n");
+    let same = through(&["convert", "-", "-", "--to", "eds"], &eds);
+    assert_eq!(same.stdout, eds);
+    let json = through(&["convert", "-", "-", "--to", "json"], &eds).stdout;
+    let shown = through(&["show", "-", "--from", "json", "1017"], &json);
+    assert!(String::from_utf8_lossy(&shown.stdout).starts_with("0x1017sub0  Producer heartbeat time\n"));
+    let broken = through(&["check", "-"], b"[2000]\nDefaultValue=x\x1B[31m\n");
+    assert!(String::from_utf8_lossy(&broken.stdout).contains("<stdin>:2:15"));
+    assert!(!broken.stdout.contains(&0x1B), "nothing in a file steers the terminal");
+}
+
+#[test]
+fn colours_are_for_terminals() {
+    let check = |arguments: &[&str]| {
+        let output =
+            objdict().arg("check").args(arguments).arg("fixtures/broken/octal.eds").output().unwrap();
+        output.stdout.contains(&0x1B)
+    };
+    assert!(!check(&[]), "a pipe is no terminal");
+    assert!(check(&["--color", "always"]));
+    assert!(!check(&["--color", "never"]));
 }
 
 /// Findings are data for JSON readers whatever the file: the document parses, and has the same findings as the text.

@@ -8,7 +8,7 @@ use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, tell};
 use crate::download::{Configuration, NeededFile, Plan, PlanError, PlanOptions, Scope, plan};
 use crate::format::{self, Description, Format, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind};
@@ -193,6 +193,5 @@ fn print_skipped(plan: &Plan) {
 }
 
 fn print_note(text: &str) {
-    // nobody is left to read it when this fails
-    let _ = std::io::stderr().write_all(format!("note: {text}\n").as_bytes());
+    tell(&format!("note: {text}\n"));
 }

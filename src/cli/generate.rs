@@ -9,7 +9,7 @@ use super::input::{Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
 use super::table::Table;
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, tell};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::generate::{GenerateError, Generated, Note, Options, Target, generate};
 use crate::lint;
@@ -101,8 +101,7 @@ fn print_notes(target: Target, notes: &[Note]) {
             text.push_str(&format!("  help: {help}\n"));
         }
     }
-    // nobody is left to read it when this fails
-    let _ = std::io::stderr().write_all(text.as_bytes());
+    tell(&text);
 }
 
 /// The findings that stop the work, on the standard error.
@@ -123,7 +122,7 @@ fn report_errors(input: &Input, findings: Findings) -> Result<(), Failure> {
             writeln!(text, "{}: {}: {}", error.rule.id, place(error), error.message)?;
         }
     }
-    let _ = std::io::stderr().write_all(&text);
+    tell(&String::from_utf8_lossy(&text));
     Ok(())
 }
 

@@ -93,7 +93,12 @@ impl InputArgs {
         match self.kind(path) {
             kind @ (FileKind::Eds | FileKind::Dcf) => {
                 let format = if kind == FileKind::Dcf { Format::Dcf } else { Format::Eds };
-                Ok(Input::Description(Box::new(format::read(self.source(path)?, format))))
+                let source = self.source(path)?;
+                if source.text().trim_ascii_start().starts_with("<?xml") {
+                    let failure = Failure::new(format_args!("`{}` is XML", name_of(path)));
+                    return Err(failure.help("XDD and XDC are not read yet; EDS and DCF are INI files"));
+                }
+                Ok(Input::Description(Box::new(format::read(source, format))))
             }
             FileKind::Json => {
                 let source = self.source(path)?;

@@ -13,12 +13,14 @@ mod show;
 mod table;
 
 use std::fmt;
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
 
 use self::args::{Args, Command};
 use self::output::Output;
+use crate::report::visible;
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
@@ -86,15 +88,21 @@ impl Failure {
         self
     }
 
-    /// Tells it on the standard error; without a reader there is nothing to do about it.
+    /// Tells it on the standard error.
     fn print(&self) {
-        use std::io::Write;
         let mut text = format!("error: {}\n", self.message);
         if let Some(help) = &self.help {
             text.push_str(&format!("  help: {help}\n"));
         }
-        let _ = std::io::stderr().write_all(text.as_bytes());
+        tell(&text);
     }
+}
+
+/// Writes to the standard error what may quote anything that stands in a file.
+fn tell(text: &str) {
+    let shown: String = text.chars().map(|c| if c == '\n' { c } else { visible(c) }).collect();
+    // nobody is left to read it when this fails
+    let _ = std::io::stderr().write_all(shown.as_bytes());
 }
 
 impl From<std::io::Error> for Failure {

@@ -34,15 +34,16 @@ impl Findings {
         self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
     }
 
-    /// Takes all findings of `other`.
+    /// Takes all findings of `other`; those that it only counted are counted here too.
     pub fn append(&mut self, other: Findings) {
-        for (rule, count) in other.seen {
-            let kept = other.kept.iter().filter(|diagnostic| diagnostic.rule.id == rule).count();
-            let seen = self.seen.entry(rule).or_default();
-            *seen = seen.saturating_add(count.saturating_sub(kept as u32));
-        }
+        let omitted: Vec<(&'static str, u32)> = other.omitted().collect();
         for diagnostic in other.kept {
             self.push(diagnostic);
+        }
+        // behind the kept ones: counted before them, they would take their room
+        for (rule, count) in omitted {
+            let seen = self.seen.entry(rule).or_default();
+            *seen = seen.saturating_add(count);
         }
     }
 
@@ -96,5 +97,46 @@ impl<'a> IntoIterator for &'a Findings {
 
     fn into_iter(self) -> Self::IntoIter {
         self.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::text_rule;
+    use crate::source::Span;
+
+    text_rule! {
+        /// a test
+        TEST = "test/test", Note
+    }
+
+    fn findings(count: u32) -> Findings {
+        let mut findings = Findings::new();
+        for _ in 0..count {
+            findings.push(Diagnostic::new(&TEST, Span::empty(0), "message"));
+        }
+        findings
+    }
+
+    #[test]
+    fn too_many_are_counted() {
+        let findings = findings(MAX_PER_RULE + 5);
+        assert_eq!(findings.len(), MAX_PER_RULE as usize);
+        assert_eq!(findings.omitted().collect::<Vec<_>>(), [("test/test", 5)]);
+    }
+
+    #[test]
+    fn what_is_appended_keeps_as_many_as_there_is_room_for() {
+        for (first, second) in
+            [(0, MAX_PER_RULE + 5), (3, MAX_PER_RULE), (600, 600), (MAX_PER_RULE, 7), (2, 3)]
+        {
+            let mut all = findings(first);
+            all.append(findings(second));
+            let total = first + second;
+            assert_eq!(all.len(), total.min(MAX_PER_RULE) as usize, "{first} and {second}");
+            let omitted = all.omitted().map(|(_, count)| count).sum::<u32>();
+            assert_eq!(omitted, total.saturating_sub(MAX_PER_RULE), "{first} and {second}");
+        }
     }
 }
