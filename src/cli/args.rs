@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
@@ -12,6 +13,7 @@ use crate::diagnostic::Severity;
 use crate::format::WriteOptions;
 use crate::format::literal::RealSpelling;
 use crate::generate::Target;
+use crate::model::Device;
 use crate::source::Encoding;
 
 /// The CANopen object-dictionary toolchain
@@ -81,6 +83,8 @@ pub(super) struct ShowArgs {
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
     #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
     pub input: InputArgs,
 }
 
@@ -120,6 +124,8 @@ pub(super) struct GenerateArgs {
     #[arg(long, value_name = "BYTES")]
     pub domain_capacity: Option<u16>,
     #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
     pub input: InputArgs,
 }
 
@@ -151,7 +157,24 @@ pub(super) struct ConvertArgs {
     #[command(flatten)]
     pub canonical: CanonicalArgs,
     #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
     pub input: InputArgs,
+}
+
+/// What is added to the device that a file describes.
+#[derive(Debug, clap::Args)]
+pub(super) struct ExpandArgs {
+    /// Describe the PDOs that CompactPDO implies, as many as NrOfRXPDO and NrOfTXPDO say
+    #[arg(long)]
+    pub implicit_pdos: bool,
+}
+
+impl ExpandArgs {
+    /// The device with what was asked for.
+    pub(super) fn device<'a>(&self, device: &'a Device) -> Cow<'a, Device> {
+        if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) }
+    }
 }
 
 /// How an EDS or DCF is written that is no edit of a text.

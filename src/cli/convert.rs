@@ -77,7 +77,7 @@ fn convert_description(
     from: FileKind,
     to: FileKind,
 ) -> Result<Vec<u8>, Failure> {
-    if args.canonical.is_asked() {
+    if args.canonical.is_asked() || args.expand.implicit_pdos {
         return convert_device(args, description.device(), to);
     }
     let file_name = base_name(&args.out);
@@ -94,16 +94,17 @@ fn convert_description(
 }
 
 fn convert_device(args: &ConvertArgs, device: &Device, to: FileKind) -> Result<Vec<u8>, Failure> {
+    let device = args.expand.device(device);
     match to {
-        FileKind::Json => Ok(json::write_device(device).into_bytes()),
+        FileKind::Json => Ok(json::write_device(&device).into_bytes()),
         FileKind::Cdcf => {
-            let configuration = configuration(args, device)?;
+            let configuration = configuration(args, &device)?;
             concise::write(&configuration).map_err(Failure::new)
         }
-        FileKind::Eds => Ok(canonical(args, device.clone(), Format::Eds)),
+        FileKind::Eds => Ok(canonical(args, device.into_owned(), Format::Eds)),
         FileKind::Dcf => {
-            let mut node_device = device.clone();
-            node_device.commissioning = Some(node(args, device)?);
+            let mut node_device = device.into_owned();
+            node_device.commissioning = Some(node(args, &node_device)?);
             node_device.kind = DeviceKind::Node;
             Ok(canonical(args, node_device, Format::Dcf))
         }

@@ -34,7 +34,8 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
             .print();
         return Ok(Outcome::Findings);
     }
-    let outputs = outputs(args, device)?;
+    let device = args.expand.device(device);
+    let outputs = outputs(args, &device)?;
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &outputs {
         for file in &generated.files {
@@ -47,7 +48,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
             table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
         }
     }
-    writeln!(out, "{}: {}", name_of(&args.file), facts(device, &findings))?;
+    writeln!(out, "{}: {}", name_of(&args.file), facts(&device, &findings))?;
     table.write(out)?;
     out.flush()?;
     for (target, generated) in &outputs {

@@ -47,7 +47,8 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
         }
     };
     let file = name_of(&args.file);
-    let view = View { file: &file, format, device, node_id: args.node_id.or(device.node_id()) };
+    let device = args.expand.device(device);
+    let view = View { file: &file, format, device: &device, node_id: args.node_id.or(device.node_id()) };
     match args.address {
         None => show_device(&view, args.format, out)?,
         Some(address) => show_address(&view, address, args.format, out)?,
