@@ -8,6 +8,10 @@ use super::Field;
 ///
 /// One text holds them all (a line each), so that a file full of unknown keys takes no more memory than its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[allow(
+    clippy::box_collection,
+    reason = "every entry has one, mostly empty: a pointer instead of three words"
+)]
 pub struct Extra(Option<Box<String>>);
 
 impl Extra {
@@ -115,6 +119,10 @@ pub struct Misfit {
 
 /// The misfits of one part of the model. The typed fields hold no value for them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[allow(
+    clippy::box_collection,
+    reason = "every entry has them, mostly none: a pointer instead of three words"
+)]
 #[serde(transparent)]
 pub struct Misfits(Option<Box<Vec<Misfit>>>);
 

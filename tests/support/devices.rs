@@ -276,11 +276,19 @@ fn file_info(texts: Texts) -> BoxedStrategy<FileInfo> {
 
 fn device_info(texts: Texts) -> BoxedStrategy<DeviceInfo> {
     let text = || option::of(texts.text());
-    let numbers = any::<(Option<u32>, Option<u32>, Option<u32>, Option<u16>, Option<u16>, Option<u8>)>();
+    let numbers = any::<(Option<u32>, Option<u32>, Option<u32>)>();
+    let counts = (option::of(0u16..=512), option::of(0u16..=512), option::of(0u8..=64));
     let flags = any::<(Option<bool>, Option<bool>, Option<bool>, Option<bool>, Option<bool>)>();
     let rates = any::<(Option<bool>, Option<bool>, Option<bool>, Option<bool>)>();
-    ((text(), text(), text()), numbers, flags, rates, any::<(Option<u8>, Option<u8>)>(), texts.extra())
-        .prop_map(|(texts, numbers, flags, rates, (granularity, compact_pdo), extra)| DeviceInfo {
+    (
+        (text(), text(), text()),
+        numbers,
+        flags,
+        rates,
+        (counts, any::<(Option<u8>, Option<u8>)>()),
+        texts.extra(),
+    )
+        .prop_map(|(texts, numbers, flags, rates, (counts, (channels, compact_pdo)), extra)| DeviceInfo {
             vendor_name: texts.0,
             vendor_number: numbers.0,
             product_name: texts.1,
@@ -296,11 +304,11 @@ fn device_info(texts: Texts) -> BoxedStrategy<DeviceInfo> {
             },
             simple_boot_up_master: flags.0,
             simple_boot_up_slave: flags.1,
-            granularity,
-            dynamic_channels_supported: numbers.5,
+            granularity: counts.2,
+            dynamic_channels_supported: channels,
             group_messaging: flags.2,
-            rpdo_count: numbers.3,
-            tpdo_count: numbers.4,
+            rpdo_count: counts.0,
+            tpdo_count: counts.1,
             lss_supported: flags.3,
             compact_pdo,
             safety_supported: flags.4,
