@@ -9,6 +9,8 @@ pub struct Editor<'a> {
     document: &'a Document,
     line_end: &'static str,
     changes: Vec<Change>,
+    /// The first text that is more than a line.
+    many_lines: Option<String>,
 }
 
 /// A span and the text that takes its place; of changes at one offset the first one made comes first.
@@ -28,6 +30,9 @@ pub enum EditError {
     /// The bytes of the file are not those of its text, so an edited text cannot be written.
     #[error("`{0}` is damaged in its encoding and cannot be edited; save it as UTF-8 first")]
     ReadOnly(String),
+    /// A new key, value or section name has a line end in it, so it would become more than that.
+    #[error("`{}` has a line end in it", .0.escape_debug())]
+    LineEnd(String),
     /// A new text has a character that the encoding of the file lacks.
     #[error(transparent)]
     Unencodable(#[from] Unencodable),
@@ -43,7 +48,7 @@ impl<'a> Editor<'a> {
             Some("\r") => "\r",
             _ => "\r\n",
         };
-        Self { document, line_end, changes: Vec::new() }
+        Self { document, line_end, changes: Vec::new(), many_lines: None }
     }
 
     /// Puts `text` in the place of `span`.
@@ -58,6 +63,8 @@ impl<'a> Editor<'a> {
 
     /// Gives a key a value: where it stands, else in a new line behind the last key of the section.
     pub fn set(&mut self, section: &Section, key: &str, value: &str) {
+        self.check_line(key);
+        self.check_line(value);
         let text = self.document.text();
         match section.entries.iter().find(|entry| entry.key.of(text).eq_ignore_ascii_case(key)) {
             Some(entry) if entry.value.of(text) == value => {}
@@ -91,6 +98,11 @@ impl<'a> Editor<'a> {
 
     /// Adds a section behind another one, or at the start of the document.
     pub fn insert_section(&mut self, behind: Option<&Section>, name: &str, entries: &[(&str, String)]) {
+        self.check_line(name);
+        for (key, value) in entries {
+            self.check_line(key);
+            self.check_line(value);
+        }
         let mut lines: Vec<String> = vec![format!("[{name}]")];
         lines.extend(entries.iter().map(|(key, value)| format!("{key}={value}")));
         match behind {
@@ -103,6 +115,13 @@ impl<'a> Editor<'a> {
                 let text: String = lines.iter().flat_map(|line| [line.as_str(), self.line_end]).collect();
                 self.replace(Span::empty(0), text);
             }
+        }
+    }
+
+    /// Remembers a text that is more than a line.
+    fn check_line(&mut self, text: &str) {
+        if text.contains(['\n', '\r']) {
+            self.many_lines.get_or_insert_with(|| text.to_owned());
         }
     }
 
@@ -122,8 +141,11 @@ impl<'a> Editor<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap.
+    /// When two changes overlap, or a new text has a line end in it.
     pub fn text(&self) -> Result<String, EditError> {
+        if let Some(text) = &self.many_lines {
+            return Err(EditError::LineEnd(text.clone()));
+        }
         let text = self.document.text();
         let mut changes: Vec<&Change> = self.changes.iter().collect();
         changes.sort_by_key(|change| (change.span.start, change.span.end));
@@ -144,7 +166,7 @@ impl<'a> Editor<'a> {
     /// The edited document in the encoding of the file; without changes, the bytes as they came.
     ///
     /// # Errors
-    /// When two changes overlap, or the file cannot be written in its encoding.
+    /// When two changes overlap, a new text has a line end in it, or the file cannot be written in its encoding.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         let source = self.document.source();
         if self.changes.is_empty() {
@@ -204,6 +226,14 @@ mod tests {
             editor.insert_section(None, "Z", &entries);
         });
         assert_eq!(edited, "[Z]\nNodeID=5\n\n[A]\nB=1\n\n[N]\nNodeID=5\n\n[C]\n\n[M]\n");
+    }
+
+    #[test]
+    fn a_value_stays_in_its_line() {
+        let document = Document::new(SourceFile::from_text("test.eds", "[A]\nB=1\n"));
+        let mut editor = Editor::new(&document);
+        editor.insert_section(None, "N", &[("NodeName", "x\n[1000]".to_owned())]);
+        assert_eq!(editor.to_bytes(), Err(EditError::LineEnd("x\n[1000]".to_owned())));
     }
 
     #[test]
