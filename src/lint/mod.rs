@@ -14,7 +14,7 @@ use crate::model::Device;
 pub(crate) use expected::{Expected, expected, has_shape_of};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
-pub(crate) use rule::{Check, EntryAt, Rule, rule};
+pub(crate) use rule::{Check, EntryAt, Rule, rule, with_others};
 pub(crate) use rules::RULES;
 
 /// All rules on one device.

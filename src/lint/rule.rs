@@ -1,6 +1,6 @@
 //! What a rule about the model is made of.
 
-use crate::diagnostic::{Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::lint::{Facts, PdoFacts, stated};
 use crate::model::{Device, Entry, Field, Object, ObjectType, Place};
 
@@ -66,6 +66,24 @@ impl EntryAt<'_> {
     pub(crate) fn holds_value(&self) -> bool {
         self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()
     }
+}
+
+/// So many further places of one finding are shown.
+const MAX_RELATED: usize = 8;
+
+/// A finding with the other places where the same is wrong; when they are many, with the first ones and a count.
+pub(crate) fn with_others(finding: Diagnostic, places: impl Iterator<Item = (Place, String)>) -> Diagnostic {
+    let mut places = places.peekable();
+    let mut finding = finding;
+    for shown in 1.. {
+        let Some((place, text)) = places.next() else { break };
+        if shown == MAX_RELATED && places.peek().is_some() {
+            let more = places.count();
+            return finding.label(place, format!("{text}, and {more} more"));
+        }
+        finding = finding.label(place, text);
+    }
+    finding
 }
 
 /// Declares a rule about the model: a `static RULE` whose page is its doc comment.

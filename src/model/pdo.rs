@@ -191,7 +191,7 @@ impl<'a> Pdo<'a> {
 
     /// Index of the communication record.
     pub fn communication_index(&self) -> u16 {
-        self.kind.first_communication() + (self.number - 1)
+        self.kind.communication_index(self.number).unwrap_or(self.kind.first_communication())
     }
 
     /// Index of the mapping.

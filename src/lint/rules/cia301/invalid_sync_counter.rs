@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, rule, with_others};
 use crate::model::PdoKind;
 
 rule! {
@@ -43,8 +43,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let message = format!("the SYNC counter overflows at `{overflow}`, which is no multiple of every transmission type");
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
-    findings.push(broken.fold(finding, |finding, (pdo, every)| {
+    let others = broken.map(|(pdo, every)| {
         let at = device.value_place(pdo.communication_index(), 2);
-        finding.label(at, format!("{pdo} is sent once in {every} SYNCs"))
-    }));
+        (at, format!("{pdo} is sent once in {every} SYNCs"))
+    });
+    findings.push(with_others(finding, others));
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{expected, rule};
+use crate::lint::{expected, rule, with_others};
 use crate::model::{Access, DataType, Device, Field, Object};
 use crate::profile::cia301;
 
@@ -35,5 +35,5 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let name = cia301::object(index).map_or("", |facts| facts.name);
     let message = format!("{index:04X}h ({name}) is marked as mappable, CiA 301 lets no PDO carry it");
     let finding = Diagnostic::new(&RULE.info, first, message).help("write `PDOMapping=0`");
-    findings.push(places.fold(finding, |finding, place| finding.label(place, "here too")));
+    findings.push(with_others(finding, places.map(|place| (place, "here too".to_owned()))));
 }

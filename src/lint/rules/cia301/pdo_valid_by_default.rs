@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, rule, with_others};
 use crate::model::DeviceKind;
 
 rule! {
@@ -37,7 +37,6 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let message = format!("`{cob_id}` switches {first} on by default, and it has no predefined CAN-ID");
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 1), message);
     let finding = finding.help(format!("set bit 31: `{}`", cob_id.disabled()));
-    findings.push(on.fold(finding, |finding, (pdo, _)| {
-        finding.label(device.value_place(pdo.communication_index(), 1), format!("{pdo} too"))
-    }));
+    let place = |index| device.value_place(index, 1);
+    findings.push(with_others(finding, on.map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")))));
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, rule, with_others};
 use crate::model::{DataType, Place};
 
 rule! {
@@ -24,18 +24,14 @@ rule! {
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
-    let mut with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?))).peekable();
-    let Some(&(first, _)) = with.peek() else { return };
+    let with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?)));
+    let Some((first, _)) = with.clone().next() else { return };
+    let place = |index| Place::entry(index, 4);
     let message = format!("{first} has sub-index 4 in {:04X}h, which is reserved", first.communication_index());
-    let place = Place::entry(first.communication_index(), 4);
-    let mut finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Note);
-    for (pdo, entry) in with {
-        if entry.data_type != Some(DataType::UNSIGNED8) {
-            finding.severity = Severity::Warning;
-        }
-        if pdo.communication_index() != first.communication_index() {
-            finding = finding.label(Place::entry(pdo.communication_index(), 4), format!("{pdo} too"));
-        }
-    }
-    findings.push(finding.help("remove the section; the event timer is sub-index 5"));
+    let finding = Diagnostic::new(&RULE.info, place(first.communication_index()), message);
+    let finding = finding.help("remove the section; the event timer is sub-index 5");
+    let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
+    let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
+    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")));
+    findings.push(with_others(finding, others));
 }

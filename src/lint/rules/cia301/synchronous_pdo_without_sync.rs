@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, rule, with_others};
 
 rule! {
     /// a synchronous PDO on a device without SYNC
@@ -37,7 +37,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let message = format!("{first} has the synchronous type `{transmission_type}`, and there is no 1005h for SYNC");
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 2), message);
     let finding = finding.help("add 1005h (COB-ID SYNC, UNSIGNED32, default 0x80), or use transmission type 254 or 255");
-    findings.push(synchronous.fold(finding, |finding, pdo| {
-        finding.label(device.value_place(pdo.communication_index(), 2), format!("{pdo} too"))
-    }));
+    let place = |index| device.value_place(index, 2);
+    let others = synchronous.map(|pdo| (place(pdo.communication_index()), format!("{pdo} too")));
+    findings.push(with_others(finding, others));
 }
