@@ -1,5 +1,7 @@
 //! `print(parse(bytes)) == bytes` for every byte string, and reading never panics, whatever the bytes.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 mod support;
 
 use std::fs;
