@@ -1,5 +1,7 @@
 //! Damaged and huge input: no panic, no quadratic time, and memory in proportion to the file.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use std::fmt::Write;
 use std::io::Write as _;
 use std::process::{Command, Stdio};
