@@ -49,10 +49,10 @@ pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Orderi
     }
 }
 
-/// Whether sub-index 0 counts entries in use, so that it may hold any number up to the highest sub-index: the error
-/// history, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2, EN 50325-5).
-pub(crate) fn counts_used_entries(index: u16) -> bool {
-    matches!(index, 0x1003 | 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF | 0x1FA0..=0x1FFF)
+/// Whether sub-index 0 counts something else than sub-indexes, or only those in use: the error history, the number of
+/// PDOs of version 3, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2, EN 50325-5).
+pub(crate) fn counts_otherwise(index: u16) -> bool {
+    matches!(index, 0x1003 | 0x1004 | 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF | 0x1FA0..=0x1FFF)
 }
 
 /// Whether SDO can carry values of any length or structure only, so that no PDO can map them.

@@ -60,13 +60,15 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
             continue;
         }
         let objects = device.objects.keys().filter(|&&index| list_of(index) == Some(list)).count();
-        if objects == 0 && list != ObjectList::Mandatory {
-            report(list.name(), light, "write `SupportedObjects=0` into it", findings);
+        if objects == 0 {
+            // where the mandatory objects are missing too, that is the finding
+            if list != ObjectList::Mandatory {
+                report(list.name(), light, "write `SupportedObjects=0` into it", findings);
+            }
             continue;
         }
         let objects_belong = counted(objects, "object belongs", "objects belong");
         let message = format!("section `[{list}]` is missing, to which {objects_belong}");
-        let message = if objects == 0 { missing(list.name()) } else { message };
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
         findings.push(finding.help("list the objects in it: `SupportedObjects=1`, `1=0x1000`"));
     }

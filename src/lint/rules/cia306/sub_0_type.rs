@@ -6,7 +6,7 @@ rule! {
     /// sub-index 0 is not an UNSIGNED8
     ///
     /// ## What it checks
-    /// Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8.
+    /// Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8. 1004h, which is obsolete, held a number of PDOs there.
     ///
     /// ## Why it matters
     /// It holds the highest sub-index, and managers read one byte of it.
@@ -23,7 +23,7 @@ rule! {
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
-    if at.sub != Some(0) {
+    if at.sub != Some(0) || at.index == 0x1004 {
         return;
     }
     let Some(data_type) = at.entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED8) else {

@@ -31,7 +31,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         }
         _ => return,
     };
-    if !at.holds_value() {
+    // the type of sub-index 0 has a rule of its own
+    let is_count = at.sub == Some(0) && at.object.object_type().has_subs();
+    if is_count || !at.holds_value() {
         return;
     }
     let message = format!("{:04X}h {why}", data_type.0);

@@ -24,7 +24,7 @@ rule! {
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(sub_0) = object.subs.get(0) else { return };
-    let counts = stated::counts_used_entries(index) || sub_0.access.is_some_and(Access::is_writable);
+    let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
     if counts || object.compact.is_some() || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
         return;
     }
