@@ -119,7 +119,7 @@ text_rule! {
     /// the name of an object's section is misspelt
     ///
     /// ## What it checks
-    /// Whether the names of objects are an index in hex without `0x` and leading zeros, and `sub` with a sub-index in hex without leading zeros. What can be understood is read, with a warning; what cannot is an error.
+    /// Whether the names of objects are an index in hex without `0x` and leading zeros, and `sub` with a sub-index in hex without leading zeros. What can be understood is read. Leading zeros, which many readers understand too, are a warning, everything else is an error.
     ///
     /// ## Why it matters
     /// Other tools read another object, or none.
@@ -399,7 +399,7 @@ text_rule! {
     /// a string stands in quotes
     ///
     /// ## What it checks
-    /// Whether the value of a string type starts and ends with `"`. It is read without them.
+    /// Whether the value of a string type starts and ends with `"`; it is read without them. Names and other texts about the device are reported too, but read with their quotes.
     ///
     /// ## Why it matters
     /// An EDS stores strings without quotes. python-canopen and others make the quotes a part of the text.
@@ -530,7 +530,10 @@ pub(super) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Op
         Spelling::LeadingZero => (&SECTION_SPELLING, format!("`[{name}]` has a leading zero")),
         Spelling::Decorated => (&SECTION_SPELLING, format!("`[{name}]` is not the name of an object")),
     };
-    Some(Diagnostic::new(rule, at, message).help(format!("write `[{parsed}]`")))
+    let grave = parsed.spelling == Spelling::Decorated;
+    let finding =
+        Diagnostic::new(rule, at, message).severity(if grave { Severity::Error } else { Severity::Warning });
+    Some(finding.help(format!("write `[{parsed}]`")))
 }
 
 /// The count `item`, or a missing one, of `actual` numbered keys.
@@ -578,13 +581,21 @@ pub(super) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnostic {
         .help(format!("use the numbers 1 to {count}"))
 }
 
+/// A name or the like in quotes.
+pub(super) fn quoted_name(item: &Item<'_>) -> Diagnostic {
+    let message = format!("`{}` stands in quotes, which become a part of the text", item.value);
+    Diagnostic::new(&QUOTED_STRING, item.value_at, message).help("remove the quotes")
+}
+
 /// The findings of a value's spelling.
 pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, findings: &mut Findings) {
     if quirks.is_empty() {
         return;
     }
     for (quirk, rule, help) in SPELLINGS {
-        if quirks.has(quirk) {
+        // who turns a formula around spells it anew
+        let explained = quirk == Quirk::FormulaSpelling && quirks.has(Quirk::NodeIdLast);
+        if quirks.has(quirk) && !explained {
             let finding =
                 Diagnostic::new(rule, item.value_at, format!("`{}` {}", item.value, rule_text(quirk)));
             findings.push(finding.help(help));

@@ -157,17 +157,25 @@ fn hex_sub(text: &str) -> Option<u8> {
 fn odd_object(name: &str) -> Option<SectionName> {
     let compact: String = name.split_ascii_whitespace().collect();
     let without_prefix = compact.strip_prefix("0x").or_else(|| compact.strip_prefix("0X"));
-    let decorated = without_prefix.is_some() || compact.len() < name.len();
-    let text = without_prefix.unwrap_or(&compact);
-    let (index, rest) =
-        hex_prefix(text).filter(|_| decorated || text.starts_with('0') || text.contains(['s', 'S']))?;
+    let text = without_zeros(without_prefix.unwrap_or(&compact));
+    let sub_prefix = text.contains("sub0x");
+    let decorated = without_prefix.is_some() || sub_prefix || compact.len() < name.len();
+    let padded = text.starts_with('0') || text.len() < compact.len();
+    let (index, rest) = hex_prefix(text).filter(|_| decorated || padded || text.contains(['s', 'S']))?;
     let part = match suffix_of(rest)? {
         Suffix::None if text.len() <= 4 => Part::Object(index),
-        Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub)?),
+        Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub.strip_prefix("0x").unwrap_or(sub))?),
         _ => return None,
     };
     let spelling = if decorated { Spelling::Decorated } else { Spelling::LeadingZero };
     Some(SectionName { part, spelling })
+}
+
+/// The text from the last four digits of its index on, where only zeros stand before them.
+fn without_zeros(text: &str) -> &str {
+    let digits = text.bytes().take_while(u8::is_ascii_hexdigit).count();
+    let zeros = text.bytes().take_while(|&byte| byte == b'0').count();
+    &text[zeros.min(digits.saturating_sub(4))..]
 }
 
 /// `M1ModuleInfo` and the other sections of a module.
@@ -246,6 +254,8 @@ mod tests {
         let info = Part::Module(1, ModulePart::Info);
         assert_eq!(parse("M01ModuleInfo"), (info, Spelling::LeadingZero));
         assert_eq!(parse("0x1000"), (Part::Object(0x1000), Spelling::Decorated));
+        assert_eq!(parse("02000"), (Part::Object(0x2000), Spelling::LeadingZero));
+        assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), Spelling::Decorated));
         assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), Spelling::Decorated));
         assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, Spelling::CorrectCommissioning));
     }

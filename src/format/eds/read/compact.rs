@@ -65,8 +65,8 @@ fn read_compact(items: &mut Items<'_>, part: &Part, data_type: Option<DataType>,
             return extra.push(item.name, item.value);
         };
         match part {
-            Part::CompactNames(_) => compact.names.push((sub, item.value.into())),
-            Part::CompactDenotations(_) => compact.denotations.push((sub, item.value.into())),
+            Part::CompactNames(_) => compact.names.push((sub, items.text(item).into())),
+            Part::CompactDenotations(_) => compact.denotations.push((sub, items.text(item).into())),
             _ => {
                 if let Some(value) = compact_value(items, item, data_type, &mut compact.misfits) {
                     compact.values.push((sub, value));
@@ -91,6 +91,8 @@ fn compact_value(
     }
     let mut quirks = Quirks::default();
     let value = literal::value(item.value, data_type, &mut quirks);
-    findings::quirks(item, quirks, items.findings);
+    if value.is_ok() {
+        findings::quirks(item, quirks, items.findings);
+    }
     value.map_err(|reason| misfits.push(item.to_field(), item.value, reason)).ok()
 }

@@ -6,11 +6,6 @@ use crate::model::{
     ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, Misfits, Reason,
 };
 
-/// The texts of one section become fields; a field's text that is no value of it a misfit.
-fn text(item: &Item<'_>) -> Option<String> {
-    Some(item.value.to_owned())
-}
-
 const U8: (i64, u64) = (0, u8::MAX as u64);
 const U16: (i64, u64) = (0, u16::MAX as u64);
 const U32: (i64, u64) = (0, u32::MAX as u64);
@@ -23,18 +18,18 @@ impl Reader<'_> {
         let mut info = FileInfo::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match item.field() {
-            Some(Field::FileName) => info.file_name = text(item),
+            Some(Field::FileName) => info.file_name = Some(items.text(item).to_owned()),
             Some(Field::FileVersion) => info.file_version = items.integer(item, U8, &mut info.misfits),
             Some(Field::FileRevision) => info.file_revision = items.integer(item, U8, &mut info.misfits),
-            Some(Field::EdsVersion) => info.eds_version = text(item),
-            Some(Field::Description) => info.description = text(item),
+            Some(Field::EdsVersion) => info.eds_version = Some(items.text(item).to_owned()),
+            Some(Field::Description) => info.description = Some(items.text(item).to_owned()),
             Some(Field::CreationTime) => info.creation_time = clock_time(item, &mut info.misfits),
             Some(Field::CreationDate) => info.creation_date = date(item, &mut info.misfits),
-            Some(Field::CreatedBy) => info.created_by = text(item),
+            Some(Field::CreatedBy) => info.created_by = Some(items.text(item).to_owned()),
             Some(Field::ModificationTime) => info.modification_time = clock_time(item, &mut info.misfits),
             Some(Field::ModificationDate) => info.modification_date = date(item, &mut info.misfits),
-            Some(Field::ModifiedBy) => info.modified_by = text(item),
-            Some(Field::LastEds) => info.last_eds = text(item),
+            Some(Field::ModifiedBy) => info.modified_by = Some(items.text(item).to_owned()),
+            Some(Field::LastEds) => info.last_eds = Some(items.text(item).to_owned()),
             _ => items.unknown(item, &mut info.extra),
         });
         self.device.file_info = Some(info);
@@ -74,12 +69,12 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match item.field() {
             Some(Field::NodeId) => node.node_id = items.integer(item, U8, &mut node.misfits),
-            Some(Field::NodeName) => node.node_name = text(item),
-            Some(Field::NodeRefd) => node.node_reference_designator = text(item),
+            Some(Field::NodeName) => node.node_name = Some(items.text(item).to_owned()),
+            Some(Field::NodeRefd) => node.node_reference_designator = Some(items.text(item).to_owned()),
             Some(Field::Baudrate) => node.baud_rate = items.integer(item, U16, &mut node.misfits),
             Some(Field::NetNumber) => node.net_number = items.integer(item, U32, &mut node.misfits),
-            Some(Field::NetworkName) => node.network_name = text(item),
-            Some(Field::NetRefd) => node.net_reference_designator = text(item),
+            Some(Field::NetworkName) => node.network_name = Some(items.text(item).to_owned()),
+            Some(Field::NetRefd) => node.net_reference_designator = Some(items.text(item).to_owned()),
             Some(Field::CanOpenManager) => node.manager = items.boolean(item, &mut node.misfits),
             Some(Field::LssSerialNumber) => {
                 node.lss_serial_number = items.integer(item, U32, &mut node.misfits);
@@ -94,12 +89,12 @@ fn device_info_item<'a>(info: &mut DeviceInfo, items: &mut Items<'a>, item: &Ite
     let misfits = &mut info.misfits;
     let rates = &mut info.baud_rates;
     match item.field() {
-        Some(Field::VendorName) => info.vendor_name = text(item),
+        Some(Field::VendorName) => info.vendor_name = Some(items.text(item).to_owned()),
         Some(Field::VendorNumber) => info.vendor_number = items.integer(item, U32, misfits),
-        Some(Field::ProductName) => info.product_name = text(item),
+        Some(Field::ProductName) => info.product_name = Some(items.text(item).to_owned()),
         Some(Field::ProductNumber) => info.product_number = items.integer(item, U32, misfits),
         Some(Field::RevisionNumber) => info.revision_number = items.integer(item, U32, misfits),
-        Some(Field::OrderCode) => info.order_code = text(item),
+        Some(Field::OrderCode) => info.order_code = Some(items.text(item).to_owned()),
         Some(Field::BaudRate10) => rates.kbit_10 = items.boolean(item, misfits),
         Some(Field::BaudRate20) => rates.kbit_20 = items.boolean(item, misfits),
         Some(Field::BaudRate50) => rates.kbit_50 = items.boolean(item, misfits),

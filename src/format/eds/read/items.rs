@@ -128,14 +128,25 @@ impl<'a> Items<'a> {
         }
         let mut quirks = Quirks::default();
         let number = literal::integer(item.value, range.0, range.1, &mut quirks);
-        findings::quirks(item, quirks, self.findings);
         match number {
-            Ok(number) => T::try_from(number).ok(),
+            Ok(number) => {
+                findings::quirks(item, quirks, self.findings);
+                T::try_from(number).ok()
+            }
             Err(reason) => {
                 misfits.push(item.to_field(), item.value, reason);
                 None
             }
         }
+    }
+
+    /// A name or the like. Quotes around it stay: nothing says that they are not part of it.
+    pub(crate) fn text(&mut self, item: &Item<'a>) -> &'a str {
+        let text = item.value;
+        if text.len() > 1 && text.starts_with('"') && text.ends_with('"') {
+            self.findings.push(findings::quoted_name(item));
+        }
+        text
     }
 
     /// 0 or 1.

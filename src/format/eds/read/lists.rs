@@ -1,5 +1,7 @@
 //! Numbered lists: of objects, of links, of modules.
 
+use std::collections::HashSet;
+
 use super::{Item, Items, Reader};
 use crate::format::eds::findings;
 use crate::format::eds::section::section_name;
@@ -12,7 +14,14 @@ impl Reader<'_> {
         let mut extra = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         let indexes = index_list(&mut items, &Field::SupportedObjects, &mut extra);
-        self.device.lists.get_mut(list).get_or_insert_default().extend(indexes);
+        match self.device.lists.get_mut(list) {
+            empty @ None => *empty = Some(indexes),
+            // a list that stands twice is one finding; what it repeats is no other
+            Some(before) => {
+                let known: HashSet<u16> = before.iter().copied().collect();
+                before.extend(indexes.into_iter().filter(|index| !known.contains(index)));
+            }
+        }
         self.keep(list.name(), extra);
     }
 

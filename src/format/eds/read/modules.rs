@@ -74,12 +74,12 @@ impl Reader<'_> {
 
 fn module_info(module: &mut Module, items: &mut Items<'_>) {
     items.each(|items, item| match item.field() {
-        Some(Field::ProductName) => module.product_name = Some(item.value.to_owned()),
+        Some(Field::ProductName) => module.product_name = Some(items.text(item).to_owned()),
         Some(Field::ProductVersion) => module.product_version = items.integer(item, U8, &mut module.misfits),
         Some(Field::ProductRevision) => {
             module.product_revision = items.integer(item, U8, &mut module.misfits);
         }
-        Some(Field::OrderCode) => module.order_code = Some(item.value.to_owned()),
+        Some(Field::OrderCode) => module.order_code = Some(items.text(item).to_owned()),
         _ => items.unknown(item, &mut module.extra),
     });
 }

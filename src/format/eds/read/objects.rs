@@ -96,7 +96,7 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind) -> O
             Some(Field::LowLimit) => values.low = Some(*item),
             Some(Field::HighLimit) => values.high = Some(*item),
             Some(Field::ParameterValue) => values.configured = Some(*item),
-            Some(Field::ParameterName) => entry.name = item.value.into(),
+            Some(Field::ParameterName) => entry.name = items.text(item).into(),
             Some(Field::SubNumber) if kind == SectionKind::Object => {
                 read.sub_number = items.integer(item, (0, 255), &mut entry.misfits);
             }
@@ -126,7 +126,6 @@ fn drop_empty(entry: &mut Entry) {
 
 fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item: &Item<'a>) {
     let misfits = &mut entry.misfits;
-    let text = || Some(item.value).filter(|value| !value.is_empty()).map(Into::into);
     match field {
         Field::ObjectType => entry.object_type = object_type(items, item, misfits),
         Field::DataType => entry.data_type = items.integer(item, (0, 0xFFFF), misfits).map(DataType),
@@ -136,10 +135,10 @@ fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item:
             entry.pdo_mapping = mappable.map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
         }
         Field::ObjFlags => entry.flags = items.integer(item, (0, u64::from(u32::MAX)), misfits).map(ObjFlags),
-        Field::Denotation => entry.configured_mut().denotation = text(),
-        Field::UploadFile => entry.configured_mut().upload_file = text(),
-        Field::DownloadFile => entry.configured_mut().download_file = text(),
-        Field::ParamRefd => entry.configured_mut().reference_designator = text(),
+        Field::Denotation => entry.configured_mut().denotation = text(items, item),
+        Field::UploadFile => entry.configured_mut().upload_file = text(items, item),
+        Field::DownloadFile => entry.configured_mut().download_file = text(items, item),
+        Field::ParamRefd => entry.configured_mut().reference_designator = text(items, item),
         Field::SrdoMapping => entry.safety_mut().srdo_mapping = items.boolean(item, &mut entry.misfits),
         Field::InvertedSrad => {
             entry.safety_mut().inverted_srad =
@@ -147,6 +146,11 @@ fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item:
         }
         _ => items.unknown(item, &mut entry.extra),
     }
+}
+
+/// A text that is not empty.
+fn text<'a>(items: &mut Items<'a>, item: &Item<'a>) -> Option<Box<str>> {
+    Some(items.text(item)).filter(|text| !text.is_empty()).map(Into::into)
 }
 
 fn object_type<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfits) -> Option<ObjectType> {
@@ -197,9 +201,11 @@ fn read_value(item: Option<Item<'_>>, entry: &mut Entry, items: &mut Items<'_>) 
     };
     let mut quirks = Quirks::default();
     let value = literal::value(item.value, data_type, &mut quirks);
-    findings::quirks(&item, quirks, items.findings);
     match value {
-        Ok(value) => Some(value),
+        Ok(value) => {
+            findings::quirks(&item, quirks, items.findings);
+            Some(value)
+        }
         Err(reason) => {
             entry.misfits.push(item.to_field(), item.value, reason);
             None
