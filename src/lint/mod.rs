@@ -9,12 +9,12 @@ mod rules;
 mod stated;
 
 use crate::diagnostic::Findings;
-use crate::model::Device;
+use crate::model::{Device, Object};
 
 pub(crate) use expected::{Expected, expected, has_shape_of};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
-pub(crate) use rule::{Check, EntryAt, Rule, rule, with_others};
+pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
 
 /// All rules on one device.
@@ -48,11 +48,34 @@ fn check_objects(device: &Device, findings: &mut Findings) {
         for check in &object_checks {
             check(device, index, object, findings);
         }
-        for (sub, entry) in object.described() {
-            let at = EntryAt { device, index, object, sub, entry };
-            for check in &entry_checks {
-                check(&at, findings);
-            }
+        check_entries(device, Origin::Device, index, object, &entry_checks, findings);
+    }
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        for (&index, object) in &module.fixed {
+            check_entries(device, Origin::Fixed(number), index, object, &entry_checks, findings);
+        }
+        for (&index, extension) in &module.extensions {
+            let mut object = Object { main: extension.entry.clone(), ..Object::default() };
+            // some state the type of the object that is extended
+            object.main.object_type = object.main.object_type.filter(|object_type| !object_type.has_subs());
+            check_entries(device, Origin::Extension(number), index, &object, &entry_checks, findings);
+        }
+    }
+}
+
+/// All rules about entries on those that an object describes.
+fn check_entries(
+    device: &Device,
+    origin: Origin,
+    index: u16,
+    object: &Object,
+    checks: &[EntryCheck],
+    findings: &mut Findings,
+) {
+    for (sub, entry) in object.described() {
+        let at = EntryAt { device, origin, index, object, sub, entry };
+        for check in checks {
+            check(&at, findings);
         }
     }
 }

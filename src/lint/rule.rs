@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::lint::{Facts, PdoFacts, stated};
-use crate::model::{Device, Entry, Field, Object, ObjectType, Place};
+use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
 
 /// A rule about the model.
 pub(crate) struct Rule {
@@ -12,6 +12,9 @@ pub(crate) struct Rule {
     pub check: Check,
 }
 
+/// A look at one entry.
+pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
+
 /// What a rule looks at. The linter walks over the device once and asks each rule at its places.
 #[derive(Clone, Copy)]
 pub(crate) enum Check {
@@ -19,8 +22,8 @@ pub(crate) enum Check {
     Device(fn(&Device, &mut Findings)),
     /// Each object with its index; one without a section of its own ([`Object::orphan`]) too.
     Object(fn(&Device, u16, &Object, &mut Findings)),
-    /// Each entry that the description states: an object's own section, or a sub-index.
-    Entry(fn(&EntryAt<'_>, &mut Findings)),
+    /// Each entry that the description states: an object's own section, or a sub-index; of the modules too.
+    Entry(EntryCheck),
     /// The communication as a whole.
     Facts(fn(&Facts<'_>, &mut Findings)),
     /// Each PDO that the description has an object for.
@@ -31,20 +34,42 @@ pub(crate) enum Check {
 #[derive(Clone, Copy)]
 pub(crate) struct EntryAt<'a> {
     pub device: &'a Device,
+    pub origin: Origin,
     pub index: u16,
+    /// Its object; of an extension one that has nothing but the entry.
     pub object: &'a Object,
     /// The sub-index; `None` for the object's own section.
     pub sub: Option<u8>,
     pub entry: &'a Entry,
 }
 
+/// Whose entry it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// The device's.
+    Device,
+    /// That of a fixed object of the module with this number.
+    Fixed(u16),
+    /// What the module with this number adds to an object.
+    Extension(u16),
+}
+
 impl EntryAt<'_> {
     /// The entry as a place.
     pub(crate) fn place(&self) -> Place {
-        match self.sub {
-            Some(sub) => Place::entry(self.index, sub),
-            None => Place::object(self.index),
-        }
+        let index = self.index;
+        Place::of(match (self.origin, self.sub) {
+            (Origin::Device, Some(sub)) => Part::Entry(index, sub),
+            (Origin::Device, None) => Part::Object(index),
+            (Origin::Fixed(module), Some(sub)) => Part::Module(module, ModulePart::FixedEntry(index, sub)),
+            (Origin::Fixed(module), None) => Part::Module(module, ModulePart::Fixed(index)),
+            (Origin::Extension(module), _) => Part::Module(module, ModulePart::SubExt(index)),
+        })
+    }
+
+    /// The object's own section as a place.
+    pub(crate) fn object_place(&self) -> Place {
+        Self { sub: None, ..*self }.place()
     }
 
     /// A field of the entry as a place.

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::{EntryAt, rule};
-use crate::model::{Access, Field, Place};
+use crate::model::{Access, Field};
 
 rule! {
     /// a DCF configures what tools must not write
@@ -30,7 +30,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let own = at.entry.flags().refuses_write();
     if own || at.sub.is_some_and(|sub| sub > 0) && at.object.main.flags().refuses_write() {
         let message = "`ParameterValue` is never written, for the flags refuse it";
-        let flags = if own { at.place() } else { Place::object(at.index) };
+        let flags = if own { at.place() } else { at.object_place() };
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
             .label(flags.field(Field::ObjFlags), "refuses writing");
         findings.push(finding.help("remove `ParameterValue`"));
