@@ -23,8 +23,11 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
-    let Some(base) = pdo.pdo.kind.predefined_can_id(pdo.pdo.number).filter(|_| facts.has_profile()) else { return };
-    let Some(cob_id) = pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0) else {
+    let Some(base) = pdo.pdo.kind.predefined_can_id(pdo.pdo.number).filter(|_| facts.has_profile()) else {
+        return;
+    };
+    let Some(cob_id) = pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)
+    else {
         return;
     };
     let entry = pdo.pdo.communication.and_then(|object| object.subs.get(1));
@@ -36,7 +39,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
     let (cob_id, expected) = (cob_id.cob_id, predefined::per_node(base));
     if !cob_id.depends_on_node_id() || cob_id.can_id(0) != expected.can_id(0) {
-        let message = format!("`{cob_id}` as default COB-ID of {}, for which CiA 301 has `{expected}`", pdo.pdo);
+        let message =
+            format!("`{cob_id}` as default COB-ID of {}, for which CiA 301 has `{expected}`", pdo.pdo);
         let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
         let flags = cob_id.number() & CobId::BIT_30;
         let finding = Diagnostic::new(&RULE.info, place, message);

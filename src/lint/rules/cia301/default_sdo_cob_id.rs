@@ -35,7 +35,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             None => cob_id.cob_id == expected,
         };
         if !is_right {
-            let message = format!("`{}` as COB-ID of the default SDO {direction}, which is always `{expected}`", cob_id.cob_id);
+            let message = format!(
+                "`{}` as COB-ID of the default SDO {direction}, which is always `{expected}`",
+                cob_id.cob_id
+            );
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             findings.push(Diagnostic::new(&RULE.info, place, message).help(format!("write `{expected}`")));
         }

@@ -25,7 +25,8 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
     let emcy = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Emcy);
-    let Some(emcy) = emcy.filter(|emcy| !emcy.cob_id.is_valid() && device.objects.contains_key(&0x1015)) else {
+    let Some(emcy) = emcy.filter(|emcy| !emcy.cob_id.is_valid() && device.objects.contains_key(&0x1015))
+    else {
         return;
     };
     // a configuration may switch it off on purpose

@@ -24,10 +24,8 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for cob_id in &facts.cob_ids {
         if let Some(base) = facts.base_without_node_id(cob_id) {
-            let message = format!(
-                "`{}` as COB-ID of {} is the same on every node",
-                cob_id.cob_id, cob_id.service
-            );
+            let message =
+                format!("`{}` as COB-ID of {} is the same on every node", cob_id.cob_id, cob_id.service);
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
             let finding = Diagnostic::new(&RULE.info, place, message);

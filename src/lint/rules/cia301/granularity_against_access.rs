@@ -37,7 +37,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         _ => {
             let all_fixed = known.len() == facts.pdos.len() && known.iter().all(|(_, writable)| !writable);
             let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
-            let message = format!("`{granularity}` says that the PDO mapping can be changed, and none can be written");
+            let message =
+                format!("`{granularity}` says that the PDO mapping can be changed, and none can be written");
             (message, "write `Granularity=0` for a fixed mapping", (pdo, "cannot be written"))
         }
     };

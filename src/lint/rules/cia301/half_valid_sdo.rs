@@ -30,8 +30,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         },
         _ => None,
     });
-    for (request, response) in channels.filter(|(one, other)| one.cob_id.is_valid() != other.cob_id.is_valid()) {
-        let (valid, invalid) = if request.cob_id.is_valid() { (request, response) } else { (response, request) };
+    for (request, response) in
+        channels.filter(|(one, other)| one.cob_id.is_valid() != other.cob_id.is_valid())
+    {
+        let (valid, invalid) =
+            if request.cob_id.is_valid() { (request, response) } else { (response, request) };
         let message = format!(
             "{} has a valid COB-ID `{}` in sub-index {} and none in sub-index {}",
             request.service, valid.cob_id, valid.sub, invalid.sub

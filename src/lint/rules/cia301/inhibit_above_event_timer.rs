@@ -31,7 +31,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
     let index = pdo.communication_index();
     let (whole, tenth) = (inhibit / 10, inhibit % 10);
-    let message = format!("{pdo} has an inhibit time of {whole}.{tenth} ms (`{inhibit}`), and shall be sent every {event} ms");
+    let message = format!(
+        "{pdo} has an inhibit time of {whole}.{tenth} ms (`{inhibit}`), and shall be sent every {event} ms"
+    );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 3), message)
         .label(facts.device.value_place(index, 5), "its event timer");
     findings.push(finding.help("the inhibit time counts in 100 µs, the event timer in ms"));

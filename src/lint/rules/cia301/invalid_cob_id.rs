@@ -41,7 +41,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 fn bit_names(bits: u32) -> String {
-    let numbers: Vec<String> = (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit| bit.to_string()).collect();
+    let numbers: Vec<String> =
+        (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit| bit.to_string()).collect();
     if numbers.len() == 1 { format!("bit {}", numbers[0]) } else { format!("bits {}", numbers.join(", ")) }
 }
 

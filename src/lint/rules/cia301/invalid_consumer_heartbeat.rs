@@ -35,7 +35,8 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let place = device.value_place(0x1016, sub);
-        let finding = |message: String, help: String| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
+        let finding =
+            |message: String, help: String| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
         if value >> 24 != 0 {
             let message = format!("`0x{value:08X}` of 1016h sub-index {sub} has bits above the node-ID set");
             findings.push(finding(message, format!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));

@@ -30,7 +30,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
         } else if let Some(key) = forbidden(facts, mapped.object) {
             let data_type = DataType(mapped.object.index);
-            let message = format!("{} has a filler of type {data_type}, which the device does not support", pdo.pdo);
+            let message =
+                format!("{} has a filler of type {data_type}, which the device does not support", pdo.pdo);
             let key = Place::of(Part::DummyUsage).field(key);
             let finding = Diagnostic::new(&RULE.info, place, message).label(key, "not allowed here");
             findings.push(finding.help("use a type that `DummyUsage` allows"));

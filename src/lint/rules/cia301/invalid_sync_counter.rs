@@ -33,14 +33,17 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         findings.push(finding.help("write 0 for no counter, or 2 to 240"));
         return;
     }
-    let cycles = |transmission_type: &u8| (2..=240).contains(transmission_type) && overflow % transmission_type != 0;
+    let cycles =
+        |transmission_type: &u8| (2..=240).contains(transmission_type) && overflow % transmission_type != 0;
     let tpdos = facts.pdos.iter().map(|facts| &facts.pdo);
     let tpdos = tpdos.filter(|pdo| pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true));
     let mut broken = tpdos.filter_map(|pdo| Some((pdo, pdo.transmission_type.filter(cycles)?))).peekable();
     if overflow == 0 || broken.peek().is_none() {
         return;
     }
-    let message = format!("the SYNC counter overflows at `{overflow}`, which is no multiple of every transmission type");
+    let message = format!(
+        "the SYNC counter overflows at `{overflow}`, which is no multiple of every transmission type"
+    );
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
     let others = broken.map(|(pdo, every)| {

@@ -24,9 +24,12 @@ rule! {
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let pdo = &pdo.pdo;
-    let Some(start) = pdo.sync_start_value.filter(|&start| start > 0 && pdo.kind == PdoKind::Tpdo) else { return };
+    let Some(start) = pdo.sync_start_value.filter(|&start| start > 0 && pdo.kind == PdoKind::Tpdo) else {
+        return;
+    };
     let device = facts.device;
-    let finding = |message| Diagnostic::new(&RULE.info, device.value_place(pdo.communication_index(), 6), message);
+    let finding =
+        |message| Diagnostic::new(&RULE.info, device.value_place(pdo.communication_index(), 6), message);
     let counter = device.value(0x1019, 0).and_then(|value| value.as_integer());
     if start > 240 {
         let finding = finding(format!("`{start}` as SYNC start value of {pdo}, which takes 0 to 240"));
@@ -36,7 +39,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     match counter {
         None if device.objects.contains_key(&0x1019) => {}
         None | Some(0) => {
-            let finding = finding(format!("`{start}` as SYNC start value of {pdo} has no effect without a SYNC counter"));
+            let finding = finding(format!(
+                "`{start}` as SYNC start value of {pdo} has no effect without a SYNC counter"
+            ));
             let finding = match counter {
                 Some(_) => finding.label(device.value_place(0x1019, 0), "the counter is switched off here"),
                 None => finding,
@@ -44,7 +49,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             findings.push(finding.severity(Severity::Warning).help("write 0, or give 1019h a value"));
         }
         Some(overflow) if i128::from(start) > overflow => {
-            let finding = finding(format!("{pdo} waits for SYNC number `{start}`, and the counter ends at {overflow}"));
+            let finding =
+                finding(format!("{pdo} waits for SYNC number `{start}`, and the counter ends at {overflow}"));
             let finding = finding.label(device.value_place(0x1019, 0), "the counter ends here");
             findings.push(finding.help(format!("write at most {overflow}")));
         }

@@ -28,13 +28,19 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let place = facts.device.value_place(index, mapped.slot);
         let finding = match mapped.target {
             Target::NoEntry => {
-                let message = format!("{} maps {:04X}h:{:02X}, which has no such sub-index", pdo.pdo, object.index, object.sub);
+                let message = format!(
+                    "{} maps {:04X}h:{:02X}, which has no such sub-index",
+                    pdo.pdo, object.index, object.sub
+                );
                 let finding = Diagnostic::new(&RULE.info, place, message);
                 let finding = finding.label(Place::object(object.index), "the object is here");
                 finding.help("describe the sub-index, or map another one")
             }
             _ => {
-                let message = format!("{} maps {:04X}h:{:02X}, and there is no such object", pdo.pdo, object.index, object.sub);
+                let message = format!(
+                    "{} maps {:04X}h:{:02X}, and there is no such object",
+                    pdo.pdo, object.index, object.sub
+                );
                 Diagnostic::new(&RULE.info, place, message).help("describe the object, or map another one")
             }
         };

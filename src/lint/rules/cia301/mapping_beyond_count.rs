@@ -27,7 +27,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let beyond = pdo.pdo.slots.iter().filter(|slot| slot.sub > count);
     let mut beyond = beyond.filter(|slot| slot.object.is_some_and(|object| !object.is_unused()));
     let Some(first) = beyond.next() else { return };
-    let message = format!("sub-index {} of {index:04X}h names an object, and {} maps only `{count}`", first.sub, pdo.pdo);
+    let message = format!(
+        "sub-index {} of {index:04X}h names an object, and {} maps only `{count}`",
+        first.sub, pdo.pdo
+    );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, first.sub), message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("count it in sub-index 0, or write 0 here"));

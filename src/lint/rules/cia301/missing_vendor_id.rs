@@ -28,6 +28,9 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::object(Identity::INDEX);
-    let finding = Diagnostic::new(&RULE.info, place, "the identity object 1018h has no sub-index 1, the vendor-ID");
-    findings.push(finding.help("add `[1018sub1]` with `DataType=0x0007`, `AccessType=ro` and the vendor-ID as `DefaultValue`"));
+    let finding =
+        Diagnostic::new(&RULE.info, place, "the identity object 1018h has no sub-index 1, the vendor-ID");
+    findings.push(finding.help(
+        "add `[1018sub1]` with `DataType=0x0007`, `AccessType=ro` and the vendor-ID as `DefaultValue`",
+    ));
 }

@@ -34,7 +34,8 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         format!("sub-index {sub} of {index:04X}h can be written, though the number of mapped objects cannot")
     };
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub).field(Field::AccessType), message);
-    let finding = finding.label(Place::entry(index, 0).field(Field::AccessType), "the number of mapped objects");
+    let finding =
+        finding.label(Place::entry(index, 0).field(Field::AccessType), "the number of mapped objects");
     findings.push(finding.help("make all of them `rw`, or all of them `const`"));
 }
 

@@ -26,9 +26,14 @@ fn check(device: &Device, findings: &mut Findings) {
     let listed = |index: u16| device.lists.iter().any(|(_, listed)| listed == index);
     let there = |index: u16| device.objects.contains_key(&index) || listed(index);
     // a file without a single communication object is a fragment, and that is reported
-    if [0x1017, 0x100C, 0x100D].into_iter().any(there) || device.objects.range(0x1000..0x2000).next().is_none() {
+    if [0x1017, 0x100C, 0x100D].into_iter().any(there)
+        || device.objects.range(0x1000..0x2000).next().is_none()
+    {
         return;
     }
-    let message = "the device has no error control: neither a heartbeat (1017h) nor node guarding (100Ch, 100Dh)";
-    findings.push(Diagnostic::new(&RULE.info, Place::device(), message).help("add 1017h, producer heartbeat time"));
+    let message =
+        "the device has no error control: neither a heartbeat (1017h) nor node guarding (100Ch, 100Dh)";
+    findings.push(
+        Diagnostic::new(&RULE.info, Place::device(), message).help("add 1017h, producer heartbeat time"),
+    );
 }

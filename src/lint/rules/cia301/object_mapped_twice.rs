@@ -32,7 +32,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             Some(&first) => {
                 let message = format!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
                 let finding = Diagnostic::new(&RULE.info, place(mapped.slot), message);
-                findings.push(finding.label(place(first), "the first time").help("map the object that was meant"));
+                findings.push(
+                    finding.label(place(first), "the first time").help("map the object that was meant"),
+                );
             }
             None => {
                 seen.insert((object.index, object.sub), mapped.slot);

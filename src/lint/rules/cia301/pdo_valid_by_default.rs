@@ -38,5 +38,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 1), message);
     let finding = finding.help(format!("set bit 31: `{}`", cob_id.disabled()));
     let place = |index| device.value_place(index, 1);
-    findings.push(with_others(finding, on.map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")))));
+    findings.push(with_others(
+        finding,
+        on.map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too"))),
+    ));
 }

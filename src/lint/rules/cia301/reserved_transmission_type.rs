@@ -28,7 +28,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         PdoKind::Rpdo => 253,
         PdoKind::Tpdo => 251,
     };
-    let reserved = pdo.transmission_type.filter(|transmission_type| (241..=highest).contains(transmission_type));
+    let reserved =
+        pdo.transmission_type.filter(|transmission_type| (241..=highest).contains(transmission_type));
     if let Some(transmission_type) = reserved {
         let message = format!("`{transmission_type}` as transmission type of {pdo} is reserved");
         let place = facts.device.value_place(pdo.communication_index(), 2);

@@ -28,7 +28,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (Some(transmission_type), Some(cob_id)) = (on_request, pdo.cob_id) else { return };
     if pdo.kind == PdoKind::Tpdo && cob_id.is_valid() && cob_id.bit_30() {
         let index = pdo.communication_index();
-        let message = format!("{pdo} is sent on request only (type `{transmission_type}`), and bit 30 of `{cob_id}` forbids it");
+        let message = format!(
+            "{pdo} is sent on request only (type `{transmission_type}`), and bit 30 of `{cob_id}` forbids it"
+        );
         let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 2), message)
             .label(facts.device.value_place(index, 1), "no RTR allowed here");
         let flags = if cob_id.depends_on_node_id() { "$NODEID+" } else { "" };

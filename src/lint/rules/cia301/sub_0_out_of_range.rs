@@ -33,7 +33,10 @@ fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) 
     let message = if low == high {
         format!("`{value}` as highest sub-index of {index:04X}h ({}), which has always {low}", facts.name)
     } else {
-        format!("`{value}` as highest sub-index of {index:04X}h ({}), which takes {low} to {high}", facts.name)
+        format!(
+            "`{value}` as highest sub-index of {index:04X}h ({}), which takes {low} to {high}",
+            facts.name
+        )
     };
     let finding = Diagnostic::new(&RULE.info, device.value_place(index, 0), message);
     findings.push(finding.help("describe the entries of the object, or leave the object out"));

@@ -27,7 +27,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         device.objects.contains_key(&0x1006) || device.lists.iter().any(|(_, index)| index == 0x1006);
     let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
     let Some(sync) = sync.filter(|sync| sync.is_sent() && !is_there) else { return };
-    let message = format!("`{}` makes the device send SYNC, and there is no 1006h for the period", sync.cob_id);
+    let message =
+        format!("`{}` makes the device send SYNC, and there is no 1006h for the period", sync.cob_id);
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1005, 0), message);
-    findings.push(finding.help("add 1006h (communication cycle period, UNSIGNED32), or clear bit 30 of 1005h"));
+    findings
+        .push(finding.help("add 1006h (communication cycle period, UNSIGNED32), or clear bit 30 of 1005h"));
 }

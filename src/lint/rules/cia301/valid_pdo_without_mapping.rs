@@ -26,13 +26,16 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     if pdo.cob_id().is_some_and(|cob_id| facts.is_restricted(&cob_id)) {
         return;
     }
-    let Some(cob_id) = pdo.pdo.cob_id.filter(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0) else { return };
+    let Some(cob_id) = pdo.pdo.cob_id.filter(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0) else {
+        return;
+    };
     if pdo.pdo.mapped_count != Some(0) {
         return;
     }
     let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
     let message = format!("`{cob_id}` switches {} on, and it maps nothing", pdo.pdo);
     let finding = Diagnostic::new(&RULE.info, place, message);
-    let finding = finding.label(facts.device.value_place(pdo.pdo.mapping_index(), 0), "no objects are mapped");
+    let finding =
+        finding.label(facts.device.value_place(pdo.pdo.mapping_index(), 0), "no objects are mapped");
     findings.push(finding.help(format!("set bit 31: `{}`, or map something", cob_id.disabled())));
 }

@@ -29,7 +29,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         // what a compactly stored object says of all its sub-indexes may be meant for sub-index 0
         let for_sub_0 = |access: &Access| {
             let facts = cia301::object(index).and_then(|facts| facts.entry(0));
-            at.sub.is_none() && object.compact.is_some() && facts.is_some_and(|facts| facts.accepts_access(*access))
+            at.sub.is_none()
+                && object.compact.is_some()
+                && facts.is_some_and(|facts| facts.accepts_access(*access))
         };
         if let Some(access) = wrong_access.filter(|access| !for_sub_0(access)) {
             findings.push(wrong(&at, access));

@@ -28,8 +28,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let place = facts.device.value_place(index, 0);
     let finding = |message: String| Diagnostic::new(&RULE.info, place.clone(), message);
     if (65..=253).contains(&count) {
-        let finding = finding(format!("`{count}` as number of objects that {} maps, which takes 0 to 64", pdo.pdo));
-        findings.push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
+        let finding =
+            finding(format!("`{count}` as number of objects that {} maps, which takes 0 to 64", pdo.pdo));
+        findings
+            .push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
         return;
     }
     if count > 64 || object.orphan || !object.object_type().has_subs() {

@@ -25,7 +25,8 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
-        let Some(access) = entry.access.filter(|&access| entry.is_mappable() && !fits(pdo.pdo.kind, access, entry))
+        let Some(access) =
+            entry.access.filter(|&access| entry.is_mappable() && !fits(pdo.pdo.kind, access, entry))
         else {
             continue;
         };

@@ -41,5 +41,6 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
 fn is_reported_elsewhere(object: &Object) -> bool {
     let is_var = object.object_type() == ObjectType::Var;
     let is_domain = object.main.data_type == Some(DataType::DOMAIN);
-    object.main.misfits.get(&Field::ObjectType).is_some() || (is_var && (!object.subs.is_empty() || is_domain))
+    object.main.misfits.get(&Field::ObjectType).is_some()
+        || (is_var && (!object.subs.is_empty() || is_domain))
 }

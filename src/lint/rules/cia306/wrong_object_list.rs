@@ -37,7 +37,8 @@ fn check(device: &Device, findings: &mut Findings) {
             if right != list && !stands_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
-                let finding = Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
+                let finding =
+                    Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
                 let missed = right == ObjectList::Mandatory;
                 findings.push(if missed { finding.severity(Severity::Error) } else { finding });
             }
