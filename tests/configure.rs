@@ -1,5 +1,7 @@
 //! EDS to DCF and back are edits of the text.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 mod support;
 
 use std::path::Path;

@@ -36,7 +36,7 @@ fn theirs(text: &str) -> Vec<Item> {
     let ini = Ini::load_from_str_opt(text, options).unwrap();
     let mut items = Vec::new();
     for (section, properties) in &ini {
-        for (key, value) in properties.iter() {
+        for (key, value) in properties {
             items.push((section.unwrap_or_default().to_owned(), key.to_owned(), value.to_owned()));
         }
     }

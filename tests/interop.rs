@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 
 use objdict::format::literal::RealSpelling;
 use objdict::format::{self, Description, WriteOptions};
-use objdict::model::{DataType, Device, TypeKind, Value};
+use objdict::model::{Access, DataType, Device, TypeKind, Value};
 use objdict::source::SourceOptions;
 use serde_json::json;
 
@@ -94,7 +94,7 @@ fn expected_entries(device: &Device, node_id: u8) -> Vec<serde_json::Value> {
             let value = entry.value().and_then(|value| value.resolve(data_type, node_id));
             let bytes = value.and_then(|value| value.to_bytes(data_type));
             if let Some(bytes) =
-                bytes.filter(|_| !is_unknown && entry.access.is_some_and(|access| access.is_readable()))
+                bytes.filter(|_| !is_unknown && entry.access.is_some_and(Access::is_readable))
             {
                 let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
                 entries.push(json!({ "index": index, "sub": sub, "bytes": hex }));
