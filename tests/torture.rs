@@ -10,8 +10,11 @@ use objdict::format::{self, Description};
 use objdict::model::{Access, Device, Value};
 use objdict::source::SourceOptions;
 
-/// What is found in each file, all of it: line, severity and rule.
-const VERDICTS: &[(&str, &[(u32, &str, &str)])] = &[
+/// Line, severity and rule of a finding.
+type Verdict = (u32, &'static str, &'static str);
+
+/// What is found in each file, all of it.
+const VERDICTS: &[(&str, &[Verdict])] = &[
     ("01_ok", &[]),
     ("02_latin1", &[(135, "warning", "cia306/not-ascii")]),
     ("03_bom", &[(1, "warning", "cia306/byte-order-mark")]),

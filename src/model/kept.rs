@@ -24,7 +24,13 @@ impl Extra {
     /// feed; from elsewhere they become blanks.
     pub fn push(&mut self, key: &str, value: &str) {
         let text = self.0.get_or_insert_default();
-        text.reserve_exact(key.len() + value.len() + 2);
+        let length = key.len() + value.len() + 2;
+        // most parts have one such key, if any; only more of them need room to grow
+        if text.is_empty() {
+            text.reserve_exact(length);
+        } else {
+            text.reserve(length);
+        }
         text.extend(key.chars().map(|c| if matches!(c, '\n' | '=') { ' ' } else { c }));
         text.push('=');
         text.extend(value.chars().map(|c| if c == '\n' { ' ' } else { c }));
@@ -134,7 +140,12 @@ impl Misfits {
 
     /// Adds one.
     pub fn push(&mut self, field: Field, text: &str, reason: Reason) {
-        self.0.get_or_insert_default().push(Misfit { field, text: text.into(), reason });
+        let misfits = self.0.get_or_insert_default();
+        // most parts have one, if any; a vector would make room for four
+        if misfits.is_empty() {
+            misfits.reserve_exact(1);
+        }
+        misfits.push(Misfit { field, text: text.into(), reason });
     }
 
     /// All of them, in the order of the file.
