@@ -32,10 +32,12 @@ fn eds(megabytes: usize) -> String {
             "\n[{index:X}]\nParameterName=Axis parameters {index:04X} {padding}\nObjectType=0x9\nSubNumber=9\n"
         );
         for sub in 0..9 {
+            let (data_type, access, high, value) =
+                if sub == 0 { ("0x0005", "const", "0x7F", 8) } else { ("0x0007", "rw", "0x7FFFFFFF", sub) };
             let _ = write!(
                 text,
-                "\n[{index:X}sub{sub:X}]\nParameterName=Position control gain {sub} {padding}\nObjectType=0x7\nDataType=0x0007\n\
-                 LowLimit=0x00000000\nHighLimit=0x7FFFFFFF\nAccessType=rw\nDefaultValue={sub}\nPDOMapping=0\n"
+                "\n[{index:X}sub{sub:X}]\nParameterName=Position control gain {sub} {padding}\nObjectType=0x7\nDataType={data_type}\n\
+                 LowLimit=0x00000000\nHighLimit={high}\nAccessType={access}\nDefaultValue={value}\nPDOMapping=0\n"
             );
         }
         if text.len() + list.len() >= size {

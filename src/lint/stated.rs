@@ -43,10 +43,23 @@ pub(crate) fn node_ids(device: &Device) -> [u8; 2] {
 /// Compares two numbers on the node `node_id`; REAL in the width of the type. `None` for what is no number.
 pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Ordering> {
     match (left, right) {
+        (Value::Unsigned(left), Value::Unsigned(right)) => Some(left.cmp(right)),
+        (Value::Signed(left), Value::Signed(right)) => Some(left.cmp(right)),
         (Value::Real32(left), Value::Real32(right)) => left.partial_cmp(right),
         (Value::Real64(left), Value::Real64(right)) => left.partial_cmp(right),
         _ => Some(left.integer_for(node_id)?.cmp(&right.integer_for(node_id)?)),
     }
+}
+
+/// The first of the node-IDs for which two numbers compare like `order`; numbers without a formula compare alike on all.
+pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids: [u8; 2]) -> Option<u8> {
+    let [first, last] = node_ids;
+    let holds = |node_id| compare(left, right, node_id) == Some(order);
+    if holds(first) {
+        return Some(first);
+    }
+    let is_formula = matches!(left, Value::NodeId(_)) || matches!(right, Value::NodeId(_));
+    (is_formula && holds(last)).then_some(last)
 }
 
 /// Whether sub-index 0 counts something else than sub-indexes, or only those in use: the error history, the number of

@@ -26,8 +26,8 @@ rule! {
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
-    let above = |&node_id: &u8| stated::compare(low, high, node_id) == Some(Ordering::Greater);
-    if !at.holds_value() || !stated::node_ids(at.device).iter().any(above) {
+    let above = stated::first_node(low, high, Ordering::Greater, stated::node_ids(at.device)).is_some();
+    if !above || !at.holds_value() {
         return;
     }
     let message = format!("`LowLimit` is {low}, but `HighLimit` is {high}");

@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Entry, Field, Part, Place, Value};
 
@@ -30,32 +30,24 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let node_ids = stated::node_ids(at.device);
-    let signature = matches!(at.index, 0x1010 | 0x1011);
-    if signature || !at.holds_value() || contradictory(entry, node_ids) {
-        return;
+    if let Some(value) = &entry.default
+        && let Some(exceeded) = exceeded(entry, value, node_ids)
+    {
+        report(at, at.field(Field::DefaultValue), "`DefaultValue`", value, exceeded, findings);
     }
-    let values =
-        [(Field::DefaultValue, &entry.default.as_ref()), (Field::ParameterValue, &entry.configured_value())];
-    for (field, value) in values {
-        let Some(value) = value else { continue };
-        if let Some(exceeded) = exceeded(entry, value, node_ids) {
-            let what = format!("`{field}`");
-            report(at, at.field(field), &what, value, exceeded, findings);
-        }
+    if let Some(value) = entry.configured_value()
+        && let Some(exceeded) = exceeded(entry, value, node_ids)
+    {
+        report(at, at.field(Field::ParameterValue), "`ParameterValue`", value, exceeded, findings);
     }
     let compact = at.object.compact.as_ref().filter(|_| at.sub.is_none());
     for (sub, value) in compact.iter().flat_map(|compact| &compact.values) {
         if let Some(exceeded) = exceeded(entry, value, node_ids) {
             let place = Place::of(Part::CompactValues(at.index)).field(Field::Item(u32::from(*sub)));
-            report(at, place, &format!("the value of sub-index {sub}"), value, exceeded, findings);
+            let what = format!("the value of sub-index {}", sub_index(*sub));
+            report(at, place, &what, value, exceeded, findings);
         }
     }
-}
-
-/// Whether no value is within the limits, which is a finding of its own.
-fn contradictory(entry: &Entry, node_ids: [u8; 2]) -> bool {
-    let (Some(low), Some(high)) = (&entry.low_limit, &entry.high_limit) else { return false };
-    node_ids.iter().any(|&node_id| stated::compare(low, high, node_id) == Some(Ordering::Greater))
 }
 
 /// A limit that a value is beyond, and on which node.
@@ -67,14 +59,26 @@ struct Exceeded<'a> {
 
 /// The limit that a value is beyond.
 fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Exceeded<'a>> {
-    let beyond = |field: Field, limit: Option<&'a Value>, order| {
-        let limit = limit?;
-        let node_id =
-            node_ids.into_iter().find(|&node_id| stated::compare(value, limit, node_id) == Some(order))?;
-        Some(Exceeded { field, limit, node_id })
+    let beyond = |limit: &Option<Value>, order| stated::first_node(value, limit.as_ref()?, order, node_ids);
+    let below = beyond(&entry.low_limit, Ordering::Less);
+    let above = || beyond(&entry.high_limit, Ordering::Greater);
+    let (field, limit, node_id) = match below {
+        Some(node_id) => (Field::LowLimit, entry.low_limit.as_ref()?, node_id),
+        None => (Field::HighLimit, entry.high_limit.as_ref()?, above()?),
     };
-    beyond(Field::LowLimit, entry.low_limit.as_ref(), Ordering::Less)
-        .or_else(|| beyond(Field::HighLimit, entry.high_limit.as_ref(), Ordering::Greater))
+    Some(Exceeded { field, limit, node_id })
+}
+
+/// Whether another rule says it, because no value is within the limits or there is no value, or the limits are those of a
+/// signature.
+fn is_explained(at: &EntryAt<'_>) -> bool {
+    let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
+        (Some(low), Some(high)) => {
+            stated::first_node(low, high, Ordering::Greater, stated::node_ids(at.device)).is_some()
+        }
+        _ => false,
+    };
+    contradictory || !at.holds_value() || matches!(at.index, 0x1010 | 0x1011)
 }
 
 fn report(
@@ -85,6 +89,9 @@ fn report(
     exceeded: Exceeded<'_>,
     findings: &mut Findings,
 ) {
+    if is_explained(at) {
+        return;
+    }
     let Exceeded { field, limit, node_id } = exceeded;
     // what a formula is on that node
     let number = |value: &Value| match (value, value.integer_for(node_id)) {
