@@ -1,7 +1,9 @@
 //! Places to spans. Nothing is stored per datum: the place names its section and key, and the text is searched for
 //! them when a finding is shown. A clean file pays nothing.
 
+use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
+use std::sync::{Mutex, PoisonError};
 
 use super::section::SectionName;
 use crate::format::ini::{Document, LineKind, Lines};
@@ -14,7 +16,13 @@ pub(crate) struct Locator {
     state: RandomState,
     /// Hash of the part, and where its header line starts.
     headers: Vec<(u32, u32)>,
+    /// The keys of the sections that were asked for, by where their header line starts. A long list with many findings
+    /// would be read from its start for each of them.
+    keys: Mutex<HashMap<u32, Keys>>,
 }
+
+/// Hash of each key of a section in lower case, and where its line starts, in order of the hashes.
+type Keys = Vec<(u32, u32)>;
 
 impl Locator {
     pub(crate) fn new(document: &Document) -> Self {
@@ -27,7 +35,7 @@ impl Locator {
             }
         }
         headers.sort_unstable();
-        Self { state, headers }
+        Self { state, headers, keys: Mutex::default() }
     }
 
     /// The span of a place: the value of its key where that is not empty, else the key; the name of its section where
@@ -41,18 +49,51 @@ impl Locator {
             if other != hash {
                 break;
             }
-            let mut lines = Lines::from(text, start);
-            let Some(LineKind::Section { name }) = lines.next().map(|line| line.kind) else { continue };
+            let header_line = Lines::from(text, start).next();
+            let Some(LineKind::Section { name }) = header_line.map(|line| line.kind) else { continue };
             if SectionName::parse(name.of(text)).part != place.part {
                 continue;
             }
             header.get_or_insert(name);
             let Some(field) = &place.field else { break };
-            if let Some(span) = find_key(text, lines, field) {
+            if let Some(span) = self.find_key(text, start, field) {
                 return Some(span);
             }
         }
         header.or_else(|| self.stand_in(document, &place.part))
+    }
+
+    /// The value of a key, or the key where it has none, in the section whose header line starts at `header`.
+    fn find_key(&self, text: &str, header: u32, field: &Field) -> Option<Span> {
+        let name = field.name();
+        let hash = hash(&self.state, &name.to_ascii_lowercase());
+        let mut sections = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        let keys = sections.entry(header).or_insert_with(|| self.read_keys(text, header));
+        let from = keys.partition_point(|(other, _)| *other < hash);
+        let candidates = keys[from..].iter().take_while(|(other, _)| *other == hash);
+        candidates.filter_map(|&(_, start)| Lines::from(text, start).next()).find_map(|line| {
+            match line.kind {
+                LineKind::Entry { key, value } if key.of(text).eq_ignore_ascii_case(&name) => {
+                    Some(if value.is_empty() { key } else { value })
+                }
+                _ => None,
+            }
+        })
+    }
+
+    fn read_keys(&self, text: &str, header: u32) -> Keys {
+        let mut keys = Keys::new();
+        for line in Lines::from(text, header).skip(1) {
+            match line.kind {
+                LineKind::Section { .. } => break,
+                LineKind::Entry { key, .. } => {
+                    keys.push((hash(&self.state, &key.of(text).to_ascii_lowercase()), line.span.start));
+                }
+                _ => {}
+            }
+        }
+        keys.sort_unstable();
+        keys
     }
 
     /// An entry without a section of its own stands in its object's.
@@ -64,21 +105,6 @@ impl Locator {
     }
 }
 
-fn hash(state: &RandomState, part: &Part) -> u32 {
-    state.hash_one(part) as u32
-}
-
-/// The value of a key, or the key where it has none, in the section whose entries come next.
-fn find_key(text: &str, lines: Lines<'_>, field: &Field) -> Option<Span> {
-    let name = field.name();
-    for line in lines {
-        match line.kind {
-            LineKind::Section { .. } => return None,
-            LineKind::Entry { key, value } if key.of(text).eq_ignore_ascii_case(&name) => {
-                return Some(if value.is_empty() { key } else { value });
-            }
-            _ => {}
-        }
-    }
-    None
+fn hash<T: std::hash::Hash>(state: &RandomState, item: &T) -> u32 {
+    state.hash_one(item) as u32
 }
