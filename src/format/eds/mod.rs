@@ -5,6 +5,7 @@ pub(crate) mod file_name;
 pub(crate) mod findings;
 mod keys;
 mod locate;
+mod quirks;
 mod read;
 mod section;
 mod write;
