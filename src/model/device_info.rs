@@ -100,6 +100,23 @@ pub struct BaudRates {
     pub auto: Option<bool>,
 }
 
+/// Keys that EDS version 3.0 had and later versions reserve (CiA 306-1 §4.5).
+const RESERVED: [&str; 6] = [
+    "ProductVersion",
+    "ProductRevision",
+    "LMT_ManufacturerName",
+    "LMT_ProductName",
+    "ExtendedBootUpMaster",
+    "ExtendedBootUpSlave",
+];
+
+impl DeviceInfo {
+    /// Whether a key is left over from EDS version 3.0: readers ignore it. Such keys are in [`extra`](Self::extra).
+    pub fn is_reserved(key: &str) -> bool {
+        RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key))
+    }
+}
+
 impl BaudRates {
     /// Every bit rate of CiA 301 in kbit/s with its field and what the description says of it.
     pub fn iter(&self) -> impl Iterator<Item = (u16, Field, Option<bool>)> {

@@ -116,22 +116,9 @@ fn device_info_item<'a>(info: &mut DeviceInfo, items: &mut Items<'a>, item: &Ite
         Some(Field::LssSupported) => info.lss_supported = items.boolean(item, misfits),
         Some(Field::CompactPdo) => info.compact_pdo = items.integer(item, U8, misfits),
         Some(Field::CanOpenSafetySupported) => info.safety_supported = items.boolean(item, misfits),
-        _ if is_reserved(item.name) => info.extra.push(item.name, item.value),
+        _ if DeviceInfo::is_reserved(item.name) => info.extra.push(item.name, item.value),
         _ => items.unknown(item, &mut info.extra),
     }
-}
-
-/// Keys that EDS 3.0 had and later versions reserve: readers ignore them (CiA 306-1 §4.5). A rule of its own names them.
-fn is_reserved(name: &str) -> bool {
-    let reserved = [
-        "ProductVersion",
-        "ProductRevision",
-        "LMT_ManufacturerName",
-        "LMT_ProductName",
-        "ExtendedBootUpMaster",
-        "ExtendedBootUpSlave",
-    ];
-    reserved.iter().any(|key| key.eq_ignore_ascii_case(name))
 }
 
 /// The data type of a key such as `Dummy0005`.

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings, listing};
 use crate::lint::rule;
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{Device, DeviceInfo, Field, Part, Place};
 
 rule! {
     /// a key of `[DeviceInfo]` is left over from EDS 3.0
@@ -22,19 +22,10 @@ rule! {
     "cia306/reserved-key", Note, Device(check)
 }
 
-const RESERVED: [&str; 6] = [
-    "ProductVersion",
-    "ProductRevision",
-    "LMT_ManufacturerName",
-    "LMT_ProductName",
-    "ExtendedBootUpMaster",
-    "ExtendedBootUpSlave",
-];
-
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.device_info else { return };
-    let is_reserved = |key: &str| RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key));
-    let keys: Vec<&str> = info.extra.iter().map(|(key, _)| key).filter(|key| is_reserved(key)).collect();
+    let keys: Vec<&str> =
+        info.extra.iter().map(|(key, _)| key).filter(|key| DeviceInfo::is_reserved(key)).collect();
     let Some(first) = keys.first() else { return };
     let message = format!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
     let place = Place::of(Part::DeviceInfo).field(Field::from_name(first));
