@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Commissioning, DataType, DeviceInfo, DynamicChannels, ExtraSection, FileInfo, Misfits, Modules, Object,
-    ObjectList, Tool,
+    ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
+    DynamicChannels, ExtraSection, FileInfo, Misfits, ModuleObjects, Modules, NetworkIdentity, Object,
+    ObjectList, ProfileHeaders, Tool,
 };
 
 /// A device description, whatever format it came from.
@@ -45,6 +46,27 @@ pub struct Device {
     /// The tools that can be started from the description.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tools: Vec<Tool>,
+    /// What the profiles say of themselves (CiA 311).
+    #[serde(skip_serializing_if = "super::is_default")]
+    pub headers: ProfileHeaders,
+    /// Who made the device, as far as `device_info` has no field for it (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub identity: Option<Box<DeviceIdentity>>,
+    /// What the communication network profile says of the same, where it says more or else.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub network_identity: Option<Box<NetworkIdentity>>,
+    /// Indicators and module interfaces (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub manager: Option<Box<DeviceManager>>,
+    /// What the device does, in words (CiA 311).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub functions: Vec<DeviceFunction>,
+    /// Data types, functions and the parameters that belong to no entry (CiA 311).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub application: Vec<ApplicationProcess>,
+    /// How the objects of modules lie in the dictionary (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub module_objects: Option<Box<ModuleObjects>>,
     /// Sections that the model does not know.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub extra: Vec<ExtraSection>,

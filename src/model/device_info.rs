@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Extra, Field, Misfits};
+use super::{DefaultBaudRate, Extra, Field, Misfits};
 
 /// Vendor, product and general features of the device.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -59,6 +59,33 @@ pub struct DeviceInfo {
     /// `CANopenSafetySupported` (CiA 306-1 annex A).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safety_supported: Option<bool>,
+    /// `conformanceClass` (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub conformance_class: Option<String>,
+    /// `communicationEntityType` (CiA 311), such as `slave`; words as they are written.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub communication_entities: Vec<Box<str>>,
+    /// `selfStartingDevice` (CiA 311): whether the device goes to operational by itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub self_starting: Option<bool>,
+    /// `SDORequestingDevice` (CiA 311, CiA 302-5).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sdo_requesting: Option<bool>,
+    /// `flyingMaster` (CiA 311, CiA 302-2).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flying_master: Option<bool>,
+    /// `SDOManager` (CiA 311, CiA 302-5).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sdo_manager: Option<bool>,
+    /// `configurationManager` (CiA 311, CiA 302-3).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub configuration_manager: Option<bool>,
+    /// `layerSettingServiceMaster` (CiA 311, CiA 305).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lss_master: Option<bool>,
+    /// The bit rate of a new device (`baudRate` / `defaultValue` of CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default_baud_rate: Option<DefaultBaudRate>,
     /// Keys that the model does not know, the ones left over from EDS 3.0 among them.
     #[serde(skip_serializing_if = "Extra::is_empty")]
     pub extra: Extra,
@@ -80,6 +107,9 @@ pub struct BaudRates {
     /// 50 kbit/s.
     #[serde(rename = "50", skip_serializing_if = "Option::is_none")]
     pub kbit_50: Option<bool>,
+    /// 100 kbit/s, which CiA 311 has and CiA 301 has not.
+    #[serde(rename = "100", skip_serializing_if = "Option::is_none")]
+    pub kbit_100: Option<bool>,
     /// 125 kbit/s.
     #[serde(rename = "125", skip_serializing_if = "Option::is_none")]
     pub kbit_125: Option<bool>,

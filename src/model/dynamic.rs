@@ -34,6 +34,12 @@ pub struct Segment {
     /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub offset: Option<Box<str>>,
+    /// `maxNumber` (CiA 311): the largest number of objects.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_number: Option<u32>,
+    /// `bitAlignment` (CiA 311), in bits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bit_alignment: Option<u8>,
 }
 
 /// A program that a configuration tool can start.

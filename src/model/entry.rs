@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Access, DataType, Extra, Misfits, ObjectType, PdoMapping, Value};
+use super::{Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoMapping, StackOptions, Value};
 
 /// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,6 +40,12 @@ pub struct Entry {
     /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safety: Option<Box<Safety>>,
+    /// What the application process says of the entry (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parameter: Option<Box<Parameter>>,
+    /// What the description says to the generators of CANopenNode.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stack: Option<Box<StackOptions>>,
     /// Keys that the model does not know.
     #[serde(skip_serializing_if = "Extra::is_empty")]
     pub extra: Extra,
@@ -122,6 +128,16 @@ impl Entry {
     /// What a DCF adds, for writing.
     pub fn configured_mut(&mut self) -> &mut Configured {
         self.configured.get_or_insert_default()
+    }
+
+    /// What the application process says, for writing.
+    pub fn parameter_mut(&mut self) -> &mut Parameter {
+        self.parameter.get_or_insert_default()
+    }
+
+    /// What the description says to CANopenNode's generators, for writing.
+    pub fn stack_mut(&mut self) -> &mut StackOptions {
+        self.stack.get_or_insert_default()
     }
 
     /// The safety facts, for writing.

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Extra, Misfits};
+use super::{DeviceClass, Extra, Misfits};
 
 /// Who made the description, when, and of which version.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,6 +47,12 @@ pub struct FileInfo {
     /// `LastEDS` of a DCF: the EDS that it was made from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub last_eds: Option<String>,
+    /// `supportedLanguages` (CiA 311): language tags.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub languages: Vec<Box<str>>,
+    /// `deviceClass` (CiA 311).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub device_class: Option<DeviceClass>,
     /// Keys that the model does not know.
     #[serde(skip_serializing_if = "Extra::is_empty")]
     pub extra: Extra,
@@ -78,6 +84,20 @@ impl Date {
         };
         (1..=days).contains(&day).then_some(Self { year, month, day })
     }
+
+    /// A date of ISO 8601 such as `2024-03-04`.
+    pub fn from_iso(text: &str) -> Option<Self> {
+        let mut parts = text.splitn(3, '-');
+        let (year, month, day) = (parts.next()?, parts.next()?, parts.next()?);
+        let is_year = year.len() == 4 && year.bytes().all(|byte| byte.is_ascii_digit());
+        if is_year { Self::new(year.parse().ok()?, two_digits(month)?, two_digits(day)?) } else { None }
+    }
+
+    /// As in ISO 8601: `2024-03-04`.
+    pub fn to_iso(self) -> String {
+        let Self { year, month, day } = self;
+        format!("{year:04}-{month:02}-{day:02}")
+    }
 }
 
 /// As in an EDS: `mm-dd-yyyy`.
@@ -87,20 +107,88 @@ impl fmt::Display for Date {
     }
 }
 
-/// A time of day to the minute.
+/// A time of day. An EDS states it to the minute, CiA 311 to the second and further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ClockTime {
     /// Hour, 0 to 23.
     pub hour: u8,
     /// Minute, 0 to 59.
     pub minute: u8,
+    /// Second, 0 to 59.
+    pub second: u8,
+    /// Part of the second in ns.
+    pub nanosecond: u32,
+    /// How far the clock is before Coordinated Universal Time, in minutes; `None` where nobody says it.
+    pub utc_offset: Option<i16>,
 }
 
 impl ClockTime {
-    /// A time; `None` when a day does not have it.
+    /// A time to the minute; `None` when a day does not have it.
     pub fn new(hour: u8, minute: u8) -> Option<Self> {
-        (hour < 24 && minute < 60).then_some(Self { hour, minute })
+        let time = Self { hour, minute, second: 0, nanosecond: 0, utc_offset: None };
+        (hour < 24 && minute < 60).then_some(time)
     }
+
+    /// A time of ISO 8601 such as `14:40`, `14:40:59` or `14:40:59.25+01:00`.
+    pub fn from_iso(text: &str) -> Option<Self> {
+        let (clock, utc_offset) = match text.find(['Z', '+', '-']) {
+            Some(at) => (&text[..at], Some(utc_offset(&text[at..])?)),
+            None => (text, None),
+        };
+        let mut parts = clock.splitn(3, ':');
+        let mut time = Self::new(two_digits(parts.next()?)?, two_digits(parts.next()?)?)?;
+        if let Some(seconds) = parts.next() {
+            let (second, fraction) = seconds.split_once('.').unwrap_or((seconds, "0"));
+            time.second = two_digits(second).filter(|second| *second < 60)?;
+            time.nanosecond = nanoseconds(fraction)?;
+        }
+        Some(Self { utc_offset, ..time })
+    }
+
+    /// As in ISO 8601: `14:40:59.25+01:00`, with the parts that say something. `seconds` are always written where a
+    /// format demands them.
+    pub fn to_iso(self, seconds: bool) -> String {
+        let Self { hour, minute, second, nanosecond, utc_offset } = self;
+        let mut text = format!("{hour:02}:{minute:02}");
+        if seconds || second != 0 || nanosecond != 0 || utc_offset.is_some() {
+            text.push_str(&format!(":{second:02}"));
+        }
+        if nanosecond != 0 {
+            text.push_str(format!(".{nanosecond:09}").trim_end_matches('0'));
+        }
+        match utc_offset {
+            None => {}
+            Some(0) => text.push('Z'),
+            Some(offset) => {
+                let (sign, minutes) = (if offset < 0 { '-' } else { '+' }, offset.unsigned_abs());
+                text.push_str(&format!("{sign}{:02}:{:02}", minutes / 60, minutes % 60));
+            }
+        }
+        text
+    }
+}
+
+/// The minutes of `Z`, `+01:00` or `-03:30`; ISO 8601 has offsets up to 14 hours.
+fn utc_offset(text: &str) -> Option<i16> {
+    if text == "Z" {
+        return Some(0);
+    }
+    let (hours, minutes) = text.get(1..)?.split_once(':')?;
+    let (hours, minutes) = (i16::from(two_digits(hours)?), i16::from(two_digits(minutes)?));
+    let offset = hours * 60 + minutes;
+    (minutes < 60 && offset <= 14 * 60).then_some(if text.starts_with('-') { -offset } else { offset })
+}
+
+/// The digits behind the point of a second; more than nine only where they are zeros.
+fn nanoseconds(digits: &str) -> Option<u32> {
+    let kept = digits.trim_end_matches('0');
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) && kept.len() <= 9;
+    if is_number { format!("{kept:0<9}").parse().ok() } else { None }
+}
+
+fn two_digits(text: &str) -> Option<u8> {
+    let is_number = text.len() == 2 && text.bytes().all(|byte| byte.is_ascii_digit());
+    if is_number { text.parse().ok() } else { None }
 }
 
 /// As in an EDS: `hh:mmAM` or `hh:mmPM`, twelve hours.
@@ -117,41 +205,60 @@ impl fmt::Display for ClockTime {
 /// In JSON as in ISO 8601: `2024-03-04`.
 impl Serialize for Date {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&format_args!("{:04}-{:02}-{:02}", self.year, self.month, self.day))
+        serializer.serialize_str(&self.to_iso())
     }
 }
 
 impl<'de> Deserialize<'de> for Date {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let date = || {
-            let mut parts = text.splitn(3, '-').map(number);
-            let (year, month, day) = (parts.next()??, parts.next()??, parts.next()??);
-            Self::new(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?)
-        };
-        date().ok_or_else(|| D::Error::custom(format!("`{text}` is no date such as `2024-03-04`")))
+        let date = Self::from_iso(&text);
+        date.ok_or_else(|| D::Error::custom(format!("`{text}` is no date such as `2024-03-04`")))
     }
 }
 
 /// In JSON as in ISO 8601: `14:40`.
 impl Serialize for ClockTime {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&format_args!("{:02}:{:02}", self.hour, self.minute))
+        serializer.serialize_str(&self.to_iso(false))
     }
 }
 
 impl<'de> Deserialize<'de> for ClockTime {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let time = || {
-            let (hour, minute) = text.split_once(':')?;
-            Self::new(u8::try_from(number(hour)?).ok()?, u8::try_from(number(minute)?).ok()?)
-        };
-        time().ok_or_else(|| D::Error::custom(format!("`{text}` is no time such as `14:40`")))
+        let time = Self::from_iso(&text);
+        time.ok_or_else(|| D::Error::custom(format!("`{text}` is no time such as `14:40`")))
     }
 }
 
-fn number(text: &str) -> Option<u16> {
-    let digits = text.bytes().all(|byte| byte.is_ascii_digit());
-    if digits { text.parse().ok() } else { None }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_iso_8601_are_kept() {
+        for text in
+            ["00:00", "14:40", "23:59:59", "18:55:18.25", "18:55:18.25+02:00", "07:01:00Z", "07:01:30-03:30"]
+        {
+            let time = ClockTime::from_iso(text).map(|time| time.to_iso(false));
+            assert_eq!(time.as_deref(), Some(text));
+        }
+        let zeros = ClockTime::from_iso("18:55:18.0000000000+02:00").map(|time| time.to_iso(false));
+        assert_eq!(zeros.as_deref(), Some("18:55:18+02:00"));
+        for text in [
+            "",
+            "24:00",
+            "12:60",
+            "1:00",
+            "12",
+            "12:00:60",
+            "12:00:00.",
+            "12:00+15:00",
+            "12:00:00+1",
+            "+1:00",
+        ] {
+            assert_eq!(ClockTime::from_iso(text), None, "{text}");
+        }
+    }
 }

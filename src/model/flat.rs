@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{
     Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, Misfits, ObjFlags,
-    Object, ObjectType, PdoMapping, Safety, Subs, Value,
+    Object, ObjectType, Parameter, PdoMapping, Safety, StackOptions, Subs, Value,
 };
 
 macro_rules! form {
@@ -26,6 +26,8 @@ macro_rules! form {
             flags: Option<ObjFlags>,
             configured: Option<Box<Configured>>,
             safety: Option<Box<Safety>>,
+            parameter: Option<Box<Parameter>>,
+            stack: Option<Box<StackOptions>>,
             extra: Extra,
             misfits: Misfits,
             $($(#[serde(with = $with)])? $own: $Type,)*
@@ -48,6 +50,8 @@ macro_rules! form {
                     flags: form.flags,
                     configured: form.configured,
                     safety: form.safety,
+                    parameter: form.parameter,
+                    stack: form.stack,
                     extra: form.extra,
                     misfits: form.misfits,
                 };

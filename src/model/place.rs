@@ -61,6 +61,20 @@ pub enum Part {
     Tools,
     /// The tool with this number.
     Tool(u16),
+    /// The headers of the profiles (CiA 311).
+    Headers,
+    /// Who made the device (CiA 311).
+    Identity,
+    /// The identity in the communication network profile (CiA 311).
+    NetworkIdentity,
+    /// Indicators and module interfaces (CiA 311).
+    Manager,
+    /// What the device does, in words (CiA 311).
+    Functions,
+    /// The application process, but for the parameters of entries (CiA 311).
+    Application,
+    /// How the objects of modules lie in the dictionary (CiA 311).
+    ModuleObjects,
     /// A section that the model does not know.
     Section(Box<str>),
 }
@@ -203,6 +217,13 @@ impl fmt::Display for Part {
             Self::DynamicChannels => f.write_str("DynamicChannels"),
             Self::Tools => f.write_str("Tools"),
             Self::Tool(number) => write!(f, "Tool{number}"),
+            Self::Headers => f.write_str("ProfileHeader"),
+            Self::Identity => f.write_str("DeviceIdentity"),
+            Self::NetworkIdentity => f.write_str("ApplicationLayers/identity"),
+            Self::Manager => f.write_str("DeviceManager"),
+            Self::Functions => f.write_str("DeviceFunction"),
+            Self::Application => f.write_str("ApplicationProcess"),
+            Self::ModuleObjects => f.write_str("ApplicationLayers/moduleManagement"),
             Self::Section(name) => f.write_str(name),
         }
     }

@@ -152,6 +152,7 @@ fn entry(object_type: Option<ObjectType>, texts: Texts) -> BoxedStrategy<Entry> 
                     safety,
                     extra,
                     misfits: Misfits::default(),
+                    ..Entry::default()
                 };
                 if damaged {
                     damage(&mut entry);
@@ -269,6 +270,7 @@ fn file_info(texts: Texts) -> BoxedStrategy<FileInfo> {
                 last_eds,
                 extra,
                 misfits,
+                ..FileInfo::default()
             }
         })
         .boxed()
@@ -314,6 +316,7 @@ fn device_info(texts: Texts) -> BoxedStrategy<DeviceInfo> {
             safety_supported: flags.4,
             extra,
             misfits: Misfits::default(),
+            ..DeviceInfo::default()
         })
         .boxed()
 }
@@ -417,6 +420,7 @@ fn dynamic_channels(texts: Texts) -> BoxedStrategy<DynamicChannels> {
             direction,
             range,
             offset,
+            ..Segment::default()
         },
     );
     (vec(segment, 0..3), texts.extra())
@@ -473,6 +477,7 @@ pub(crate) fn device(texts: Texts) -> BoxedStrategy<Device> {
                 dynamic_channels,
                 tools,
                 extra,
+                ..Device::default()
             }
         })
         .boxed()

@@ -104,6 +104,14 @@ impl<'a> Reader<'a> {
             Part::Tools => self.tools(section),
             Part::Tool(number) => self.tool(number, section),
             Part::Device | Part::Object(_) | Part::Entry(..) | Part::Section(_) => {}
+            // an EDS has no section for them
+            Part::Headers
+            | Part::Identity
+            | Part::NetworkIdentity
+            | Part::Manager
+            | Part::Functions
+            | Part::Application
+            | Part::ModuleObjects => {}
         }
     }
 

@@ -1,0 +1,293 @@
+//! The application process: data types, functions, parameters and their groups (CiA 311 §6.4).
+
+use serde::{Deserialize, Serialize};
+
+use super::part::{part, words};
+use super::{
+    AllowedValues, AllowedValuesTemplate, Labels, Parameter, ParameterAccess, ParameterGroup,
+    ParameterTemplate, ScaledValue, Unit,
+};
+
+part! {
+    /// The application process of a device.
+    pub struct ApplicationProcess {
+        /// `dataTypeList`.
+        pub data_types: Vec<TypeDefinition>,
+        /// `functionTypeList`.
+        pub function_types: Vec<FunctionType>,
+        /// `functionInstanceList`.
+        pub functions: FunctionInstances,
+        /// `templateList`: templates of parameters.
+        pub parameter_templates: Vec<ParameterTemplate>,
+        /// `templateList`: templates of allowed values.
+        pub allowed_values_templates: Vec<AllowedValuesTemplate>,
+        /// The parameters that belong to no entry of the dictionary, or to several.
+        pub parameters: Vec<Parameter>,
+        /// `parameterGroupList`.
+        pub groups: Vec<ParameterGroup>,
+    }
+
+    /// A data type that the description defines.
+    pub struct TypeDefinition {
+        /// `name`.
+        pub name: Box<str>,
+        /// `uniqueID`.
+        pub unique_id: Box<str>,
+        /// Names and descriptions.
+        pub labels: Labels,
+        /// What it is made of.
+        pub shape: TypeShape,
+    }
+
+    /// One of the indexes of an array.
+    pub struct Subrange {
+        /// `lowerLimit`.
+        pub low: Box<str>,
+        /// `upperLimit`.
+        pub high: Box<str>,
+    }
+
+    /// A value of an enumeration.
+    pub struct EnumValue {
+        /// Names and descriptions.
+        pub labels: Labels,
+        /// `value`; missing means one more than the value before.
+        pub value: Option<Box<str>>,
+    }
+
+    /// The number of elements of a derived type (`count`).
+    pub struct Count {
+        /// `uniqueID`.
+        pub unique_id: Box<str>,
+        /// `access`.
+        pub access: Option<ParameterAccess>,
+        /// Names and descriptions.
+        pub labels: Labels,
+        /// `defaultValue`.
+        pub default_value: Option<ScaledValue>,
+        /// `allowedValues`.
+        pub allowed_values: Option<AllowedValues>,
+    }
+
+    /// A member of a struct, or a variable of a function.
+    pub struct VarDeclaration {
+        /// `name`.
+        pub name: Box<str>,
+        /// `uniqueID`.
+        pub unique_id: Box<str>,
+        /// Names and descriptions.
+        pub labels: Labels,
+        /// The data type.
+        pub data_type: Option<DataTypeRef>,
+        /// `start`: the first bit.
+        pub start: Option<Box<str>>,
+        /// `size`: the number of elements.
+        pub size: Option<Box<str>>,
+        /// `signed`: whether a bit string is a signed number.
+        pub signed: Option<bool>,
+        /// `offset` of the engineering value.
+        pub offset: Option<Box<str>>,
+        /// `multiplier` of the engineering value.
+        pub multiplier: Option<Box<str>>,
+        /// `initialValue`.
+        pub initial_value: Option<Box<str>>,
+        /// `conditionalSupport`: the parameters that decide whether it is supported.
+        pub conditional_support: Vec<Box<str>>,
+        /// `defaultValue`.
+        pub default_value: Option<ScaledValue>,
+        /// `allowedValues`.
+        pub allowed_values: Option<AllowedValues>,
+        /// `unit`.
+        pub unit: Option<Unit>,
+    }
+
+    /// A kind of function.
+    pub struct FunctionType {
+        /// `name`.
+        pub name: Box<str>,
+        /// `uniqueID`.
+        pub unique_id: Box<str>,
+        /// `package`: the library that it is from.
+        pub package: Option<Box<str>>,
+        /// Names and descriptions.
+        pub labels: Labels,
+        /// `versionInfo`.
+        pub versions: Vec<VersionInfo>,
+        /// `inputVars`.
+        pub inputs: Vec<VarDeclaration>,
+        /// `outputVars`.
+        pub outputs: Vec<VarDeclaration>,
+        /// `configVars`.
+        pub configuration: Vec<VarDeclaration>,
+        /// The functions that it is made of.
+        pub functions: FunctionInstances,
+    }
+
+    /// Who made a version of a function type.
+    pub struct VersionInfo {
+        /// `organization`.
+        pub organization: Box<str>,
+        /// `version`.
+        pub version: Box<str>,
+        /// `author`.
+        pub author: Box<str>,
+        /// `date`, as it is written.
+        pub date: Box<str>,
+        /// Names and descriptions.
+        pub labels: Labels,
+    }
+
+    /// Functions and how they are connected.
+    pub struct FunctionInstances {
+        /// `functionInstance`.
+        pub instances: Vec<FunctionInstance>,
+        /// `connection`.
+        pub connections: Vec<Connection>,
+    }
+
+    /// A function of a function type.
+    pub struct FunctionInstance {
+        /// `name`.
+        pub name: Box<str>,
+        /// `uniqueID`.
+        pub unique_id: Box<str>,
+        /// `typeIDRef`: its function type.
+        pub function_type: Box<str>,
+        /// Names and descriptions.
+        pub labels: Labels,
+    }
+
+    /// A connection from an output to an input.
+    pub struct Connection {
+        /// `source`.
+        pub source: Box<str>,
+        /// `destination`.
+        pub destination: Box<str>,
+        /// `description`.
+        pub description: Option<Box<str>>,
+    }
+
+    /// A variable of a function instance (`variableRef`).
+    pub struct VariableRef {
+        /// `position`; missing means 1.
+        pub position: Option<u8>,
+        /// `instanceIDRef`: the function instances, from the outside in.
+        pub instances: Vec<Box<str>>,
+        /// `variableIDRef`: the variable.
+        pub variable: Box<str>,
+        /// `memberRef`: the members of it, from the outside in.
+        pub members: Vec<MemberRef>,
+    }
+
+    /// A member of a variable: by id, or by index of an array.
+    pub struct MemberRef {
+        /// `uniqueIDRef`.
+        pub unique_id: Option<Box<str>>,
+        /// `index`.
+        pub index: Option<Box<str>>,
+    }
+}
+
+/// What a data type is made of.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum TypeShape {
+    /// Elements of one type, in as many dimensions as there are ranges.
+    Array {
+        /// `subrange`.
+        #[serde(default)]
+        ranges: Vec<Subrange>,
+        /// The type of an element.
+        #[serde(default)]
+        element: Option<DataTypeRef>,
+    },
+    /// Members of any types.
+    Struct {
+        /// `varDeclaration`.
+        #[serde(default)]
+        members: Vec<VarDeclaration>,
+    },
+    /// Values with names.
+    Enum {
+        /// `size`: the number of values.
+        #[serde(default)]
+        size: Option<Box<str>>,
+        /// `enumValue`.
+        #[serde(default)]
+        values: Vec<EnumValue>,
+        /// The type of a value.
+        #[serde(default)]
+        base: Option<SimpleType>,
+    },
+    /// Another name of a type.
+    Derived {
+        /// `count`: the number of elements.
+        #[serde(default)]
+        count: Option<Box<Count>>,
+        /// The type.
+        #[serde(default)]
+        base: Option<DataTypeRef>,
+    },
+}
+
+impl Default for TypeShape {
+    fn default() -> Self {
+        Self::Struct { members: Vec::new() }
+    }
+}
+
+/// The data type of a parameter, a member or an element.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DataTypeRef {
+    /// A type of IEC 61131-3.
+    Simple(SimpleType),
+    /// `dataTypeIDRef`: a type of the description.
+    Defined(Box<str>),
+    /// `variableRef`: the types of variables of functions.
+    Variables(Vec<VariableRef>),
+}
+
+words! {
+    /// The data types of IEC 61131-3 that CiA 311 knows. Not every data type of CiA 301 has one.
+    pub enum SimpleType {
+        /// One bit.
+        Bool = "BOOL",
+        /// Bits.
+        Bitstring = "BITSTRING",
+        /// 8 bits.
+        Byte = "BYTE",
+        /// A character.
+        Char = "CHAR",
+        /// 16 bits.
+        Word = "WORD",
+        /// 32 bits.
+        Dword = "DWORD",
+        /// 64 bits.
+        Lword = "LWORD",
+        /// 8 bits, signed.
+        Sint = "SINT",
+        /// 16 bits, signed.
+        Int = "INT",
+        /// 32 bits, signed.
+        Dint = "DINT",
+        /// 64 bits, signed.
+        Lint = "LINT",
+        /// 8 bits, unsigned.
+        Usint = "USINT",
+        /// 16 bits, unsigned.
+        Uint = "UINT",
+        /// 32 bits, unsigned.
+        Udint = "UDINT",
+        /// 64 bits, unsigned.
+        Ulint = "ULINT",
+        /// 32 bits, floating point.
+        Real = "REAL",
+        /// 64 bits, floating point.
+        Lreal = "LREAL",
+        /// Characters of 8 bits.
+        String = "STRING",
+        /// Characters of 16 bits.
+        Wstring = "WSTRING",
+    }
+}

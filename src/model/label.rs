@@ -1,0 +1,120 @@
+//! Texts for people, in several languages (CiA 311, `g_labels`).
+
+use serde::{Deserialize, Serialize};
+
+/// The names and descriptions of a part of the profile, in the order of the file.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Labels(pub Vec<Label>);
+
+/// A name or description, or where it stands.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Label {
+    /// `label`: a name in one language.
+    Name {
+        /// The language, such as `en` or `de-ch` (RFC 5646).
+        lang: Box<str>,
+        /// The name.
+        text: Box<str>,
+    },
+    /// `description`: a text in one language.
+    Description {
+        /// The language.
+        lang: Box<str>,
+        /// The text; it may have several lines.
+        #[serde(default, skip_serializing_if = "super::is_default")]
+        text: Box<str>,
+        /// `URI`: where more about it stands.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        uri: Option<Box<str>>,
+    },
+    /// `labelRef`: a name in a text resource.
+    NameRef(TextRef),
+    /// `descriptionRef`: a text in a text resource.
+    DescriptionRef(TextRef),
+}
+
+/// A text in a text resource file (CiA 311, `dictionaryList`).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TextRef {
+    /// `dictID`: the dictionary.
+    pub dictionary: Box<str>,
+    /// `textID`: the text in it.
+    pub text_id: Box<str>,
+    /// What stands inside the element: mostly a URI, mostly nothing.
+    #[serde(skip_serializing_if = "super::is_default")]
+    pub uri: Box<str>,
+}
+
+impl Labels {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// One name.
+    pub fn name(lang: &str, text: &str) -> Self {
+        Self(vec![Label::Name { lang: lang.into(), text: text.into() }])
+    }
+
+    /// All names with their languages.
+    pub fn names(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().filter_map(|label| match label {
+            Label::Name { lang, text } => Some((lang.as_ref(), text.as_ref())),
+            _ => None,
+        })
+    }
+
+    /// All descriptions with their languages.
+    pub fn descriptions(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().filter_map(|label| match label {
+            Label::Description { lang, text, .. } => Some((lang.as_ref(), text.as_ref())),
+            _ => None,
+        })
+    }
+
+    /// The name in a language: in exactly it, else in a variety of it (`en-us` for `en`), else in English, else the first.
+    pub fn name_in(&self, lang: &str) -> Option<&str> {
+        best(self.names(), lang)
+    }
+
+    /// The description in a language, chosen like [`name_in`](Self::name_in).
+    pub fn description_in(&self, lang: &str) -> Option<&str> {
+        best(self.descriptions(), lang)
+    }
+}
+
+fn best<'a>(texts: impl Iterator<Item = (&'a str, &'a str)>, lang: &str) -> Option<&'a str> {
+    let closeness = |tag: &str| {
+        let is = |wanted: &str| tag.eq_ignore_ascii_case(wanted);
+        let primary = tag.split('-').next().unwrap_or_default();
+        match () {
+            () if is(lang) => 3,
+            () if primary.eq_ignore_ascii_case(lang.split('-').next().unwrap_or_default()) => 2,
+            () if primary.eq_ignore_ascii_case("en") => 1,
+            () => 0,
+        }
+    };
+    // `max_by_key` would take the last of equals
+    texts
+        .reduce(|best, next| if closeness(next.0) > closeness(best.0) { next } else { best })
+        .map(|(_, text)| text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_language_is_taken() {
+        let name = |lang: &str, text: &str| Label::Name { lang: lang.into(), text: text.into() };
+        let labels = Labels(vec![name("de", "Drehzahl"), name("en-us", "Speed"), name("en", "Velocity")]);
+        assert_eq!(labels.name_in("en"), Some("Velocity"));
+        assert_eq!(labels.name_in("en-gb"), Some("Speed"));
+        assert_eq!(labels.name_in("de-ch"), Some("Drehzahl"));
+        assert_eq!(labels.name_in("fr"), Some("Speed"));
+        assert_eq!(Labels::default().name_in("en"), None);
+    }
+}
