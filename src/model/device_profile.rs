@@ -149,8 +149,8 @@ part! {
 
     /// A type of module.
     pub struct ModuleType {
-        /// `uniqueID`.
-        pub unique_id: Box<str>,
+        /// `uniqueID`, which EPSG 311 has and CiA 311 has not.
+        pub unique_id: Option<Box<str>>,
         /// `type`.
         pub kind: Box<str>,
     }

@@ -65,8 +65,8 @@ pub use node_list::{Network, NetworkNode, NodeList};
 pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
 pub use parameter::{
-    AllowedValues, AllowedValuesTemplate, NamedValue, Parameter, ParameterAccess, ParameterGroup,
-    ParameterTemplate, Property, ScaledValue, Support, Unit, ValueRange,
+    AllowedValues, AllowedValuesTemplate, Parameter, ParameterAccess, ParameterGroup, ParameterTemplate,
+    Property, ScaledValue, Support, Unit, ValueRange,
 };
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};

@@ -45,7 +45,7 @@ part! {
         pub properties: Vec<Property>,
     }
 
-    /// A value with its own scaling (`ag_value`).
+    /// A value with its own scaling (`ag_value`) and perhaps with names.
     pub struct ScaledValue {
         /// `value`, as it is written: what it means depends on the data type of the parameter.
         pub value: Box<str>,
@@ -53,34 +53,28 @@ part! {
         pub offset: Option<Box<str>>,
         /// `multiplier`.
         pub multiplier: Option<Box<str>>,
+        /// What the value means: names and descriptions.
+        pub labels: Labels,
     }
 
     /// The values that a parameter may have: single ones and ranges.
     pub struct AllowedValues {
         /// `templateIDRef`: the template with more of them.
         pub template: Option<Box<str>>,
-        /// `value`: single values, each perhaps with names.
-        pub values: Vec<NamedValue>,
+        /// `value`: single values.
+        pub values: Vec<ScaledValue>,
         /// `range`.
         pub ranges: Vec<ValueRange>,
-    }
-
-    /// A single value with names.
-    pub struct NamedValue {
-        /// The value.
-        pub value: ScaledValue,
-        /// Names and descriptions.
-        pub labels: Labels,
     }
 
     /// A range of values, both ends in it.
     pub struct ValueRange {
         /// `minValue`.
-        pub min: NamedValue,
+        pub min: ScaledValue,
         /// `maxValue`.
-        pub max: NamedValue,
+        pub max: ScaledValue,
         /// `step`: the distance of neighbouring values.
-        pub step: Option<NamedValue>,
+        pub step: Option<ScaledValue>,
     }
 
     /// The unit of the engineering value.
