@@ -6,6 +6,7 @@ pub mod ini;
 pub mod json;
 pub mod literal;
 pub mod nodelist;
+pub mod xml;
 
 use std::path::Path;
 use std::sync::OnceLock;

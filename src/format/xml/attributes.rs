@@ -1,0 +1,222 @@
+//! The attributes of a start tag: their steps, their names, their namespaces.
+
+use std::collections::HashSet;
+use std::ops::Range;
+
+use super::build::{Builder, MAX_NAME};
+use super::chars::prefix_length;
+use super::findings::{self as rules, shown};
+use super::namespaces::{XML, XMLNS};
+use super::tag::{Flaw, RawAttribute, Step, Steps};
+use super::tree::{AttributeRecord, DECLARES};
+use crate::diagnostic::{Diagnostic, RuleInfo};
+use crate::source::Span;
+
+/// So many attributes an element has.
+const MAX_ATTRIBUTES: usize = 256;
+
+/// With more attributes than these, a table finds the duplicates.
+const FEW: usize = 16;
+
+impl<'a> Builder<'a, '_> {
+    /// Collects the attributes of the tag with this name. Gives the end of the tag, and whether it is `<a/>`.
+    pub(super) fn tag(&mut self, name: Range<usize>, is_read: bool) -> (usize, bool) {
+        let text = self.text;
+        let mut steps = Steps::tag(text, name.end);
+        let mut count = 0;
+        self.raw.clear();
+        loop {
+            let step = steps.next();
+            match step {
+                Step::End(end) => {
+                    let is_empty = text.as_bytes().get(end as usize - 2) == Some(&b'/');
+                    return (end as usize, is_empty);
+                }
+                Step::Unclosed(end) => {
+                    if is_read {
+                        let span = Self::span(name.start - 1, name.end);
+                        self.defect(&rules::UNCLOSED_TAG, span, |_| {
+                            format!("the start tag `<{}` has no `>`", shown(&text[name.clone()]))
+                        });
+                    }
+                    return (end as usize, false);
+                }
+                _ if !is_read => {}
+                Step::Attribute(attribute) => {
+                    count += 1;
+                    if count <= MAX_ATTRIBUTES {
+                        self.flaw(attribute);
+                        self.raw.push(attribute);
+                    } else if count == MAX_ATTRIBUTES + 1 {
+                        let message = format!("an element has more than {MAX_ATTRIBUTES} attributes");
+                        self.limit(attribute.name.start as usize, message);
+                    }
+                }
+                Step::MissingValue(name) => {
+                    self.defect(&rules::MISSING_VALUE, name, |name| {
+                        format!("the attribute `{name}` has no value")
+                    });
+                }
+                Step::MissingBlank(at) => {
+                    self.defect(&rules::MISSING_BLANK, Span::empty(at), |_| "a blank is missing".to_owned());
+                }
+                Step::Junk(junk) => {
+                    self.defect(&rules::JUNK_IN_TAG, junk, |junk| {
+                        format!("`{junk}` has no meaning in a tag")
+                    });
+                }
+            }
+        }
+    }
+
+    fn defect(&mut self, rule: &'static RuleInfo, span: Span, message: impl FnOnce(&str) -> String) {
+        let text = self.text;
+        self.report(rule, || Diagnostic::new(rule, span, message(&shown(span.of(text)))));
+    }
+
+    fn flaw(&mut self, attribute: RawAttribute) {
+        let name = attribute.name.of(self.text);
+        let of = |what: &str| format!("the value of `{}` {what}", shown(name));
+        match attribute.flaw {
+            None => {}
+            Some(Flaw::Unquoted) => {
+                self.defect(&rules::UNQUOTED_VALUE, attribute.value, |_| of("has no quotes"));
+            }
+            Some(Flaw::Unclosed) => {
+                let span = Span::new(attribute.value.start - 1, attribute.value.end);
+                self.defect(&rules::UNCLOSED_VALUE, span, |_| of("has no closing quote"));
+            }
+            Some(Flaw::LessThan(at)) => {
+                self.report(&rules::LESS_THAN_IN_VALUE, || {
+                    Diagnostic::new(&rules::LESS_THAN_IN_VALUE, Span::new(at, at + 1), of("has a `<` in it"))
+                        .help("write `&lt;`")
+                });
+            }
+        }
+    }
+
+    /// Takes the collected attributes for the newest element, whose name is here, and finds the namespace of both.
+    pub(super) fn attributes(&mut self, name: Range<usize>) {
+        let text = self.text;
+        let first = self.parts.attributes.len();
+        let mut names = HashSet::new();
+        let is_many = self.raw.len() > FEW;
+        let raw = std::mem::take(&mut self.raw);
+        for (number, attribute) in raw.iter().enumerate() {
+            let name = attribute.name.of(text);
+            let is_known = match is_many {
+                true => !names.insert(name),
+                false => raw[..number].iter().any(|other| other.name.of(text) == name),
+            };
+            if is_known {
+                self.duplicate(attribute.name);
+            } else if name.len() > MAX_NAME {
+                self.limit(attribute.name.start as usize, format!("a name has more than {MAX_NAME} bytes"));
+            } else {
+                self.attribute(*attribute);
+            }
+        }
+        self.raw = raw;
+        let element_prefix = self.prefix_of(Self::span(name.start, name.end));
+        let namespace = self.namespace_of(Self::span(name.start, name.end), element_prefix);
+        if let Some(record) = self.parts.elements.last_mut() {
+            record.prefix_length = element_prefix as u16;
+            record.namespace = namespace;
+        }
+        self.check_prefixes(first);
+    }
+
+    fn duplicate(&mut self, name: Span) {
+        self.defect(&rules::DUPLICATE_ATTRIBUTE, name, |name| {
+            format!("the element has the attribute `{name}` already")
+        });
+    }
+
+    fn attribute(&mut self, attribute: RawAttribute) {
+        let text = self.text;
+        let name = attribute.name.of(text);
+        let value = attribute.value.of(text);
+        if self.has_references {
+            for at in memchr::memchr_iter(b'&', value.as_bytes()) {
+                self.check_reference(attribute.value.start as usize + at);
+            }
+        }
+        let length = self.prefix_of(attribute.name);
+        let declares = name == "xmlns" || name.starts_with("xmlns:") && length > 0;
+        if declares {
+            self.declare(attribute);
+        }
+        self.parts.attributes.push(AttributeRecord {
+            name: attribute.name.start,
+            value: attribute.value.start,
+            value_end: attribute.value.end,
+            name_length: name.len() as u16,
+            prefix_length: length as u16 | if declares { DECLARES } else { 0 },
+        });
+    }
+
+    fn prefix_of(&mut self, name: Span) -> usize {
+        let length = prefix_length(name.of(self.text));
+        if length.is_none() {
+            self.defect(&rules::BAD_NAME, name, |name| format!("`{name}` is no name of XML"));
+        }
+        length.unwrap_or(0)
+    }
+
+    /// Takes a declaration, unless it is one that Namespaces in XML does not allow.
+    fn declare(&mut self, attribute: RawAttribute) {
+        let text = self.text;
+        let prefix = attribute.name.of(text).strip_prefix("xmlns:").unwrap_or_default();
+        let uri = self.parts.entities.value(attribute.value.of(text)).into_owned();
+        let is_allowed = match (prefix, uri.as_str()) {
+            ("xmlns", _) | (_, XMLNS) => false,
+            ("xml", uri) => uri == XML,
+            (_, XML) => false,
+            (prefix, uri) => prefix.is_empty() || !uri.is_empty(),
+        };
+        if is_allowed {
+            self.namespaces.declare(prefix, &uri);
+        } else {
+            self.defect(
+                &rules::BAD_NAMESPACE,
+                Span::new(attribute.name.start, attribute.value.end),
+                |declaration| format!("the declaration `{declaration}` is not allowed"),
+            );
+        }
+    }
+
+    /// The namespace of an element's or attribute's name.
+    fn namespace_of(&mut self, name: Span, prefix_length: usize) -> u32 {
+        let prefix = &name.of(self.text)[..prefix_length.saturating_sub(1)];
+        let found = self.namespaces.of(prefix);
+        if found.is_none() {
+            self.report(&rules::UNBOUND_PREFIX, || {
+                let span = Span::new(name.start, name.start + prefix.len() as u32);
+                Diagnostic::new(
+                    &rules::UNBOUND_PREFIX,
+                    span,
+                    format!("the prefix `{}` is not declared", shown(prefix)),
+                )
+            });
+        }
+        found.unwrap_or(super::tree::NONE)
+    }
+
+    /// Looks up the prefixes of the attributes from the `first` on, and finds those that mean the same name.
+    fn check_prefixes(&mut self, first: usize) {
+        let mut seen = HashSet::new();
+        for number in first..self.parts.attributes.len() {
+            let record = self.parts.attributes[number];
+            let length = record.prefix_length;
+            if length == 0 || length & DECLARES != 0 {
+                continue;
+            }
+            let name = Span::new(record.name, record.name + u32::from(record.name_length));
+            let namespace = self.namespace_of(name, usize::from(length));
+            let local = &name.of(self.text)[usize::from(length)..];
+            if namespace != super::tree::NONE && !seen.insert((namespace, local)) {
+                self.duplicate(name);
+            }
+        }
+    }
+}

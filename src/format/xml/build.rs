@@ -1,0 +1,510 @@
+//! From the events of quick-xml to the tree, with the checks that quick-xml leaves to its user.
+//!
+//! Where quick-xml reports an error, or takes more for a tag than was meant, reading goes on at the place where the damage
+//! ends, with a new reader.
+
+use quick_xml::Reader;
+use quick_xml::events::Event;
+
+use super::chars::{is_blank, is_forbidden, is_name};
+use super::findings::{self as rules, shown};
+use super::namespaces::Namespaces;
+use super::prolog;
+use super::tag::{RawAttribute, name_length};
+use super::tree::{NONE, Parts, Record};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity};
+use crate::source::{SourceFile, Span};
+
+/// So deep elements nest.
+const MAX_DEPTH: usize = 256;
+
+/// So many elements a tree has.
+const MAX_ELEMENTS: usize = 4_000_000;
+
+/// So many bytes a name has; a bit of its length is in use.
+pub(super) const MAX_NAME: usize = 32_000;
+
+/// So many bytes, and four times the file, are read twice because of damage.
+const MAX_WASTE: usize = 64 << 20;
+
+/// The tree of a source.
+pub(super) fn build(source: &SourceFile, findings: &mut Findings) -> Parts {
+    let mut builder = Builder::new(source, findings);
+    builder.check_characters();
+    builder.read();
+    builder.finish()
+}
+
+pub(super) struct Builder<'a, 'f> {
+    source: &'a SourceFile,
+    pub(super) text: &'a str,
+    findings: &'f mut Findings,
+    pub(super) parts: Parts,
+    pub(super) namespaces: Namespaces<'a>,
+    /// The attributes of the tag that is read.
+    pub(super) raw: Vec<RawAttribute>,
+    /// From the root to the innermost open element.
+    pub(super) open: Vec<Open>,
+    pub(super) skip: Option<Skip>,
+    /// The encoding that the XML declaration names.
+    pub(super) encoding: Option<Span>,
+    pub(super) has_document_type: bool,
+    /// The text has `&` at all.
+    pub(super) has_references: bool,
+    /// The text has `]]>` at all.
+    pub(super) has_section_ends: bool,
+    /// Bytes that entities of the document added.
+    pub(super) expanded: usize,
+    /// Bytes that were read twice.
+    wasted: usize,
+    is_stopped: bool,
+}
+
+/// An element whose end tag has not come.
+pub(super) struct Open {
+    id: u32,
+    last_child: u32,
+    namespaces: usize,
+    name: Span,
+}
+
+/// A branch that is not read.
+pub(super) struct Skip {
+    start: usize,
+    depth: usize,
+}
+
+impl<'a, 'f> Builder<'a, 'f> {
+    fn new(source: &'a SourceFile, findings: &'f mut Findings) -> Self {
+        let text = source.text();
+        let parts = Parts { is_complete: true, ..Parts::default() };
+        Self {
+            source,
+            text,
+            findings,
+            parts,
+            namespaces: Namespaces::new(),
+            raw: Vec::new(),
+            open: Vec::new(),
+            skip: None,
+            encoding: None,
+            has_document_type: false,
+            has_references: memchr::memchr(b'&', text.as_bytes()).is_some(),
+            has_section_ends: memchr::memmem::find(text.as_bytes(), b"]]>").is_some(),
+            expanded: 0,
+            wasted: 0,
+            is_stopped: false,
+        }
+    }
+
+    pub(super) fn report(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
+        // what is only counted needs no words
+        let is_full = self.findings.is_full(rule);
+        let finding = if is_full { Diagnostic::new(rule, Span::default(), "") } else { make() };
+        self.parts.is_complete &= finding.severity != Severity::Error;
+        self.findings.push(finding);
+    }
+
+    /// Whether what is read goes nowhere.
+    pub(super) fn is_skipping(&self) -> bool {
+        self.skip.is_some()
+    }
+
+    pub(super) fn span(start: usize, end: usize) -> Span {
+        Span::new(start as u32, end as u32)
+    }
+
+    /// Where `needle` stands in the text from `start` on.
+    pub(super) fn find(&self, start: usize, needle: impl Fn(u8) -> bool) -> usize {
+        let rest = self.text.as_bytes().get(start..).unwrap_or_default();
+        rest.iter().position(|&byte| needle(byte)).map_or(self.text.len(), |length| start + length)
+    }
+
+    fn check_characters(&mut self) {
+        let bytes = self.text.as_bytes();
+        let is_control = |byte: u8| byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r');
+        let has_control = bytes.iter().fold(false, |found, &byte| found | is_control(byte));
+        let has_nonsense = || memchr::memmem::find(bytes, b"\xEF\xBF").is_some();
+        if !has_control && !has_nonsense() {
+            return;
+        }
+        for (at, character) in self.text.char_indices().filter(|&(_, character)| is_forbidden(character)) {
+            let span = Self::span(at, at + character.len_utf8());
+            self.report(&rules::FORBIDDEN_CHARACTER, || {
+                let message = format!("the character U+{:04X} has no place in XML", u32::from(character));
+                Diagnostic::new(&rules::FORBIDDEN_CHARACTER, span, message)
+            });
+        }
+    }
+
+    fn read(&mut self) {
+        let (mut at, mut reader) = self.reader(0);
+        while !self.is_stopped {
+            let event = reader.read_event();
+            let end = self.text.len() - reader.get_ref().len();
+            let is_damaged = event.is_err();
+            let resume = match event {
+                Ok(Event::Eof) => break,
+                Ok(event) => self.event(&event, at, end),
+                Err(_) => self.damaged(at, end),
+            };
+            if is_damaged || resume != end {
+                self.waste(end.saturating_sub(resume), resume);
+                (at, reader) = self.reader(resume);
+            } else {
+                at = end;
+            }
+        }
+        if !self.is_stopped {
+            self.close_all();
+        }
+    }
+
+    /// A reader of the text from `at` on. It would pass over a byte order mark unseen, which is fine only at the start.
+    fn reader(&mut self, mut at: usize) -> (usize, Reader<&'a [u8]>) {
+        let text = self.text;
+        while text[at..].starts_with('\u{FEFF}') {
+            if at > 0 {
+                self.text_event(at, at + 3);
+            }
+            at += 3;
+        }
+        let mut reader = Reader::from_str(&text[at..]);
+        let config = reader.config_mut();
+        config.check_end_names = false;
+        config.allow_unmatched_ends = true;
+        config.allow_dangling_amp = true;
+        (at, reader)
+    }
+
+    fn waste(&mut self, bytes: usize, at: usize) {
+        self.wasted += bytes;
+        if self.wasted > MAX_WASTE + 4 * self.text.len() {
+            self.limit(at, "the file is too damaged to be read on".to_owned());
+            self.stop(at);
+        }
+    }
+
+    fn stop(&mut self, at: usize) {
+        self.is_stopped = true;
+        while !self.open.is_empty() {
+            self.close(at, at);
+        }
+    }
+
+    pub(super) fn limit(&mut self, at: usize, message: String) {
+        let span = Span::empty(at as u32);
+        self.report(&rules::LIMIT, || Diagnostic::new(&rules::LIMIT, span, message));
+    }
+
+    /// Takes what quick-xml found from `start` to `end`, and says where to go on.
+    fn event(&mut self, event: &Event<'_>, start: usize, end: usize) -> usize {
+        match event {
+            Event::Text(_) => self.text_event(start, end),
+            Event::GeneralRef(_) => self.reference_event(start),
+            Event::CData(_) => self.outside_root(start, end),
+            Event::Comment(_) => self.comment(start, end),
+            Event::Decl(_) if start == 0 || start == 3 && self.text.starts_with('\u{FEFF}') => {
+                self.declaration(start, end);
+            }
+            Event::Decl(_) => {
+                let span = Self::span(start, end);
+                self.report(&rules::MISPLACED_DECLARATION, || {
+                    let message = "the XML declaration is not the first thing in the file";
+                    Diagnostic::new(&rules::MISPLACED_DECLARATION, span, message)
+                });
+            }
+            Event::PI(_) => self.instruction(start),
+            Event::DocType(_) => self.document_type(start, end),
+            Event::Start(_) | Event::Empty(_) => return self.start_tag(start),
+            Event::End(_) => return self.end_tag(start),
+            Event::Eof => {}
+        }
+        end
+    }
+
+    /// Finds out what stands at `start`, where quick-xml met an error that made it read up to `end`; says where to go on.
+    fn damaged(&mut self, start: usize, end: usize) -> usize {
+        let rest = &self.text[start..];
+        let markup = |next: usize| self.find(start + next, |byte| byte == b'<');
+        match rest.as_bytes() {
+            [b'<', b'/', ..] => self.end_tag(start),
+            [b'<', b'?', ..] => self.unclosed_markup(start, markup(2), "processing instruction", "?>"),
+            [b'<', b'!', b'-', b'-', ..] => self.unclosed_markup(start, markup(4), "comment", "-->"),
+            _ if rest.starts_with("<![CDATA[") => {
+                self.unclosed_markup(start, start + 9, "CDATA section", "]]>")
+            }
+            _ if rest.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case("<!DOCTYPE")) => {
+                let closed = rest.as_bytes()[..end - start].ends_with(b">");
+                let end = if closed { end } else { markup(9) };
+                self.document_type(start, end);
+                self.pass_over(start, end)
+            }
+            [b'<', b'!', ..] => self.unknown_markup(start),
+            [b'<', ..] => self.start_tag(start),
+            _ => end.max(start),
+        }
+    }
+
+    /// Remembers that the text from `start` to `end` is neither markup nor character data.
+    pub(super) fn pass_over(&mut self, start: usize, end: usize) -> usize {
+        if !self.is_skipping() && !self.open.is_empty() {
+            self.parts.damage.push(Self::span(start, end));
+        }
+        end
+    }
+
+    fn unclosed_markup(&mut self, start: usize, end: usize, what: &str, mark: &str) -> usize {
+        if !self.is_skipping() {
+            self.report(&rules::UNCLOSED_MARKUP, || {
+                let message = format!("the {what} has no `{mark}`");
+                Diagnostic::new(&rules::UNCLOSED_MARKUP, Self::span(start, end), message)
+            });
+        }
+        self.pass_over(start, end)
+    }
+
+    fn unknown_markup(&mut self, start: usize) -> usize {
+        let stop = self.find(start + 1, |byte| matches!(byte, b'<' | b'>'));
+        let end = if self.text.as_bytes().get(stop) == Some(&b'>') { stop + 1 } else { stop };
+        if !self.is_skipping() {
+            let span = Self::span(start, end);
+            self.report(&rules::UNKNOWN_MARKUP, || {
+                let message = format!("`{}` is no markup of XML", shown(span.of(self.text)));
+                Diagnostic::new(&rules::UNKNOWN_MARKUP, span, message)
+            });
+        }
+        self.pass_over(start, end)
+    }
+
+    /// Reads the start tag at `start`; says where to go on.
+    fn start_tag(&mut self, start: usize) -> usize {
+        let name = start + 1..start + 1 + name_length(&self.text.as_bytes()[start + 1..]);
+        let is_tag = !name.is_empty() && (is_name_start(self.text, name.start) || self.has_tag_end(name.end));
+        if !is_tag {
+            return self.lone_less_than(start);
+        }
+        let is_read = self.may_open(start, name.len());
+        let (end, is_empty) = self.tag(name.clone(), is_read);
+        if !is_read {
+            self.skip_tag(start, end, is_empty);
+            return end;
+        }
+        let id = self.parts.elements.len() as u32;
+        let parent = self.open.last_mut();
+        let parent_id = parent.as_ref().map_or(NONE, |parent| parent.id);
+        let last = parent.map_or(NONE, |parent| std::mem::replace(&mut parent.last_child, id));
+        if let Some(last) = self.parts.elements.get_mut(last as usize) {
+            last.next = id;
+        }
+        let namespaces = self.namespaces.mark();
+        self.parts.elements.push(Record {
+            start: start as u32,
+            tag_end: end as u32,
+            inner_end: end as u32,
+            end: end as u32,
+            parent: parent_id,
+            next: NONE,
+            attributes: self.parts.attributes.len() as u32,
+            namespace: NONE,
+            name_length: name.len() as u16,
+            prefix_length: 0,
+        });
+        self.attributes(name.clone());
+        if is_empty {
+            self.namespaces.forget(namespaces);
+        } else {
+            self.open.push(Open { id, last_child: NONE, namespaces, name: Self::span(name.start, name.end) });
+        }
+        end
+    }
+
+    /// Whether the next `<` or `>` is a `>`.
+    fn has_tag_end(&self, at: usize) -> bool {
+        let stop = self.find(at, |byte| matches!(byte, b'<' | b'>'));
+        self.text.as_bytes().get(stop) == Some(&b'>')
+    }
+
+    fn lone_less_than(&mut self, start: usize) -> usize {
+        if self.open.is_empty() {
+            self.outside_root(start, start + 1);
+        } else if !self.is_skipping() {
+            let span = Self::span(start, start + 1);
+            self.report(&rules::LONE_LESS_THAN, || {
+                Diagnostic::new(&rules::LONE_LESS_THAN, span, "the `<` starts no tag").help("write `&lt;`")
+            });
+        }
+        start + 1
+    }
+
+    /// Whether an element that starts at `start` is read.
+    fn may_open(&mut self, start: usize, name_length: usize) -> bool {
+        if self.is_skipping() {
+            return false;
+        }
+        if self.open.is_empty() && !self.parts.elements.is_empty() {
+            let first = Self::span(0, 1 + self.parts.elements[0].name_length as usize);
+            let first = Span::new(self.parts.elements[0].start, self.parts.elements[0].start + first.end);
+            self.report(&rules::SECOND_ROOT, || {
+                Diagnostic::new(
+                    &rules::SECOND_ROOT,
+                    Self::span(start, start + 1 + name_length),
+                    "a second element stands behind the root",
+                )
+                .label(first, "the root")
+            });
+            return false;
+        }
+        if self.open.len() >= MAX_DEPTH {
+            self.limit(start, format!("elements nest more than {MAX_DEPTH} deep"));
+            return false;
+        }
+        if name_length > MAX_NAME {
+            self.limit(start, format!("a name has more than {MAX_NAME} bytes"));
+            return false;
+        }
+        if self.parts.elements.len() >= MAX_ELEMENTS {
+            self.limit(start, format!("the file has more than {MAX_ELEMENTS} elements"));
+            self.stop(start);
+            return false;
+        }
+        true
+    }
+
+    fn skip_tag(&mut self, start: usize, end: usize, is_empty: bool) {
+        match &mut self.skip {
+            Some(skip) if !is_empty => skip.depth += 1,
+            Some(_) => {}
+            None if is_empty => {
+                self.pass_over(start, end);
+            }
+            None => self.skip = Some(Skip { start, depth: 1 }),
+        }
+    }
+
+    /// Reads the end tag at `start`; says where to go on.
+    fn end_tag(&mut self, start: usize) -> usize {
+        let name = start + 2..start + 2 + name_length(&self.text.as_bytes()[start + 2..]);
+        let behind = self.find(name.end, |byte| !is_blank(byte));
+        let stop = self.find(behind, |byte| matches!(byte, b'<' | b'>'));
+        let is_closed = self.text.as_bytes().get(stop) == Some(&b'>');
+        let end = if is_closed { stop + 1 } else { stop };
+        if let Some(skip) = &mut self.skip {
+            skip.depth -= 1;
+            if skip.depth == 0 {
+                let from = skip.start;
+                self.skip = None;
+                self.pass_over(from, end);
+            }
+            return end;
+        }
+        let text = self.text;
+        if !is_closed {
+            self.report(&rules::UNCLOSED_TAG, || {
+                let message = format!("the end tag `</{}` has no `>`", shown(&text[name.clone()]));
+                Diagnostic::new(&rules::UNCLOSED_TAG, Self::span(start, name.end), message)
+            });
+        } else if behind < stop {
+            self.report(&rules::JUNK_IN_TAG, || {
+                let junk = Self::span(behind, stop);
+                let message = format!("`{}` has no meaning in an end tag", shown(junk.of(text)));
+                Diagnostic::new(&rules::JUNK_IN_TAG, junk, message)
+            });
+        }
+        self.close_by(Self::span(start, end), &text[name]);
+        end
+    }
+
+    /// Closes what an end tag closes.
+    fn close_by(&mut self, tag: Span, name: &'a str) {
+        let text = self.text;
+        let found = self.open.iter().rposition(|open| open.name.of(text) == name);
+        if let Some(depth) = found {
+            while self.open.len() > depth + 1 {
+                self.report_unclosed(|| {
+                    let around = format!("`</{}>` ends the element around it", shown(name));
+                    (tag, around)
+                });
+                self.close(tag.start as usize, tag.start as usize);
+            }
+            return self.close(tag.start as usize, tag.end as usize);
+        }
+        let start = self.open.last().map(|open| open.name);
+        let meant = start.filter(|start| local_name(start.of(text)).eq_ignore_ascii_case(local_name(name)));
+        self.report(&rules::STRAY_END_TAG, || match meant {
+            Some(start) => {
+                let message = format!("the end tag `</{}>` is spelled unlike its start tag", shown(name));
+                Diagnostic::new(&rules::STRAY_END_TAG, tag, message).label(start, "the start tag")
+            }
+            None => {
+                let message = format!("the end tag `</{}>` ends no element", shown(name));
+                Diagnostic::new(&rules::STRAY_END_TAG, tag, message)
+            }
+        });
+        match meant {
+            Some(_) => self.close(tag.start as usize, tag.end as usize),
+            None => {
+                self.pass_over(tag.start as usize, tag.end as usize);
+            }
+        }
+    }
+
+    fn report_unclosed(&mut self, end: impl FnOnce() -> (Span, String)) {
+        let Some(open) = self.open.last() else { return };
+        let name = open.name;
+        let text = self.text;
+        self.report(&rules::UNCLOSED_ELEMENT, || {
+            let (span, label) = end();
+            let message = format!("the element `{}` has no end tag", shown(name.of(text)));
+            Diagnostic::new(&rules::UNCLOSED_ELEMENT, Span::new(name.start - 1, name.end), message)
+                .label(span, label)
+        });
+    }
+
+    /// Closes the innermost element.
+    fn close(&mut self, inner_end: usize, end: usize) {
+        let Some(open) = self.open.pop() else { return };
+        self.namespaces.forget(open.namespaces);
+        if let Some(record) = self.parts.elements.get_mut(open.id as usize) {
+            record.inner_end = inner_end as u32;
+            record.end = end as u32;
+        }
+    }
+
+    /// Closes what the end of the file finds open.
+    fn close_all(&mut self) {
+        let end = self.text.len();
+        if let Some(skip) = self.skip.take() {
+            self.pass_over(skip.start, end);
+        }
+        while !self.open.is_empty() {
+            self.report_unclosed(|| (Self::span(end, end), "the file ends before it".to_owned()));
+            self.close(end, end);
+        }
+    }
+
+    fn finish(mut self) -> Parts {
+        if self.parts.elements.is_empty() && !self.is_stopped {
+            self.report(&rules::NO_ROOT, || {
+                Diagnostic::new(&rules::NO_ROOT, Span::empty(0), "the file has no element")
+            });
+        }
+        let declared = self.encoding.map(|span| span.of(self.text));
+        if let Some(message) = prolog::encoding_defect(declared, self.source.encoding(), self.text) {
+            let span = self.encoding.unwrap_or_default();
+            self.report(&rules::ENCODING, || Diagnostic::new(&rules::ENCODING, span, message));
+        }
+        self.parts.namespaces = self.namespaces.into_uris();
+        self.parts.elements.shrink_to_fit();
+        self.parts.attributes.shrink_to_fit();
+        self.parts
+    }
+}
+
+fn is_name_start(text: &str, at: usize) -> bool {
+    text[at..].chars().next().is_some_and(|first| is_name(first.encode_utf8(&mut [0; 4])))
+}
+
+fn local_name(name: &str) -> &str {
+    name.rsplit(':').next().unwrap_or(name)
+}

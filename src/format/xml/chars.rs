@@ -1,0 +1,58 @@
+//! Characters and names, as XML 1.0 (fifth edition) and Namespaces in XML 1.0 define them.
+
+/// Whether a byte is white space (XML 1.0 §2.3).
+pub(super) const fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
+}
+
+/// Whether `text` is nothing but white space.
+pub(super) fn is_blank_text(text: &str) -> bool {
+    text.bytes().all(is_blank)
+}
+
+/// Whether XML 1.0 lets no document have this character (§2.2).
+pub(super) const fn is_forbidden(character: char) -> bool {
+    matches!(character, '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}')
+}
+
+const fn is_name_start(character: char) -> bool {
+    matches!(character, 'A'..='Z' | 'a'..='z' | '_' | '\u{C0}'..='\u{D6}' | '\u{D8}'..='\u{F6}' | '\u{F8}'..='\u{2FF}'
+        | '\u{370}'..='\u{37D}' | '\u{37F}'..='\u{1FFF}' | '\u{200C}'..='\u{200D}' | '\u{2070}'..='\u{218F}'
+        | '\u{2C00}'..='\u{2FEF}' | '\u{3001}'..='\u{D7FF}' | '\u{F900}'..='\u{FDCF}' | '\u{FDF0}'..='\u{FFFD}'
+        | '\u{10000}'..='\u{EFFFF}')
+}
+
+const fn is_name_char(character: char) -> bool {
+    is_name_start(character)
+        || matches!(character, '0'..='9' | '-' | '.' | '\u{B7}' | '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
+}
+
+/// Whether `name` is a name without colon: an element's local name, a prefix, the name of an entity.
+pub(super) fn is_name(name: &str) -> bool {
+    let mut characters = name.chars();
+    characters.next().is_some_and(is_name_start) && characters.all(is_name_char)
+}
+
+/// Length of the prefix with its colon, 0 without prefix; `None` for what is no qualified name.
+pub(super) fn prefix_length(name: &str) -> Option<usize> {
+    match name.split_once(':') {
+        None => is_name(name).then_some(0),
+        Some((prefix, local)) => (is_name(prefix) && is_name(local)).then_some(prefix.len() + 1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names() {
+        for name in ["a", "_", "Größe", "a-1.b", "名"] {
+            assert_eq!(prefix_length(name), Some(0), "{name}");
+        }
+        assert_eq!(prefix_length("q1:a"), Some(3));
+        for name in ["", "1a", "-a", "a b", ":a", "a:", "a:b:c", "a:1", "a$"] {
+            assert_eq!(prefix_length(name), None, "{name}");
+        }
+    }
+}

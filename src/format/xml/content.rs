@@ -1,0 +1,153 @@
+//! What stands between tags: text, references, comments, instructions, and what comes before the root.
+
+use super::build::Builder;
+use super::chars::{is_blank, is_blank_text, is_name};
+use super::expand::{Entity, MAX_EXPANSION, Reference, reference};
+use super::findings::{self as rules, shown};
+use super::prolog;
+use crate::diagnostic::{Diagnostic, Severity};
+
+impl Builder<'_, '_> {
+    pub(super) fn outside_root(&mut self, start: usize, end: usize) {
+        if !self.open.is_empty() || self.is_skipping() || is_blank_text(&self.text[start..end]) {
+            return;
+        }
+        let first = self.find(start, |byte| !is_blank(byte));
+        let span = Self::span(first, start + self.text[start..end].trim_ascii_end().len());
+        let side = if self.parts.elements.is_empty() { "before" } else { "behind" };
+        self.report(&rules::TEXT_OUTSIDE_ROOT, || {
+            let message = format!("the text `{}` stands {side} the root", shown(span.of(self.text)));
+            Diagnostic::new(&rules::TEXT_OUTSIDE_ROOT, span, message)
+        });
+    }
+
+    pub(super) fn text_event(&mut self, start: usize, end: usize) {
+        self.outside_root(start, end);
+        if self.open.is_empty() || self.is_skipping() {
+            return;
+        }
+        if self.text[start..end].starts_with('&') {
+            self.check_reference(start);
+        }
+        if self.has_section_ends {
+            for at in memchr::memmem::find_iter(&self.text.as_bytes()[start..end], b"]]>") {
+                let span = Self::span(start + at, start + at + 3);
+                self.report(&rules::CDATA_END_IN_TEXT, || {
+                    Diagnostic::new(&rules::CDATA_END_IN_TEXT, span, "the text has `]]>` in it")
+                        .help("write `]]&gt;`")
+                });
+            }
+        }
+    }
+
+    pub(super) fn reference_event(&mut self, start: usize) {
+        if self.open.is_empty() {
+            self.outside_root(start, start + 1);
+        } else if !self.is_skipping() {
+            self.check_reference(start);
+        }
+    }
+
+    /// Checks the reference that starts with the `&` at `start`.
+    pub(super) fn check_reference(&mut self, start: usize) {
+        let text = self.text;
+        let (reference, length) = reference(&text[start..]);
+        let span = Self::span(start, start + length);
+        let name = match reference {
+            Reference::Character(_) => return,
+            Reference::BadNumber => {
+                return self.report(&rules::BAD_REFERENCE, || {
+                    let message = format!("`{}` is no character that XML allows", shown(span.of(text)));
+                    Diagnostic::new(&rules::BAD_REFERENCE, span, message)
+                });
+            }
+            Reference::Lone => {
+                return self.report(&rules::BAD_REFERENCE, || {
+                    Diagnostic::new(&rules::BAD_REFERENCE, span, "the `&` starts no reference")
+                        .help("write `&amp;`")
+                });
+            }
+            Reference::Entity(name) => name,
+        };
+        let reason = match self.parts.entities.declared.get(name) {
+            Some(Entity::Text(entity)) => {
+                self.expanded += entity.len();
+                if self.expanded > MAX_EXPANSION {
+                    self.parts.entities.declared.clear();
+                    self.limit(
+                        start,
+                        "the entities of the file stand for more than 1 MiB of text".to_owned(),
+                    );
+                }
+                return;
+            }
+            Some(Entity::Unread(reason)) => *reason,
+            None => "it is not declared",
+        };
+        self.report(&rules::UNKNOWN_ENTITY, || {
+            let message = format!("the entity `{}` is not known: {reason}", shown(name));
+            Diagnostic::new(&rules::UNKNOWN_ENTITY, span, message)
+        });
+    }
+
+    pub(super) fn comment(&mut self, start: usize, end: usize) {
+        let Some(content) = self.text.get(start + 4..end - 3) else { return };
+        let found = memchr::memmem::find(content.as_bytes(), b"--");
+        let found = found.or_else(|| content.ends_with('-').then_some(content.len().saturating_sub(1)));
+        if let (Some(length), false) = (found, self.is_skipping()) {
+            let span = Self::span(start + 4 + length, start + 6 + length);
+            self.report(&rules::DOUBLE_HYPHEN, || {
+                Diagnostic::new(&rules::DOUBLE_HYPHEN, span, "the comment has `--` in it")
+            });
+        }
+    }
+
+    pub(super) fn instruction(&mut self, start: usize) {
+        let behind = start + 2;
+        let end = self.find(behind, |byte| is_blank(byte) || byte == b'?');
+        let target = &self.text[behind..end];
+        let is_reserved = target.eq_ignore_ascii_case("xml");
+        if (!is_reserved && is_name(target)) || self.is_skipping() {
+            return;
+        }
+        self.report(&rules::BAD_TARGET, || {
+            let message = match is_reserved {
+                true => format!("the target `{target}` is reserved"),
+                false => format!("`{}` is no target of a processing instruction", shown(target)),
+            };
+            Diagnostic::new(&rules::BAD_TARGET, Self::span(behind, end), message)
+        });
+    }
+
+    pub(super) fn declaration(&mut self, start: usize, end: usize) {
+        let declaration = prolog::declaration(self.text, Self::span(start, end));
+        self.encoding = declaration.encoding;
+        if let Some((span, message)) = declaration.defect {
+            self.report(&rules::BAD_DECLARATION, || Diagnostic::new(&rules::BAD_DECLARATION, span, message));
+        }
+    }
+
+    pub(super) fn document_type(&mut self, start: usize, end: usize) {
+        let span = Self::span(start, end);
+        let rule = &rules::DOCUMENT_TYPE;
+        let misplaced = |what: &str| {
+            let message = format!("the document type does not stand {what}");
+            Diagnostic::new(rule, span, message).severity(Severity::Error)
+        };
+        if self.is_skipping() {
+            return;
+        }
+        if !self.parts.elements.is_empty() {
+            return self.report(rule, || misplaced("before the root"));
+        }
+        if std::mem::replace(&mut self.has_document_type, true) {
+            return self.report(rule, || misplaced("alone"));
+        }
+        let read = prolog::document_type(span.of(self.text));
+        self.parts.entities = read.entities;
+        self.report(rule, || match read.defect {
+            Some(defect) => Diagnostic::new(rule, span, defect).severity(Severity::Error),
+            None => Diagnostic::new(rule, span, "the file has a document type"),
+        });
+    }
+}

@@ -1,0 +1,14 @@
+//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml, and never an error.
+
+mod attributes;
+mod build;
+mod chars;
+mod content;
+mod expand;
+pub(crate) mod findings;
+mod namespaces;
+mod prolog;
+mod tag;
+mod tree;
+
+pub use tree::{Attribute, Element, ElementId, Tree};

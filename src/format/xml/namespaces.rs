@@ -1,0 +1,89 @@
+//! Which prefix means which namespace, while the elements come and go.
+
+use std::collections::HashMap;
+
+use super::tree::NONE;
+
+/// The namespace of the prefix `xml`, which nobody declares.
+pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";
+
+/// The namespace of the declarations themselves.
+pub(super) const XMLNS: &str = "http://www.w3.org/2000/xmlns/";
+
+/// The prefixes that are declared at one place of the text.
+pub(super) struct Namespaces<'a> {
+    /// The namespace of each prefix; that of the empty one is the default.
+    current: HashMap<&'a str, u32>,
+    default: u32,
+    /// What a declaration hid, for the end of its element.
+    hidden: Vec<(&'a str, Option<u32>)>,
+    uris: Vec<Box<str>>,
+    numbers: HashMap<Box<str>, u32>,
+}
+
+impl<'a> Namespaces<'a> {
+    pub(super) fn new() -> Self {
+        let mut namespaces = Self {
+            current: HashMap::new(),
+            default: NONE,
+            hidden: Vec::new(),
+            uris: Vec::new(),
+            numbers: HashMap::new(),
+        };
+        let xml = namespaces.number(XML);
+        namespaces.current.insert("xml", xml);
+        namespaces
+    }
+
+    /// The namespace of a prefix, [`NONE`] for none; `None` for a prefix that is not declared.
+    pub(super) fn of(&self, prefix: &str) -> Option<u32> {
+        if prefix.is_empty() { Some(self.default) } else { self.current.get(prefix).copied() }
+    }
+
+    /// Takes a declaration, until [`forget`](Self::forget) goes back behind it.
+    pub(super) fn declare(&mut self, prefix: &'a str, uri: &str) {
+        let number = if uri.is_empty() { NONE } else { self.number(uri) };
+        if prefix.is_empty() {
+            self.hidden.push((prefix, Some(self.default)));
+            self.default = number;
+        } else {
+            self.hidden.push((prefix, self.current.insert(prefix, number)));
+        }
+    }
+
+    /// A mark for [`forget`](Self::forget).
+    pub(super) fn mark(&self) -> usize {
+        self.hidden.len()
+    }
+
+    /// Takes back the declarations since `mark`.
+    pub(super) fn forget(&mut self, mark: usize) {
+        while self.hidden.len() > mark {
+            match self.hidden.pop() {
+                Some(("", before)) => self.default = before.unwrap_or(NONE),
+                Some((prefix, Some(before))) => {
+                    self.current.insert(prefix, before);
+                }
+                Some((prefix, None)) => {
+                    self.current.remove(prefix);
+                }
+                None => {}
+            }
+        }
+    }
+
+    /// All URIs by their numbers.
+    pub(super) fn into_uris(self) -> Vec<Box<str>> {
+        self.uris
+    }
+
+    fn number(&mut self, uri: &str) -> u32 {
+        if let Some(&number) = self.numbers.get(uri) {
+            return number;
+        }
+        let number = self.uris.len() as u32;
+        self.uris.push(uri.into());
+        self.numbers.insert(uri.into(), number);
+        number
+    }
+}
