@@ -2,6 +2,7 @@
 
 pub mod concise;
 pub(crate) mod eds;
+pub mod identify;
 pub mod ini;
 pub mod json;
 pub mod literal;
@@ -13,6 +14,8 @@ use std::sync::OnceLock;
 
 use self::eds::Locator;
 pub use self::eds::{Loss, LossKind, WriteOptions, Written};
+use self::identify::Identification;
+use self::identify::identify_source;
 use self::ini::{Document, EditError};
 use crate::diagnostic::{At, Findings, RuleInfo};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
@@ -54,6 +57,24 @@ pub enum ReadError {
     /// It could not be opened.
     #[error(transparent)]
     Source(#[from] SourceError),
+    /// It is something else: a look-alike of another technology, or a file of CANopen that describes no device.
+    #[error("`{name}` {}", .found.verdict())]
+    Foreign {
+        /// The file.
+        name: String,
+        /// What it is.
+        found: Box<Identification>,
+    },
+}
+
+impl ReadError {
+    /// What to do about it, where that is known.
+    pub fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::Source(_) => None,
+            Self::Foreign { found, .. } => found.advice(),
+        }
+    }
 }
 
 /// A description that was read: the device, the text that it came from, and what the reader found.
@@ -66,14 +87,18 @@ pub struct Description {
     locator: OnceLock<Locator>,
 }
 
-/// Reads the file at `path`; its name decides what it is, and an unknown name is taken for an EDS.
+/// Reads the file at `path` as what its content shows it to be ([`identify()`](identify::identify)). Where that is not
+/// known, as in a damaged file, the name decides, and an unknown name is taken for an EDS.
 ///
 /// # Errors
-/// When the file cannot be opened. What is wrong in it is among the findings.
+/// When the file cannot be opened, or is something else for certain. What is wrong in a description is among the findings.
 pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
     let source = SourceFile::open(path, options)?;
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    Ok(read(source, Format::from_name(&name).unwrap_or(Format::Eds)))
+    let found = identify_source(&source);
+    match found.format(source.name()) {
+        Some(format) => Ok(read(source, format)),
+        None => Err(ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) }),
+    }
 }
 
 /// Reads a source in a format.

@@ -79,7 +79,7 @@ fn parse(text: &str) -> Result<Ini, NodeListError> {
 }
 
 /// `Topology`, `Topology2` …
-fn is_topology(name: &str) -> bool {
+pub(crate) fn is_topology(name: &str) -> bool {
     let number = name.get(.."Topology".len()).filter(|word| word.eq_ignore_ascii_case("Topology"));
     number.is_some_and(|word| name[word.len()..].bytes().all(|byte| byte.is_ascii_digit()))
 }

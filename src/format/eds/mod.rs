@@ -13,5 +13,6 @@ mod write;
 pub(crate) use configure::{to_dcf, to_eds};
 pub(crate) use locate::Locator;
 pub(crate) use read::read;
+pub(crate) use section::SectionName;
 pub(crate) use write::write;
 pub use write::{Loss, LossKind, WriteOptions, Written};
