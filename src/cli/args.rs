@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
-use super::input::{FileKind, InputArgs};
+use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
 use super::show::Address;
 use crate::diagnostic::Severity;
@@ -34,6 +34,7 @@ pub(super) struct Args {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Check(CheckArgs),
+    Identify(IdentifyArgs),
     Show(ShowArgs),
     Generate(GenerateArgs),
     Convert(ConvertArgs),
@@ -57,6 +58,31 @@ pub(super) struct CheckArgs {
     pub deny: Deny,
     #[command(flatten)]
     pub input: InputArgs,
+}
+
+/// Say what files are, from their content, and how that shows
+///
+/// Knows the files of CANopen and those of other technologies that are taken for them. Exits with 1 when a file is none of
+/// CANopen, with 2 when a file cannot be read.
+#[derive(Debug, Parser)]
+pub(super) struct IdentifyArgs {
+    /// Files to look at; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// How to write the answers
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: AnswerFormat,
+    #[command(flatten)]
+    pub size: SizeArgs,
+}
+
+/// How answers about files are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum AnswerFormat {
+    /// For people: a line a file
+    Text,
+    /// For programs: one JSON document, one file a line (docs/json.md)
+    Json,
 }
 
 /// How findings are written.

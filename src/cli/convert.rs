@@ -14,14 +14,14 @@ use crate::format::{self, Description, Format, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let from = args.input.kind(&args.file);
     let to = target(args)?;
     let is_stdout = args.out == Path::new("-");
     if !is_stdout && is_same_file(&args.file, &args.out) {
         let failure = Failure::new(format_args!("`{}` would overwrite itself", args.file.display()));
         return Err(failure.help("name another file for the output"));
     }
-    let bytes = convert(args, from, to)?;
+    let (from, input) = args.input.read(&args.file)?;
+    let bytes = convert(args, from, input, to)?;
     if is_stdout {
         out.write_all(&bytes)?;
         return Ok(Outcome::Clean);
@@ -53,8 +53,8 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-fn convert(args: &ConvertArgs, from: FileKind, to: FileKind) -> Result<Vec<u8>, Failure> {
-    match args.input.read(&args.file)? {
+fn convert(args: &ConvertArgs, from: FileKind, input: Input, to: FileKind) -> Result<Vec<u8>, Failure> {
+    match input {
         Input::Description(description) => convert_description(args, &description, from, to),
         Input::Device(device) => convert_device(args, &device, to),
         Input::Configuration(configuration) => match to {

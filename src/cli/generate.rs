@@ -17,13 +17,13 @@ use crate::model::{Device, Place};
 use crate::report::{Report, Tally, Text};
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let input = args.input.read(&args.file)?;
+    let (kind, input) = args.input.read(&args.file)?;
     let (device, findings) = match &input {
         Input::Description(description) => (description.device(), crate::check(description)),
         Input::Device(device) => (device.as_ref(), lint::check(device)),
         Input::Configuration(_) | Input::NodeList(_) => {
-            let name = args.input.kind(&args.file).name();
-            let message = format!("`{}` is read as {name} and describes no device", name_of(&args.file));
+            let (file, kind) = (name_of(&args.file), kind.name());
+            let message = format!("`{file}` is read as {kind} and describes no device");
             return Err(Failure::new(message).help("name an EDS or DCF"));
         }
     };

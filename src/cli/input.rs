@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 
 use super::Failure;
 use crate::download::Configuration;
+use crate::format::identify::{ContentKind, identify};
 use crate::format::json::Kind;
 use crate::format::{self, Description, Format, concise, json};
 use crate::model::{Device, NodeList};
@@ -19,12 +20,19 @@ const STDIN: &str = "<stdin>";
 /// How files are read.
 #[derive(Debug, Args)]
 pub(super) struct InputArgs {
-    /// What the files are, where their names do not say it
+    /// What the files are, whatever their content shows
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
     /// The encoding of the files, where it cannot be found out: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
+    #[command(flatten)]
+    pub size: SizeArgs,
+}
+
+/// How much of a file is read.
+#[derive(Debug, Args)]
+pub(super) struct SizeArgs {
     /// The largest file that is read, in bytes or with K, M or G behind the number; without it 64M
     #[arg(long, value_name = "SIZE", default_value_t = DEFAULT_MAX_SIZE, hide_default_value = true, value_parser = parse_size)]
     pub max_size: u64,
@@ -53,11 +61,18 @@ impl FileKind {
             "json" => Some(Self::Json),
             "cdcf" => Some(Self::Cdcf),
             "cpj" => Some(Self::Cpj),
-            ending => Format::from_name(ending).map(|format| match format {
-                Format::Dcf => Self::Dcf,
-                _ => Self::Eds,
-            }),
+            ending => Format::from_name(ending).map(Self::from),
         })
+    }
+
+    /// The kind of a content that commands read.
+    fn of_content(kind: ContentKind) -> Option<Self> {
+        match kind {
+            ContentKind::NodeList => Some(Self::Cpj),
+            ContentKind::ConciseDcf => Some(Self::Cdcf),
+            ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
+            kind => kind.format().map(Self::from),
+        }
     }
 
     /// What people call it.
@@ -68,6 +83,15 @@ impl FileKind {
             Self::Json => "JSON",
             Self::Cdcf => "concise DCF",
             Self::Cpj => "node list",
+        }
+    }
+}
+
+impl From<Format> for FileKind {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Eds => Self::Eds,
+            Format::Dcf => Self::Dcf,
         }
     }
 }
@@ -85,47 +109,45 @@ pub(super) enum Input {
 }
 
 impl InputArgs {
-    /// What is in a file; `-` is the standard input.
-    pub(super) fn read(&self, path: &Path) -> Result<Input, Failure> {
+    /// What is in a file, and as what kind it was read; `-` is the standard input.
+    pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
         let unreadable = |error: &dyn std::fmt::Display| {
             Failure::new(format_args!("cannot read `{}`: {error}", name_of(path)))
         };
-        match self.kind(path) {
-            kind @ (FileKind::Eds | FileKind::Dcf) => {
-                let format = if kind == FileKind::Dcf { Format::Dcf } else { Format::Eds };
-                let source = self.source(path)?;
-                if source.text().trim_ascii_start().starts_with("<?xml") {
-                    let failure = Failure::new(format_args!("`{}` is XML", name_of(path)));
-                    return Err(failure.help("XDD and XDC are not read yet; EDS and DCF are INI files"));
-                }
-                Ok(Input::Description(Box::new(format::read(source, format))))
+        let bytes = self.size.bytes(path)?;
+        let kind = self.kind(path, &bytes)?;
+        let input = match kind {
+            FileKind::Eds => {
+                Input::Description(Box::new(format::read(self.source(path, bytes)?, Format::Eds)))
+            }
+            FileKind::Dcf => {
+                Input::Description(Box::new(format::read(self.source(path, bytes)?, Format::Dcf)))
             }
             FileKind::Json => {
-                let source = self.source(path)?;
+                let source = self.source(path, bytes)?;
                 let text = source.text();
                 match json::kind(text).map_err(|error| unreadable(&error))? {
                     Kind::Device => json::read_device(text).map(|device| Input::Device(Box::new(device))),
                     Kind::ConciseDcf => json::read_configuration(text).map(Input::Configuration),
                 }
-                .map_err(|error| unreadable(&error))
+                .map_err(|error| unreadable(&error))?
             }
             FileKind::Cdcf => {
-                let bytes = self.bytes(path)?;
-                concise::read(&bytes).map(Input::Configuration).map_err(|error| unreadable(&error))
+                concise::read(&bytes).map(Input::Configuration).map_err(|error| unreadable(&error))?
             }
             FileKind::Cpj => {
-                let source = self.source(path)?;
-                format::nodelist::read(&source).map(Input::NodeList).map_err(|error| unreadable(&error))
+                let source = self.source(path, bytes)?;
+                format::nodelist::read(&source).map(Input::NodeList).map_err(|error| unreadable(&error))?
             }
-        }
+        };
+        Ok((kind, input))
     }
 
     /// A description with its text; what has none cannot be checked.
     pub(super) fn description(&self, path: &Path) -> Result<Description, Failure> {
-        let kind = self.kind(path);
         match self.read(path)? {
-            Input::Description(description) => Ok(*description),
-            _ => {
+            (_, Input::Description(description)) => Ok(*description),
+            (kind, _) => {
                 let name = name_of(path);
                 let message =
                     format!("only EDS and DCF can be checked, and `{name}` is read as {}", kind.name());
@@ -134,11 +156,32 @@ impl InputArgs {
         }
     }
 
-    /// What a file is: what the user says, else its name, else an EDS.
-    pub(super) fn kind(&self, path: &Path) -> FileKind {
-        self.from.or_else(|| FileKind::of(path)).unwrap_or(FileKind::Eds)
+    /// What a file is: what the user says, else what its content shows, else its name, else an EDS.
+    fn kind(&self, path: &Path, bytes: &[u8]) -> Result<FileKind, Failure> {
+        if let Some(kind) = self.from {
+            return Ok(kind);
+        }
+        let found = identify(&name_of(path), bytes);
+        match FileKind::of_content(found.kind) {
+            Some(kind) => Ok(kind),
+            None if found.kind == ContentKind::Unknown => Ok(FileKind::of(path).unwrap_or(FileKind::Eds)),
+            None => {
+                let failure = Failure::new(format_args!("`{}` {}", name_of(path), found.verdict()));
+                Err(match found.advice() {
+                    Some(advice) => failure.help(advice),
+                    None => failure,
+                })
+            }
+        }
     }
 
+    fn source(&self, path: &Path, bytes: Vec<u8>) -> Result<SourceFile, Failure> {
+        let options = SourceOptions { encoding: self.encoding, max_size: self.size.max_size };
+        SourceFile::from_bytes(name_of(path), bytes, &options).map_err(Failure::new)
+    }
+}
+
+impl SizeArgs {
     /// The bytes of a file as they are.
     pub(super) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
         let unreadable = |error: io::Error| match path.is_dir() {
@@ -151,25 +194,19 @@ impl InputArgs {
             io::stdin().lock().take(limit).read_to_end(&mut bytes).map_err(unreadable)?;
         } else {
             let file = File::open(path).map_err(unreadable)?;
+            let size = file.metadata().map_err(unreadable)?.len();
+            if size > self.max_size {
+                return Err(self.too_large(path, size));
+            }
+            bytes.reserve_exact(usize::try_from(size).unwrap_or_default());
             file.take(limit).read_to_end(&mut bytes).map_err(unreadable)?;
         }
-        let (size, limit) = (bytes.len() as u64, self.max_size);
-        if size > limit {
-            return Err(Failure::new(SourceError::TooLarge { path: name_of(path), size, limit }));
-        }
-        Ok(bytes)
+        let size = bytes.len() as u64;
+        if size > self.max_size { Err(self.too_large(path, size)) } else { Ok(bytes) }
     }
 
-    fn source(&self, path: &Path) -> Result<SourceFile, Failure> {
-        let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
-        let source = if path == Path::new("-") {
-            SourceFile::from_bytes(STDIN, self.bytes(path)?, &options)
-        } else if path.is_dir() {
-            return Err(directory(path));
-        } else {
-            SourceFile::open(path, &options)
-        };
-        source.map_err(Failure::new)
+    fn too_large(&self, path: &Path, size: u64) -> Failure {
+        Failure::new(SourceError::TooLarge { path: name_of(path), size, limit: self.max_size })
     }
 }
 

@@ -5,6 +5,7 @@ mod args;
 mod check;
 mod convert;
 mod generate;
+mod identify;
 mod input;
 mod output;
 mod rules;
@@ -36,6 +37,7 @@ pub fn run() -> ExitCode {
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
+        Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),

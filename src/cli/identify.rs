@@ -1,0 +1,78 @@
+//! `objdict identify`.
+
+use std::io::Write;
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::args::{AnswerFormat, IdentifyArgs};
+use super::input::name_of;
+use super::output::Output;
+use super::{Failure, Outcome};
+use crate::format::identify::{Identification, identify};
+use crate::report::visible;
+
+/// The version of the JSON document. It changes when a field is removed or means something else.
+const VERSION: u32 = 1;
+
+#[derive(Serialize)]
+struct Row<'a> {
+    file: &'a str,
+    name: &'static str,
+    is_canopen: bool,
+    #[serde(flatten)]
+    found: &'a Identification,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    advice: Option<&'static str>,
+}
+
+pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut outcome = Outcome::Clean;
+    let mut rows = 0;
+    if args.format == AnswerFormat::Json {
+        write!(out, "{{\"version\":{VERSION},\"files\":[")?;
+    }
+    for path in &args.files {
+        let found = match args.size.bytes(path) {
+            Ok(bytes) => identify(&name_of(path), &bytes),
+            Err(failure) => {
+                failure.print();
+                outcome = Outcome::Failed;
+                continue;
+            }
+        };
+        if !found.kind.is_canopen() && outcome == Outcome::Clean {
+            outcome = Outcome::Findings;
+        }
+        match args.format {
+            AnswerFormat::Text => text(path, &found, out)?,
+            AnswerFormat::Json => {
+                out.write_all(if rows == 0 { b"\n" } else { b",\n" })?;
+                json(path, &found, out)?;
+            }
+        }
+        rows += 1;
+    }
+    if args.format == AnswerFormat::Json {
+        writeln!(out, "{}]}}", if rows == 0 { "" } else { "\n" })?;
+    }
+    Ok(outcome)
+}
+
+fn text(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
+    let line: String = format!("{}: {found}", name_of(path)).chars().map(visible).collect();
+    writeln!(out, "{line}")?;
+    if let Some(advice) = found.advice().filter(|_| !found.kind.is_canopen()) {
+        writeln!(out, "  help: {advice}")?;
+    }
+    Ok(())
+}
+
+fn json(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
+    let file = name_of(path);
+    let is_canopen = found.kind.is_canopen();
+    let advice = found.advice().filter(|_| !is_canopen);
+    let row = Row { file: &file, found, name: found.kind.name(), is_canopen, advice };
+    serde_json::to_writer(&mut *out, &row).map_err(std::io::Error::from)?;
+    Ok(())
+}
