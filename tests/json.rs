@@ -24,7 +24,7 @@ fn every_good_device_reads_back_equal() {
 
 #[test]
 fn every_damaged_device_reads_back_equal() {
-    for path in support::files("", &["eds", "dcf"]) {
+    for path in support::devices_of_all_folders() {
         let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
         let text = json::write_device(&device);
         assert_eq!(json::read_device(&text).as_ref(), Ok(&device), "{}", path.display());
@@ -44,7 +44,8 @@ proptest! {
     fn no_text_makes_the_reader_panic(text in any::<String>(), cut in any::<prop::sample::Index>()) {
         let _ = json::read_device(&text);
         let whole = json::write_device(&small_device());
-        let mut cut = cut.index(whole.len());
+        // without the last line feed it is whole
+        let mut cut = cut.index(whole.trim_end().len());
         while !whole.is_char_boundary(cut) {
             cut -= 1;
         }

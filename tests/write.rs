@@ -149,7 +149,7 @@ fn every_good_device_is_written_without_a_finding() {
 #[test]
 fn every_damaged_device_reads_back_equal() {
     let utf8 = options(|options| options.encoding = Some(Encoding::Utf8));
-    for path in support::files("", &["eds", "dcf"]) {
+    for path in support::devices_of_all_folders() {
         let device = open(&path);
         let written = write(&device, &utf8);
         // nobody can read a text with these back

@@ -22,6 +22,12 @@ pub(crate) fn files(folder: &str, endings: &[&str]) -> Vec<PathBuf> {
     found
 }
 
+/// Every EDS and DCF of CANopen, healthy or not.
+pub(crate) fn devices_of_all_folders() -> Vec<PathBuf> {
+    let foreign = fixtures().join("foreign");
+    files("", &["eds", "dcf"]).into_iter().filter(|path| !path.starts_with(&foreign)).collect()
+}
+
 /// The healthy devices: every rule is silent on them.
 pub(crate) fn good_devices() -> Vec<PathBuf> {
     [files("eds", &["eds"]), files("dcf", &["dcf"])].concat()
