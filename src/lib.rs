@@ -131,6 +131,7 @@
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod compare;
 pub mod diagnostic;
 pub mod download;
 pub mod format;

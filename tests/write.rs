@@ -4,7 +4,8 @@
 
 mod support;
 
-use objdict::format::{self, Format, LossKind, WriteOptions, Written, literal::RealSpelling};
+use objdict::compare::differences;
+use objdict::format::{self, Fate, Format, WriteOptions, Written, literal::RealSpelling};
 use objdict::model::{
     Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectLists, ObjectType, Value,
 };
@@ -152,12 +153,42 @@ fn every_damaged_device_reads_back_equal() {
     for path in support::devices_of_all_folders() {
         let device = open(&path);
         let written = write(&device, &utf8);
-        // nobody can read a text with these back
-        if written.losses.iter().all(|loss| loss.kind != LossKind::ControlCharacter) {
+        // nobody can read a control character back
+        if written.losses.is_empty() {
             let read = read(&written.bytes, format_of(&device));
             assert_same(&read, &counted(device.expanded().into_owned(), &read), &path.display());
         }
     }
+}
+
+#[test]
+fn what_is_carried_comes_back() {
+    let carry = options(|options| options.carry = true);
+    for path in support::files("", &["eds", "dcf"]) {
+        let device = open(&path);
+        let written = write(&device, &carry);
+        assert_eq!(differences(&device, &read(&written.bytes, format_of(&device))), [], "{}", path.display());
+        assert!(written.losses.iter().all(|loss| loss.fate == Fate::Carried), "{}", path.display());
+    }
+}
+
+#[test]
+fn what_was_edited_since_is_not_undone() {
+    let carry = options(|options| options.carry = true);
+    let mut device = open(&support::fixtures().join("eds/compact.eds"));
+    let object = device.objects.values().find(|object| object.compact.is_some()).unwrap();
+    let (name, count) = (object.main.name.clone(), object.compact.as_ref().unwrap().count);
+    device.comments = Some(vec!["Übertemperatur".to_owned()]);
+    let text = String::from_utf8(write(&device, &carry).bytes).unwrap();
+    let line = format!("ParameterName={name}{count}\r\n");
+    assert_eq!(text.matches(&line).count(), 1);
+    let edited = text.replace(&line, "ParameterName=Edited\r\n");
+    let description = format::read(SourceFile::from_text("edited.eds", edited), Format::Eds);
+    let names = description.device().objects.values().flat_map(Object::entries);
+    assert!(names.into_iter().any(|(_, entry)| &*entry.name == "Edited"));
+    assert_eq!(description.device().comments, device.comments);
+    let stale = |finding: &&objdict::diagnostic::Diagnostic| finding.rule.id == "objdict/stale-carried-data";
+    assert_eq!(description.findings().iter().filter(stale).count(), 1);
 }
 
 #[test]
@@ -235,12 +266,14 @@ fn other_letters_stand_in_for_those_that_the_encoding_lacks() {
         let losses: Vec<String> = written.losses.iter().map(ToString::to_string).collect();
         (read(&written.bytes, Format::Eds).object(0x2000).unwrap().main.name.to_string(), losses)
     };
-    let loss = "`0x2000 / ParameterName`: characters that the encoding lacks were written as others in \
-        `Übertemperatur in °C, 水`";
-    let ascii = name(&WriteOptions::default());
-    assert_eq!(ascii, ("Uebertemperatur in degC, ?".to_owned(), vec![loss.to_owned()]));
-    let latin = name(&options(|options| options.encoding = Some(Encoding::Windows1252)));
-    assert_eq!(latin, ("Übertemperatur in °C, ?".to_owned(), vec![loss.to_owned()]));
+    let loss = |written: &str| {
+        format!("lost: 0x2000 / ParameterName: `\"Übertemperatur in °C, 水\"` becomes `\"{written}\"`")
+    };
+    let ascii = "Uebertemperatur in degC, ?";
+    assert_eq!(name(&WriteOptions::default()), (ascii.to_owned(), vec![loss(ascii)]));
+    let latin = "Übertemperatur in °C, ?";
+    let windows = options(|options| options.encoding = Some(Encoding::Windows1252));
+    assert_eq!(name(&windows), (latin.to_owned(), vec![loss(latin)]));
     for encoding in [Encoding::Utf8, Encoding::Utf16Le] {
         let (written, losses) = name(&options(|options| options.encoding = Some(encoding)));
         assert_eq!((written.as_str(), losses.len()), ("Übertemperatur in °C, 水", 0));
@@ -266,14 +299,18 @@ fn no_text_leaves_its_line() {
     let again = read(&written.bytes, Format::Eds);
     assert_eq!(again.objects.keys().copied().collect::<Vec<_>>(), [0x2000]);
     assert_eq!(again.extra.len(), 1);
-    let kinds: Vec<LossKind> = written.losses.iter().map(|loss| loss.kind).collect();
+    let lost: Vec<String> = written.losses.iter().map(|loss| loss.place.to_string()).collect();
     assert_eq!(
-        kinds.iter().filter(|kind| **kind == LossKind::ControlCharacter).count(),
-        6,
-        "{:?}",
-        written.losses
+        lost,
+        [
+            "Comments / 0",
+            "device / extra/0/entries/0/0",
+            "device / extra/0/entries/0/1",
+            "device / extra/0/name",
+            "0x2000 / DefaultValue",
+            "0x2000 / ParameterName"
+        ]
     );
-    assert_eq!(kinds.iter().filter(|kind| **kind == LossKind::Name).count(), 2);
 }
 
 #[test]
@@ -300,6 +337,16 @@ proptest! {
     #[test]
     fn every_device_reads_back_equal(device in device(Texts::Ascii), style in 0usize..8) {
         assert_reads_back(&device, &every_style()[style], &"arbitrary");
+    }
+
+    /// Whatever a device is, its differences from what is read of its text bring it back.
+    #[test]
+    fn every_device_is_carried(device in device(Texts::Any), style in 0usize..8) {
+        let mut options = every_style()[style].clone();
+        options.carry = true;
+        let written = write(&device, &options);
+        prop_assert_eq!(differences(&device, &read(&written.bytes, format_of(&device))), []);
+        prop_assert!(written.losses.iter().all(|loss| loss.fate == Fate::Carried));
     }
 
     /// Whatever the texts are, what is written has the same parts, and is the same when it is written again.

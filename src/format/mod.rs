@@ -1,5 +1,6 @@
 //! Description files: what a file is, and from its bytes to the model.
 
+pub(crate) mod carried;
 pub mod concise;
 pub(crate) mod eds;
 pub mod identify;
@@ -7,16 +8,17 @@ pub mod ini;
 pub mod json;
 pub mod literal;
 pub mod nodelist;
+mod write;
 pub mod xml;
 
 use std::path::Path;
 use std::sync::OnceLock;
 
 use self::eds::Locator;
-pub use self::eds::{Loss, LossKind, WriteOptions, Written};
 use self::identify::Identification;
 use self::identify::identify_source;
 use self::ini::{Document, EditError};
+pub use self::write::{Fate, Loss, WriteOptions, Written};
 use crate::diagnostic::{At, Findings, RuleInfo};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
 use crate::source::{SourceError, SourceFile, SourceOptions, Span};
@@ -39,6 +41,14 @@ impl Format {
             "dcf" => Some(Self::Dcf),
             _ => None,
         })
+    }
+
+    /// What a file of this format describes.
+    pub const fn kind(self) -> DeviceKind {
+        match self {
+            Self::Eds => DeviceKind::Type,
+            Self::Dcf => DeviceKind::Node,
+        }
     }
 
     /// What the format is called.
@@ -104,22 +114,16 @@ pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadErr
 /// Reads a source in a format.
 pub fn read(source: SourceFile, format: Format) -> Description {
     let document = Document::new(source);
-    let kind = match format {
-        Format::Eds => DeviceKind::Type,
-        Format::Dcf => DeviceKind::Node,
-    };
-    let (device, mut findings) = eds::read(&document, kind);
+    let (mut device, mut findings) = eds::read(&document, format.kind());
+    carried::restore(&mut device, &mut findings);
     eds::file_name::check(&device, document.source().name(), &mut findings);
     Description { format, document, device, findings, locator: OnceLock::new() }
 }
 
 /// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
+/// With it comes what the text does not give back: the differences of the device and what is read of the text.
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
-    let kind = match format {
-        Format::Eds => DeviceKind::Type,
-        Format::Dcf => DeviceKind::Node,
-    };
-    eds::write(device, kind, options)
+    write::write(device, format, options)
 }
 
 impl Description {
@@ -195,5 +199,5 @@ impl Description {
 
 /// The rules that the readers raise themselves.
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    ini::findings::RULES.iter().chain(eds::findings::RULES).copied()
+    ini::findings::RULES.iter().chain(eds::findings::RULES).chain(carried::RULES).copied()
 }

@@ -148,6 +148,14 @@ impl Misfits {
         misfits.push(Misfit { field, text: text.into(), reason });
     }
 
+    /// Keeps those that `keep` says so of.
+    pub fn retain(&mut self, keep: impl FnMut(&Misfit) -> bool) {
+        if let Some(misfits) = &mut self.0 {
+            misfits.retain(keep);
+        }
+        self.0.take_if(|misfits| misfits.is_empty());
+    }
+
     /// All of them, in the order of the file.
     pub fn iter(&self) -> std::slice::Iter<'_, Misfit> {
         self.0.as_ref().map_or(&[][..], |misfits| misfits.as_slice()).iter()

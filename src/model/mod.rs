@@ -9,6 +9,7 @@ mod access;
 mod application_process;
 mod cob_id;
 mod commissioning;
+mod configuration;
 mod data_type;
 mod device;
 mod device_info;

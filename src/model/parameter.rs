@@ -153,3 +153,19 @@ words! {
         Conditional = "conditional",
     }
 }
+
+impl Parameter {
+    /// The id that a parameter without one is given, after its index or sub-index: `UID_OBJ_1018`, `UID_SUB_101801`.
+    pub fn usual_id(index: u16, sub: Option<u8>) -> String {
+        match sub {
+            Some(sub) => format!("UID_SUB_{index:04X}{sub:02X}"),
+            None => format!("UID_OBJ_{index:04X}"),
+        }
+    }
+
+    /// Whether it says nothing but that the entry exists: all it has is the usual id.
+    pub fn is_implied(&self, index: u16, sub: Option<u8>) -> bool {
+        *self.unique_id == Self::usual_id(index, sub)
+            && *self == Self { unique_id: self.unique_id.clone(), ..Self::default() }
+    }
+}

@@ -37,3 +37,75 @@ words! {
         Trx = "trx",
     }
 }
+
+impl StackOptions {
+    /// Takes a setting by the name of its property. `false` when it is none, or the value is none of it, or it is set already.
+    pub fn set(&mut self, name: &str, value: &str) -> bool {
+        fn once<T>(field: &mut Option<T>, value: Option<T>) -> bool {
+            let takes = field.is_none() && value.is_some();
+            if takes {
+                *field = value;
+            }
+            takes
+        }
+        let flag = || match value {
+            "true" | "1" => Some(true),
+            "false" | "0" => Some(false),
+            _ => None,
+        };
+        match name {
+            "CO_storageGroup" => once(&mut self.storage_group, Some(value.into())),
+            "CO_countLabel" => once(&mut self.count_label, Some(value.into())),
+            "CO_disabled" => once(&mut self.disabled, flag()),
+            "CO_accessSRDO" => once(&mut self.srdo_access, SrdoAccess::from_name(value)),
+            "CO_stringLengthMin" => once(&mut self.min_string_length, value.parse().ok()),
+            "CO_flagsPDO" => once(&mut self.detects_change, flag()),
+            "CO_extensionIO" => once(&mut self.io_extension, flag()),
+            _ => false,
+        }
+    }
+
+    /// The settings by the names of their properties.
+    pub fn settings(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let text = |text: &Option<Box<str>>| text.as_deref().map(str::to_owned);
+        let flag = |flag: Option<bool>| flag.map(|flag| flag.to_string());
+        [
+            ("CO_disabled", flag(self.disabled)),
+            ("CO_countLabel", text(&self.count_label)),
+            ("CO_storageGroup", text(&self.storage_group)),
+            ("CO_extensionIO", flag(self.io_extension)),
+            ("CO_flagsPDO", flag(self.detects_change)),
+            ("CO_accessSRDO", self.srdo_access.map(|access| access.name().to_owned())),
+            ("CO_stringLengthMin", self.min_string_length.map(|length| length.to_string())),
+        ]
+        .into_iter()
+        .filter_map(|(name, value)| value.map(|value| (name, value)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_set_once_and_come_back() {
+        let settings = [
+            ("CO_disabled", "true"),
+            ("CO_countLabel", "TPDO"),
+            ("CO_storageGroup", "PERSIST_COMM"),
+            ("CO_extensionIO", "false"),
+            ("CO_flagsPDO", "true"),
+            ("CO_accessSRDO", "trx"),
+            ("CO_stringLengthMin", "40"),
+        ];
+        let mut options = StackOptions::default();
+        for (name, value) in settings {
+            assert!(options.set(name, value) && !options.set(name, value), "{name}");
+        }
+        let back: Vec<_> = options.settings().collect();
+        assert_eq!(back.iter().map(|(name, value)| (*name, value.as_str())).collect::<Vec<_>>(), settings);
+        for (name, value) in [("CO_disabled", "yes"), ("CO_accessSRDO", "both"), ("CO_color", "red")] {
+            assert!(!StackOptions::default().set(name, value), "{name}");
+        }
+    }
+}

@@ -15,4 +15,3 @@ pub(crate) use locate::Locator;
 pub(crate) use read::read;
 pub(crate) use section::SectionName;
 pub(crate) use write::write;
-pub use write::{Loss, LossKind, WriteOptions, Written};

@@ -16,6 +16,8 @@ pub struct Section {
     pub header: Option<Header>,
     /// The entries in their order.
     pub entries: Vec<Entry>,
+    /// The comment lines among and behind them.
+    pub comments: Vec<Span>,
 }
 
 /// The header of a section.
@@ -79,10 +81,15 @@ impl Document {
                     visit(&section);
                     section.header = Some(Header { name, line: line.span });
                     section.entries.clear();
+                    section.comments.clear();
                 }
                 LineKind::Entry { key, value } => section.entries.push(Entry { key, value }),
                 LineKind::Blank => {}
-                LineKind::Comment | LineKind::Junk => other(&line),
+                LineKind::Comment => {
+                    section.comments.push(line.span);
+                    other(&line);
+                }
+                LineKind::Junk => other(&line),
             }
         }
         visit(&section);

@@ -53,6 +53,11 @@ impl<'a> Items<'a> {
         Self { text, section, findings }
     }
 
+    /// The comment lines of the section.
+    pub(crate) fn comments(&self) -> impl Iterator<Item = &'a str> {
+        self.section.comments.iter().map(|comment| comment.of(self.text))
+    }
+
     /// The name of the section as written; empty before the first header.
     pub(crate) fn section_name(&self) -> &'a str {
         self.section.header.map_or("", |header| header.name.of(self.text))

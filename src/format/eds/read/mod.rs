@@ -16,6 +16,7 @@ pub(crate) use self::items::{Item, Items};
 use super::findings;
 use super::section::SectionName;
 use crate::diagnostic::Findings;
+use crate::format::carried;
 use crate::format::ini::{self, Document};
 use crate::model::{Device, DeviceKind, Extra, ExtraSection, Part, Place};
 use crate::source::Span;
@@ -130,7 +131,9 @@ impl<'a> Reader<'a> {
     fn unknown_section(&mut self, section: &ini::Section) {
         let (name, at) = self.header_of(section);
         let lower = name.to_ascii_lowercase();
-        if self.unknown.insert(self.hasher.hash_one(&lower)) {
+        if name == carried::NAME {
+            // not ours to know: the reader of carried data takes it
+        } else if self.unknown.insert(self.hasher.hash_one(&lower)) {
             self.findings.push(findings::unknown_section(name, at));
         } else {
             let first = Place::of(Part::Section(lower.into()));

@@ -6,7 +6,7 @@ use crate::format::ini;
 use crate::format::literal::{self, Quirks};
 use crate::model::{
     Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags,
-    Object, ObjectType, PdoMapping, Place, Reason, Safety, Value,
+    Object, ObjectType, PdoMapping, Place, Reason, Safety, StackOptions, Value,
 };
 
 /// An object section as it is read: the entry, and the keys that only an object's own section or a module's has.
@@ -114,8 +114,21 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind) -> O
         }
     });
     read_values(&mut read.entry, &values, items);
+    items.comments().for_each(|comment| stack_option(&mut read.entry, comment));
     drop_empty(&mut read.entry);
     read
+}
+
+/// A comment in which CANopenEditor says something to the generators of CANopenNode: `;StorageLocation=RAM`,
+/// `;CO_countLabel=TPDO`. The first of two alike counts.
+fn stack_option(entry: &mut Entry, comment: &str) {
+    let setting = comment.strip_prefix(';').and_then(|comment| comment.split_once('='));
+    if let Some((name, value)) = setting.filter(|(name, _)| name.starts_with(['S', 'C'])) {
+        let name = if name == "StorageLocation" { "CO_storageGroup" } else { name };
+        let mut options = entry.stack.take().unwrap_or_default();
+        options.set(name, value.trim());
+        entry.stack = Some(options).filter(|options| **options != StackOptions::default());
+    }
 }
 
 /// An empty key says as much as a missing one.

@@ -16,16 +16,16 @@ impl Writer<'_> {
             None => modules.declared.or(counted),
         };
         sheet.open(Part::SupportedModules);
-        sheet.put_number(Field::NrOfEntries, declared);
+        sheet.put_number(&Field::NrOfEntries, declared);
         sheet.extra(&modules.extra);
         sheet.misfits(&modules.misfits);
         sheet.close();
         for (&number, module) in &modules.supported {
             self.module(sheet, number, module);
         }
-        if let Some(connected) = modules.connected.as_ref().filter(|_| self.configured) {
+        if let Some(connected) = &modules.connected {
             sheet.open(Part::ConnectedModules);
-            sheet.list(Field::NrOfEntries, connected.iter().map(u16::to_string));
+            sheet.list(&Field::NrOfEntries, connected.iter().map(u16::to_string));
             sheet.close();
         }
     }
@@ -33,10 +33,10 @@ impl Writer<'_> {
     fn module(&self, sheet: &mut Sheet<'_>, number: u16, module: &Module) {
         let part = |part| Part::Module(number, part);
         sheet.open(part(ModulePart::Info));
-        sheet.put_some(Field::ProductName, module.product_name.as_ref());
-        sheet.put_number(Field::ProductVersion, module.product_version);
-        sheet.put_number(Field::ProductRevision, module.product_revision);
-        sheet.put_some(Field::OrderCode, module.order_code.as_ref());
+        sheet.put_some(&Field::ProductName, module.product_name.as_ref());
+        sheet.put_number(&Field::ProductVersion, module.product_version);
+        sheet.put_number(&Field::ProductRevision, module.product_revision);
+        sheet.put_some(&Field::OrderCode, module.order_code.as_ref());
         sheet.extra(&module.extra);
         sheet.misfits(&module.misfits);
         sheet.close();
@@ -45,7 +45,7 @@ impl Writer<'_> {
         }
         if !module.fixed_list.is_empty() {
             sheet.open(part(ModulePart::FixedObjects));
-            sheet.list(Field::NrOfEntries, module.fixed_list.iter().map(index_text));
+            sheet.list(&Field::NrOfEntries, module.fixed_list.iter().map(index_text));
             sheet.close();
         }
         for (&index, object) in &module.fixed {
@@ -53,7 +53,7 @@ impl Writer<'_> {
         }
         if !module.extension_list.is_empty() {
             sheet.open(part(ModulePart::SubExtends));
-            sheet.list(Field::NrOfEntries, module.extension_list.iter().map(index_text));
+            sheet.list(&Field::NrOfEntries, module.extension_list.iter().map(index_text));
             sheet.close();
         }
         for (&index, extension) in &module.extensions {

@@ -64,7 +64,7 @@ impl Writer<'_> {
         for list in ObjectList::ALL {
             if let Some(indexes) = stated(&lists, list) {
                 sheet.open(Part::List(list));
-                sheet.list(Field::SupportedObjects, indexes.iter().map(index_text));
+                sheet.list(&Field::SupportedObjects, indexes.iter().map(index_text));
                 sheet.close();
                 self.objects_of(sheet, indexes, &mut written);
             }
@@ -114,7 +114,7 @@ impl Writer<'_> {
             }
             if !object.links.is_empty() {
                 sheet.open(Part::Links(index));
-                sheet.list(Field::ObjectLinks, object.links.iter().map(index_text));
+                sheet.list(&Field::ObjectLinks, object.links.iter().map(index_text));
                 sheet.close();
             }
         }
@@ -131,39 +131,38 @@ impl Writer<'_> {
         let spelling = spelling(sheet, index, entry.data_type);
         let value = |value: Option<&Value>| value.map(|value| literal::print(value, spelling));
         sheet.open(part);
-        sheet.put(Field::ParameterName, &entry.name);
+        sheet.put(&Field::ParameterName, &entry.name);
         sheet.put_some(
-            Field::ObjectType,
+            &Field::ObjectType,
             entry.object_type.map(|object_type| format!("0x{:X}", object_type.code())),
         );
-        sheet.put_number(Field::SubNumber, own.sub_number);
-        sheet.put_some(Field::DataType, entry.data_type.map(|data_type| format!("0x{:04X}", data_type.0)));
-        sheet.put_some(Field::AccessType, entry.access.map(Access::name));
-        sheet.put_some(Field::DefaultValue, value(entry.default.as_ref()));
-        sheet.put_flag(Field::PdoMapping, entry.pdo_mapping.map(PdoMapping::is_mappable));
-        sheet.put_some(Field::LowLimit, value(entry.low_limit.as_ref()));
-        sheet.put_some(Field::HighLimit, value(entry.high_limit.as_ref()));
-        sheet.put_some(Field::ObjFlags, entry.flags.map(|flags| format!("0x{:X}", flags.0)));
-        sheet.put_number(Field::CompactSubObj, own.compact);
-        sheet.put_some(Field::Count, own.count.map(count_text));
-        sheet.put_number(Field::ObjExtend, own.obj_extend);
-        if let Some(safety) = &entry.safety {
-            sheet.put_flag(Field::SrdoMapping, safety.srdo_mapping);
-            sheet.put_some(Field::InvertedSrad, safety.inverted_srad.map(|srad| format!("0x{srad:06X}")));
+        sheet.put_number(&Field::SubNumber, own.sub_number);
+        for (name, value) in entry.stack.iter().flat_map(|stack| stack.settings()) {
+            sheet.comment(if name == "CO_storageGroup" { "StorageLocation" } else { name }, &value);
         }
-        if let Some(configured) = entry.configured.as_ref().filter(|_| self.configured) {
-            sheet.put_some(Field::ParameterValue, value(configured.value.as_ref()));
-            sheet.put_some(Field::Denotation, configured.denotation.as_ref());
-            sheet.put_some(Field::UploadFile, configured.upload_file.as_ref());
-            sheet.put_some(Field::DownloadFile, configured.download_file.as_ref());
-            sheet.put_some(Field::ParamRefd, configured.reference_designator.as_ref());
+        sheet.put_some(&Field::DataType, entry.data_type.map(|data_type| format!("0x{:04X}", data_type.0)));
+        sheet.put_some(&Field::AccessType, entry.access.map(Access::name));
+        sheet.put_some(&Field::DefaultValue, value(entry.default.as_ref()));
+        sheet.put_flag(&Field::PdoMapping, entry.pdo_mapping.map(PdoMapping::is_mappable));
+        sheet.put_some(&Field::LowLimit, value(entry.low_limit.as_ref()));
+        sheet.put_some(&Field::HighLimit, value(entry.high_limit.as_ref()));
+        sheet.put_some(&Field::ObjFlags, entry.flags.map(|flags| format!("0x{:X}", flags.0)));
+        sheet.put_number(&Field::CompactSubObj, own.compact);
+        sheet.put_some(&Field::Count, own.count.map(count_text));
+        sheet.put_number(&Field::ObjExtend, own.obj_extend);
+        if let Some(safety) = &entry.safety {
+            sheet.put_flag(&Field::SrdoMapping, safety.srdo_mapping);
+            sheet.put_some(&Field::InvertedSrad, safety.inverted_srad.map(|srad| format!("0x{srad:06X}")));
+        }
+        if let Some(configured) = &entry.configured {
+            sheet.put_some(&Field::ParameterValue, value(configured.value.as_ref()));
+            sheet.put_some(&Field::Denotation, configured.denotation.as_ref());
+            sheet.put_some(&Field::UploadFile, configured.upload_file.as_ref());
+            sheet.put_some(&Field::DownloadFile, configured.download_file.as_ref());
+            sheet.put_some(&Field::ParamRefd, configured.reference_designator.as_ref());
         }
         sheet.extra(&entry.extra);
-        for misfit in entry.misfits.iter() {
-            if self.configured || misfit.field != Field::ParameterValue {
-                sheet.put(misfit.field.clone(), &misfit.text);
-            }
-        }
+        sheet.misfits(&entry.misfits);
         sheet.close();
     }
 
@@ -176,9 +175,6 @@ impl Writer<'_> {
         };
         let names: Vec<(u8, String)> = subs.map(|sub| (sub, name(sub))).collect();
         sub_section(sheet, Part::CompactNames(index), &names, String::clone);
-        if !self.configured {
-            return;
-        }
         let spelling = spelling(sheet, index, object.main.data_type);
         let is_kept = !compact.extra.is_empty() || !compact.misfits.is_empty();
         if !compact.values.is_empty() || is_kept {
@@ -197,9 +193,9 @@ impl Writer<'_> {
 /// A section with an item for each of some sub-indexes.
 fn sub_section<T>(sheet: &mut Sheet<'_>, part: Part, list: &[(u8, T)], print: impl Fn(&T) -> String) {
     sheet.open(part);
-    sheet.put(Field::NrOfEntries, list.len().to_string());
+    sheet.put(&Field::NrOfEntries, list.len().to_string());
     for (sub, item) in list {
-        sheet.put(Field::Item((*sub).into()), print(item));
+        sheet.put(&Field::Item((*sub).into()), print(item));
     }
     sheet.close();
 }

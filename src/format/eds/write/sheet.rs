@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use ini::{EscapePolicy, Ini, LineSeparator, Properties, SectionEntry, WriteOption};
 
-use super::{Loss, LossKind, WriteOptions};
+use crate::format::WriteOptions;
 use crate::format::eds::section::{SectionName, section_name};
-use crate::model::{Extra, ExtraSection, Field, Misfits, Part, Place};
+use crate::model::{Extra, ExtraSection, Field, Misfits, Part};
 
 /// The sections of a description, in order.
 pub(super) struct Sheet<'a> {
@@ -14,7 +14,6 @@ pub(super) struct Sheet<'a> {
     sections: Vec<Section>,
     /// Keys that the model has no field for, by the known section that they stand in.
     extras: Vec<(Part, &'a Extra)>,
-    losses: Vec<Loss>,
 }
 
 /// A section; keys and values are clean.
@@ -30,7 +29,7 @@ impl<'a> Sheet<'a> {
     pub(super) fn new(options: &'a WriteOptions, extra: &'a [ExtraSection]) -> Self {
         let extras = extra.iter().map(|section| (SectionName::parse(&section.name).part, &section.entries));
         let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_))).collect();
-        Self { options, sections: Vec::new(), extras, losses: Vec::new() }
+        Self { options, sections: Vec::new(), extras }
     }
 
     /// Starts the section of a part; what is put comes into it.
@@ -41,36 +40,42 @@ impl<'a> Sheet<'a> {
 
     /// A key with its value. One that is among the section's unknown keys already is not written twice: the text that
     /// somebody wrote comes before what we would.
-    pub(super) fn put(&mut self, field: Field, value: impl AsRef<str>) {
+    pub(super) fn put(&mut self, field: &Field, value: impl AsRef<str>) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         let key = field.name().into_owned();
         if self.is_taken(&part, &key) {
             return;
         }
-        let place = Place::of(part).field(field);
-        let value = self.clean(value.as_ref(), &place);
+        let value = self.clean(value.as_ref());
         self.push(key, value);
     }
 
     /// A key with its value, where there is one.
-    pub(super) fn put_some(&mut self, field: Field, value: Option<impl AsRef<str>>) {
+    pub(super) fn put_some(&mut self, field: &Field, value: Option<impl AsRef<str>>) {
         if let Some(value) = value {
             self.put(field, value);
         }
     }
 
     /// A key with 0 or 1, where that is known.
-    pub(super) fn put_flag(&mut self, field: Field, flag: Option<bool>) {
+    pub(super) fn put_flag(&mut self, field: &Field, flag: Option<bool>) {
         self.put_some(field, flag.map(|flag| if flag { "1" } else { "0" }));
     }
 
     /// A key with a decimal number, where there is one.
-    pub(super) fn put_number(&mut self, field: Field, number: Option<impl Into<u64>>) {
+    pub(super) fn put_number(&mut self, field: &Field, number: Option<impl Into<u64>>) {
         self.put_some(field, number.map(|number| number.into().to_string()));
     }
 
+    /// A comment that says something to a tool: `;StorageLocation=RAM`.
+    pub(super) fn comment(&mut self, name: &str, value: &str) {
+        let value = self.clean(value);
+        // what starts with a semicolon is written like a key and read as a comment
+        self.push(format!(";{name}"), value);
+    }
+
     /// A count and numbered items.
-    pub(super) fn list(&mut self, counter: Field, items: impl ExactSizeIterator<Item = String>) {
+    pub(super) fn list(&mut self, counter: &Field, items: impl ExactSizeIterator<Item = String>) {
         let taken = self.sections.last().and_then(|section| self.extra_of(&section.part));
         let taken =
             taken.map_or(0, |extra| extra.iter().filter(|(key, _)| Field::item(key).is_some()).count());
@@ -85,17 +90,14 @@ impl<'a> Sheet<'a> {
             {
                 number += 1;
             }
-            self.put(Field::Item(number), item);
+            self.put(&Field::Item(number), item);
         }
     }
 
     /// Keys that the model does not know.
     pub(super) fn extra(&mut self, extra: &Extra) {
-        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         for (key, value) in extra.iter() {
-            let place = Place::of(part.clone()).field(Field::Named(key.into()));
-            let key = self.clean_key(key, &place);
-            let value = self.clean(value, &place);
+            let (key, value) = (self.clean_key(key), self.clean(value));
             self.push(key, value);
         }
     }
@@ -103,7 +105,7 @@ impl<'a> Sheet<'a> {
     /// Texts that are no values of their fields, as they were written.
     pub(super) fn misfits(&mut self, misfits: &Misfits) {
         for misfit in misfits.iter() {
-            self.put(misfit.field.clone(), &misfit.text);
+            self.put(&misfit.field, &misfit.text);
         }
     }
 
@@ -122,8 +124,7 @@ impl<'a> Sheet<'a> {
             let part = SectionName::parse(&section.name).part;
             match part {
                 Part::Section(_) => {
-                    let place = Place::of(part.clone());
-                    let name = self.clean_name(&section.name, &place);
+                    let name = self.clean_name(&section.name);
                     self.sections.push(Section { part, name, entries: Vec::new() });
                     self.extra(&section.entries);
                 }
@@ -136,8 +137,8 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The text, written by rust-ini, and what it could not carry.
-    pub(super) fn finish(self) -> (String, Vec<Loss>) {
+    /// The text, written by rust-ini.
+    pub(super) fn finish(self) -> String {
         let mut ini = Ini::new();
         for section in self.sections {
             if section.name.is_empty() {
@@ -164,7 +165,7 @@ impl<'a> Sheet<'a> {
         let mut bytes = Vec::new();
         // a Vec takes every byte, and all of them come from texts
         let _ = ini.write_to_opt(&mut bytes, option);
-        (String::from_utf8(bytes).unwrap_or_default(), self.losses)
+        String::from_utf8(bytes).unwrap_or_default()
     }
 
     fn push(&mut self, key: String, value: String) {
@@ -182,62 +183,38 @@ impl<'a> Sheet<'a> {
     }
 
     /// A text that stays in its line and its encoding, and is read as it is written.
-    fn clean(&mut self, text: &str, place: &Place) -> String {
-        let clean = self.clean_characters(text, place);
-        let trimmed = clean.trim_matches(BLANKS);
-        if trimmed.len() < clean.len() {
-            self.lose(LossKind::Blanks, text, place);
-            return trimmed.to_owned();
-        }
-        clean.into_owned()
+    fn clean(&self, text: &str) -> String {
+        self.clean_characters(text).trim_matches(BLANKS).to_owned()
     }
 
     /// A key that is read as one.
-    fn clean_key(&mut self, key: &str, place: &Place) -> String {
-        let clean = self.clean_characters(key, place).replace('=', " ");
+    fn clean_key(&self, key: &str) -> String {
+        let clean = self.clean_characters(key).replace('=', " ");
         let trimmed = clean.trim_matches(BLANKS);
         let is_key =
             !trimmed.is_empty() && !trimmed.starts_with([';', '#', '[']) && !trimmed.starts_with("//");
-        let written = if is_key { trimmed.to_owned() } else { format!("_{trimmed}") };
-        if written != key {
-            self.lose(LossKind::Name, key, place);
-        }
-        written
+        if is_key { trimmed.to_owned() } else { format!("_{trimmed}") }
     }
 
     /// A section name that is read as one. An empty one is that of the keys before the first section.
-    fn clean_name(&mut self, name: &str, place: &Place) -> String {
-        let clean = self.clean_characters(name, place).replace(']', " ");
-        let written = clean.trim_matches(BLANKS).to_owned();
-        if written != name {
-            self.lose(LossKind::Name, name, place);
-        }
+    fn clean_name(&self, name: &str) -> String {
+        let written = self.clean_characters(name).replace(']', " ").trim_matches(BLANKS).to_owned();
         if written.is_empty() && !name.is_empty() { "_".to_owned() } else { written }
     }
 
-    fn clean_characters<'t>(&mut self, text: &'t str, place: &Place) -> Cow<'t, str> {
-        let options = self.options;
+    fn clean_characters<'t>(&self, text: &'t str) -> Cow<'t, str> {
         if text.bytes().all(|byte| (0x20..0x7F).contains(&byte) || byte == b'\t') {
             return Cow::Borrowed(text);
         }
-        if text.chars().any(is_control) {
-            self.lose(LossKind::ControlCharacter, text, place);
-        }
-        let text: Cow<'_, str> =
-            text.chars().map(|c| if is_control(c) { ' ' } else { c }).collect::<String>().into();
-        if text.chars().all(|c| options.can_write(c)) {
-            return text;
-        }
-        self.lose(LossKind::Encoding, &text, place);
         let mut written = String::with_capacity(text.len());
         for c in text.chars() {
-            if options.can_write(c) { written.push(c) } else { written.push_str(stand_in(c)) }
+            match c {
+                c if is_control(c) => written.push(' '),
+                c if self.options.can_write(c) => written.push(c),
+                c => written.push_str(stand_in(c)),
+            }
         }
         written.into()
-    }
-
-    fn lose(&mut self, kind: LossKind, text: &str, place: &Place) {
-        self.losses.push(Loss { place: place.clone(), kind, text: text.to_owned() });
     }
 }
 

@@ -1,0 +1,147 @@
+//! Making the changes that turn one device into another.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+use super::to_value;
+use crate::model::{Device, Object};
+
+/// A datum that shall become another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Where it stands: a JSON pointer into the JSON of the device.
+    pub path: String,
+    /// What stands there before: the [`fingerprint`](Change::fingerprint) of it, `None` for nothing.
+    pub before: Option<u32>,
+    /// What shall stand there; `None` for nothing.
+    pub after: Option<Value>,
+}
+
+impl Change {
+    /// A number that tells values from each other: the 32-bit FNV-1a hash of the JSON text without blanks.
+    pub fn fingerprint(value: &Value) -> u32 {
+        value
+            .to_string()
+            .bytes()
+            .fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+}
+
+/// Makes changes. Returns those that could not be made: another value stands there by now, the part is gone, or the
+/// device would be none.
+pub fn apply(device: &mut Device, changes: Vec<Change>) -> Vec<Change> {
+    let mut of_objects: BTreeMap<u16, Vec<Change>> = BTreeMap::new();
+    let mut others = Vec::new();
+    for change in changes {
+        match index_of(&change.path) {
+            Some(index) => of_objects.entry(index).or_default().push(change),
+            None => others.push(change),
+        }
+    }
+    let mut refused = Vec::new();
+    for (index, changes) in of_objects {
+        let mut object = device.objects.remove(&index);
+        apply_to(&mut object, &format!("/objects/0x{index:04X}"), changes, &mut refused);
+        device.objects.extend(object.map(|object: Object| (index, object)));
+    }
+    if !others.is_empty() {
+        let objects = std::mem::take(&mut device.objects);
+        let mut frame = std::mem::take(device);
+        super::sort_extra(&mut frame);
+        let mut frame = Some(frame);
+        apply_to(&mut frame, "", others, &mut refused);
+        *device = Device { objects, ..frame.unwrap_or_default() };
+    }
+    refused
+}
+
+/// The object that a path leads to or into.
+fn index_of(path: &str) -> Option<u16> {
+    let digits = path.strip_prefix("/objects/0x")?.split('/').next()?;
+    u16::from_str_radix(digits, 16).ok()
+}
+
+/// Makes the changes of one part: all of them, or where that gives no part, each for itself.
+fn apply_to<T: Serialize + DeserializeOwned>(
+    part: &mut Option<T>,
+    root: &str,
+    changes: Vec<Change>,
+    refused: &mut Vec<Change>,
+) {
+    let before = part.as_ref().map(to_value);
+    let mut after = before.clone();
+    let mut made = Vec::new();
+    for change in changes {
+        match set(&mut after, &change, &change.path[root.len()..]) {
+            true => made.push(change),
+            false => refused.push(change),
+        }
+    }
+    match after.map(serde_json::from_value) {
+        None => *part = None,
+        Some(Ok(changed)) => *part = Some(changed),
+        // one of them makes it none: the others shall not suffer
+        Some(Err(_)) if made.len() > 1 => {
+            for change in made {
+                apply_to(part, root, vec![change], refused);
+            }
+        }
+        Some(Err(_)) => refused.append(&mut made),
+    }
+}
+
+/// Puts a value where a path leads, when what stands there is what shall be changed.
+fn set(root: &mut Option<Value>, change: &Change, path: &str) -> bool {
+    let is_expected = |found: Option<&Value>| found.map(Change::fingerprint) == change.before;
+    let Some((parent, key)) = path.rsplit_once('/') else {
+        let as_expected = is_expected(root.as_ref());
+        if as_expected {
+            root.clone_from(&change.after);
+        }
+        return as_expected;
+    };
+    let Some(root) = root.as_mut() else { return false };
+    let parent = match root.pointer_mut(parent) {
+        Some(parent) => parent,
+        // what holds nothing is not in the JSON
+        None if change.before.is_none() => match make(root, parent) {
+            Some(parent) => parent,
+            None => return false,
+        },
+        None => return false,
+    };
+    let key = key.replace("~1", "/").replace("~0", "~");
+    match parent {
+        Value::Object(map) if is_expected(map.get(&key)) => {
+            match &change.after {
+                Some(value) => map.insert(key, value.clone()),
+                None => map.remove(&key),
+            };
+            true
+        }
+        Value::Array(items) => {
+            match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), &change.after) {
+                (Some(item), Some(value)) if is_expected(Some(item)) => {
+                    *item = value.clone();
+                    true
+                }
+                _ => false,
+            }
+        }
+        _ => false,
+    }
+}
+
+/// The map of a path, made where it is missing.
+fn make<'a>(root: &'a mut Value, path: &str) -> Option<&'a mut Value> {
+    path.split('/').skip(1).try_fold(root, |at, key| {
+        let key = key.replace("~1", "/").replace("~0", "~");
+        match at {
+            Value::Object(map) => Some(map.entry(key).or_insert_with(|| Value::Object(Map::new()))),
+            _ => None,
+        }
+    })
+}

@@ -1,0 +1,131 @@
+//! Two devices, datum by datum: where they differ, and how one becomes the other.
+//!
+//! A datum is named by its path in the JSON of the model (docs/json.md), as a JSON pointer (RFC 6901):
+//! `/objects/0x1018/subs/0x01/default`. Objects that are equal are never turned into JSON, so that a comparison of
+//! equal devices costs no more than looking at them.
+
+mod apply;
+mod place;
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+pub use apply::{Change, apply};
+
+use crate::model::{Device, Place};
+
+/// A datum that two devices do not have alike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Where it stands: a JSON pointer into the JSON of the device.
+    pub path: String,
+    /// What the left device says; `None` for nothing.
+    pub left: Option<Value>,
+    /// What the right device says; `None` for nothing.
+    pub right: Option<Value>,
+}
+
+impl Difference {
+    /// The address of the datum.
+    pub fn place(&self) -> Place {
+        place::of(&self.path)
+    }
+}
+
+/// Where two devices differ, in the order of the model. The order of sections that the model does not know says nothing.
+///
+/// ```
+/// use objdict::compare::differences;
+/// use objdict::model::{Device, Entry, Object};
+///
+/// let named = |name: &str| {
+///     let main = Entry { name: name.into(), ..Entry::default() };
+///     let mut device = Device::default();
+///     device.objects.insert(0x2000, Object { main, ..Object::default() });
+///     device
+/// };
+/// let found = differences(&named("Speed"), &named("Velocity"));
+/// assert_eq!(found[0].path, "/objects/0x2000/name");
+/// assert_eq!(found[0].place().to_string(), "0x2000 / ParameterName");
+/// ```
+pub fn differences(left: &Device, right: &Device) -> Vec<Difference> {
+    let mut found = Vec::new();
+    let mut path = String::new();
+    if left == right {
+        return found;
+    }
+    diff_maps(&mut path, &frame(left), &frame(right), &mut found);
+    path.push_str("/objects");
+    let indexes: std::collections::BTreeSet<u16> =
+        left.objects.keys().chain(right.objects.keys()).copied().collect();
+    for index in indexes {
+        let (of_left, of_right) = (left.object(index), right.object(index));
+        if of_left != of_right {
+            let length = path.len();
+            path.push_str(&format!("/0x{index:04X}"));
+            let json = |object: Option<&_>| object.map(to_value);
+            diff(&mut path, json(of_left).as_ref(), json(of_right).as_ref(), &mut found);
+            path.truncate(length);
+        }
+    }
+    found
+}
+
+/// Everything of a device but its objects.
+fn frame(device: &Device) -> Map<String, Value> {
+    let mut frame = Device { objects: std::collections::BTreeMap::new(), ..device.clone() };
+    sort_extra(&mut frame);
+    match to_value(&frame) {
+        Value::Object(mut map) => {
+            map.remove("objects");
+            map
+        }
+        _ => Map::new(),
+    }
+}
+
+/// Brings the sections that the model does not know into an order, so that paths into them mean the same in two devices.
+fn sort_extra(device: &mut Device) {
+    device.extra.sort_by(|a, b| a.name.cmp(&b.name));
+}
+
+/// The JSON of a part of the model, which always has one: its keys are texts.
+fn to_value(part: &impl Serialize) -> Value {
+    serde_json::to_value(part).unwrap_or_default()
+}
+
+fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &mut Vec<Difference>) {
+    match (left, right) {
+        (left, right) if left == right => {}
+        (Some(Value::Object(left)), Some(Value::Object(right))) => diff_maps(path, left, right, found),
+        // of lists of one length, the items that differ; else nobody knows which item became which
+        (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
+            for (position, (left, right)) in left.iter().zip(right).enumerate() {
+                step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));
+            }
+        }
+        _ => found.push(Difference { path: path.clone(), left: left.cloned(), right: right.cloned() }),
+    }
+}
+
+fn diff_maps(
+    path: &mut String,
+    left: &Map<String, Value>,
+    right: &Map<String, Value>,
+    found: &mut Vec<Difference>,
+) {
+    for (key, value) in left {
+        step(path, key, |path| diff(path, Some(value), right.get(key), found));
+    }
+    for (key, value) in right.iter().filter(|(key, _)| !left.contains_key(*key)) {
+        step(path, key, |path| diff(path, None, Some(value), found));
+    }
+}
+
+fn step(path: &mut String, key: &str, visit: impl FnOnce(&mut String)) {
+    let length = path.len();
+    path.push('/');
+    path.push_str(&key.replace('~', "~0").replace('/', "~1"));
+    visit(path);
+    path.truncate(length);
+}

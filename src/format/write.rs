@@ -1,0 +1,203 @@
+//! Writing a device: the text of a format, what does not come back of it, and where that is kept.
+
+use std::fmt;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::carried::{self, Room};
+use super::literal::RealSpelling;
+use super::{Format, eds};
+use crate::compare::{Change, Difference, differences};
+use crate::model::{Device, DeviceKind, Place};
+use crate::source::{Encoding, SourceFile, SourceOptions};
+
+/// How a text is written that is no edit of another.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// How REAL numbers are spelled in an EDS or DCF.
+    pub real: RealSpelling,
+    /// Whether strings that are values stand in quotes in an EDS or DCF, as dcfgen and dcf2dev demand.
+    pub quote_strings: bool,
+    /// Whether what is stored compactly stays so in an EDS or DCF (`CompactSubObj`), with the names of all entries;
+    /// otherwise every entry gets a section, for many readers know nothing else.
+    pub compact: bool,
+    /// The encoding of an EDS or DCF; `None` for ISO 646, as the standard demands. What it lacks is written in other
+    /// letters.
+    pub encoding: Option<Encoding>,
+    /// Whether what the format has no place for is kept in sections or properties of a manufacturer, which other tools
+    /// pass over and objdict reads (docs/formats.md).
+    pub carry: bool,
+}
+
+impl WriteOptions {
+    /// Whether the encoding has a character.
+    pub(super) fn can_write(&self, c: char) -> bool {
+        match self.encoding {
+            None => c.is_ascii(),
+            Some(_) if c.is_ascii() => true,
+            Some(encoding) => encoding.encode(c.encode_utf8(&mut [0; 4])).is_ok(),
+        }
+    }
+}
+
+/// A written description.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Written {
+    /// The bytes of the file.
+    pub bytes: Vec<u8>,
+    /// Every datum of the device that whoever reads the file does not get, in the order of the model.
+    pub losses: Vec<Loss>,
+}
+
+/// A datum that a written text does not give back.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Loss {
+    /// Where it stands in the model.
+    #[serde(serialize_with = "place_text")]
+    pub place: Place,
+    /// The same as a JSON pointer into the JSON of the device (docs/json.md).
+    pub path: String,
+    /// What became of it.
+    pub fate: Fate,
+    /// What the device says.
+    pub value: Value,
+    /// What the text says in its place; `None` for nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub becomes: Option<Value>,
+}
+
+/// What became of a datum that the format has no place for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Fate {
+    /// It is gone.
+    Lost,
+    /// It belongs to a node, and the format describes a type of device.
+    LeftOut,
+    /// objdict reads it from a section or property of its own; other tools do not see it.
+    Carried,
+}
+
+impl Fate {
+    /// In words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Lost => "lost",
+            Self::LeftOut => "left out",
+            Self::Carried => "carried",
+        }
+    }
+}
+
+fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(place)
+}
+
+impl Loss {
+    fn new(difference: Difference, fate: Fate) -> Option<Self> {
+        let place = difference.place();
+        let Difference { path, left, right } = difference;
+        // what the text says and the device does not is no loss
+        Some(Self { place, path, fate, value: left?, becomes: right })
+    }
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, fate, value, becomes, .. } = self;
+        write!(f, "{}: {place}: {}", fate.name(), Shown(value))?;
+        match becomes {
+            Some(becomes) => write!(f, " becomes {}", Shown(becomes)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A datum in a line: as JSON, but cut where it is long.
+struct Shown<'a>(&'a Value);
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const ROOM: usize = 100;
+        let text = self.0.to_string();
+        match text.char_indices().nth(ROOM) {
+            Some((end, _)) => write!(f, "`{}…` ({} bytes of JSON)", &text[..end], text.len()),
+            None => write!(f, "`{text}`"),
+        }
+    }
+}
+
+/// The text of a device in a format, and what it does not give back.
+pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
+    let mut losses = Vec::new();
+    let kept = match format.kind() {
+        DeviceKind::Type => device.unconfigured(),
+        DeviceKind::Node => std::borrow::Cow::Borrowed(device),
+    };
+    let configuration = differences(device, &kept);
+    losses.extend(configuration.into_iter().filter_map(|found| Loss::new(found, Fate::LeftOut)));
+    // of what is stored compactly only the form is lost, and only where that was asked for
+    let wanted = if options.compact || options.carry {
+        kept
+    } else {
+        std::borrow::Cow::Owned(kept.expanded().into_owned())
+    };
+    let mut bytes = encode(&wanted, format, options);
+    let mut lost = differences(&wanted, &decode(&bytes, format, options));
+    if options.carry && !lost.is_empty() {
+        let mut carrier = wanted.clone().into_owned();
+        carried::embed(&mut carrier, &changes(&lost), room(format));
+        let with_carried = encode(&carrier, format, options);
+        let still_lost = differences(&wanted, &decode(&with_carried, format, options));
+        let (gone, carried): (Vec<_>, Vec<_>) =
+            lost.into_iter().partition(|found| is_among(found, &still_lost));
+        losses.extend(carried.into_iter().filter_map(|found| Loss::new(found, Fate::Carried)));
+        // what could not even be carried may show at other places than before
+        lost = if still_lost.is_empty() { gone } else { still_lost };
+        bytes = with_carried;
+    }
+    losses.extend(lost.into_iter().filter_map(|found| Loss::new(found, Fate::Lost)));
+    losses.sort_by_key(|loss| loss.fate);
+    Written { bytes, losses }
+}
+
+/// Whether a difference, or one inside it or around it, is among others.
+fn is_among(found: &Difference, others: &[Difference]) -> bool {
+    let within = |inner: &str, outer: &str| {
+        inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+    };
+    others.iter().any(|other| within(&other.path, &found.path) || within(&found.path, &other.path))
+}
+
+/// What brings back what is lost.
+fn changes(lost: &[Difference]) -> Vec<Change> {
+    let change = |Difference { path, left, right }: &Difference| Change {
+        path: path.clone(),
+        before: right.as_ref().map(Change::fingerprint),
+        after: left.clone(),
+    };
+    lost.iter().map(change).collect()
+}
+
+const fn room(format: Format) -> Room {
+    match format {
+        Format::Eds | Format::Dcf => Room::Section,
+    }
+}
+
+fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
+    match format {
+        Format::Eds | Format::Dcf => eds::write(device, options),
+    }
+}
+
+fn decode(bytes: &[u8], format: Format, options: &WriteOptions) -> Device {
+    let source_options = SourceOptions { encoding: options.encoding, max_size: u64::MAX };
+    match SourceFile::from_bytes("", bytes.to_vec(), &source_options) {
+        Ok(source) => super::read(source, format).into_device(),
+        // only a text of more than 1 GiB is not read
+        Err(_) => Device::default(),
+    }
+}
