@@ -101,7 +101,7 @@
 //! # let path = std::path::Path::new(folder).join("io-401.eds");
 //! let eds = format::open(&path, &Default::default())?;
 //! let node = Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
-//! let text = eds.to_dcf("door.dcf", &node)?;
+//! let text = eds.to_node("door.dcf", &node)?;
 //! let source = SourceFile::from_bytes("door.dcf", text, &Default::default())?;
 //! let dcf = format::read(source, Format::Dcf);
 //! assert_eq!(dcf.device().node_id(), Some(5));

@@ -56,7 +56,7 @@ fn without_node(device: &Device) -> Device {
 fn a_dcf_of_every_eds_says_the_same_of_the_device_and_is_clean() {
     for path in support::files("eds", &["eds"]) {
         let eds = open(&path);
-        let dcf = read(eds.to_dcf("pump.dcf", &node()).unwrap(), "pump.dcf");
+        let dcf = read(eds.to_node("pump.dcf", &node()).unwrap(), "pump.dcf");
         assert_eq!(without_node(dcf.device()), without_node(eds.device()), "{}", path.display());
         assert_eq!(dcf.device().commissioning, Some(complete(&node())));
         let info = dcf.device().file_info.clone().unwrap();
@@ -72,10 +72,10 @@ fn every_line_of_the_eds_but_the_file_name_is_in_the_dcf() {
     for path in support::files("broken", &["eds"]) {
         let eds = open(&path);
         if eds.source().is_read_only() {
-            assert!(eds.to_dcf("pump.dcf", &node()).is_err());
+            assert!(eds.to_node("pump.dcf", &node()).is_err());
             continue;
         }
-        let dcf = read(eds.to_dcf("pump.dcf", &node()).unwrap(), "pump.dcf");
+        let dcf = read(eds.to_node("pump.dcf", &node()).unwrap(), "pump.dcf");
         assert_eq!(dcf.source().encoding(), eds.source().encoding(), "{}", path.display());
         let mut rest = dcf.source().text();
         for line in eds
@@ -94,17 +94,17 @@ fn every_line_of_the_eds_but_the_file_name_is_in_the_dcf() {
 fn a_dcf_made_from_an_eds_gives_the_eds_back() {
     for path in support::files("eds", &["eds"]) {
         let eds = open(&path);
-        let dcf = read(eds.to_dcf("pump.dcf", &node()).unwrap(), "pump.dcf");
+        let dcf = read(eds.to_node("pump.dcf", &node()).unwrap(), "pump.dcf");
         let name = path.file_name().unwrap().to_str().unwrap();
-        let again = dcf.to_eds(name).unwrap();
-        assert!(again == eds.document().print(), "{}", path.display());
+        let again = dcf.to_type(name).unwrap();
+        assert!(again == eds.print(), "{}", path.display());
     }
 }
 
 #[test]
 fn an_eds_of_every_dcf_has_no_configuration() {
     for path in support::files("dcf", &["dcf"]) {
-        let eds = read(open(&path).to_eds("type.eds").unwrap(), "type.eds");
+        let eds = read(open(&path).to_type("type.eds").unwrap(), "type.eds");
         let device = eds.device();
         assert_eq!(device.kind, DeviceKind::Type, "{}", path.display());
         for object in device.objects.values() {

@@ -26,7 +26,7 @@ fn print(bytes: &[u8]) -> Vec<u8> {
             );
         }
     }
-    description.document().print()
+    description.print()
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn every_encoding_prints_back() {
         let mut options = SourceOptions::default();
         options.encoding = Some(name.parse().unwrap());
         let source = SourceFile::from_bytes("test.eds", bytes.clone(), &options).unwrap();
-        assert!(format::read(source, Format::Eds).document().print() == bytes, "{name}");
+        assert!(format::read(source, Format::Eds).print() == bytes, "{name}");
     }
 }
 

@@ -86,9 +86,9 @@ fn convert_description(
         (FileKind::Dcf, FileKind::Dcf) if !args.changes_node() => Ok(description.source().to_bytes()),
         (_, FileKind::Dcf) => {
             let node = node(args, description.device())?;
-            description.to_dcf(&file_name, &node).map_err(Failure::new)
+            description.to_node(&file_name, &node).map_err(Failure::new)
         }
-        (_, FileKind::Eds) => description.to_eds(&file_name).map_err(Failure::new),
+        (_, FileKind::Eds) => description.to_type(&file_name).map_err(Failure::new),
         _ => convert_device(args, description.device(), to),
     }
 }

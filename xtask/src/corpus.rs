@@ -74,7 +74,7 @@ fn read(file: &Path) -> Result<Outcome, String> {
         *rules.entry(finding.rule.id).or_default() += 1;
     }
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
-    let round_trip = description.document().print() == bytes;
+    let round_trip = description.print() == bytes;
     Ok(Outcome { bytes: bytes.len(), round_trip, errors, rules, time })
 }
 

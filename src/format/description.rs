@@ -1,0 +1,128 @@
+//! A description that was read: the device together with the text that it came from.
+
+use std::sync::OnceLock;
+
+use super::eds::Locator;
+use super::ini::{Document, EditError};
+use super::{Format, carried, eds, ini};
+use crate::diagnostic::{At, Findings};
+use crate::model::{Commissioning, Device, DeviceKind, Place};
+use crate::source::{SourceFile, Span};
+
+/// A description that was read: the device, the text that it came from, and what the reader found.
+#[derive(Debug)]
+pub struct Description {
+    format: Format,
+    syntax: Syntax,
+    device: Device,
+    findings: Findings,
+}
+
+/// The text in the syntax of its format, with what finds places in it; that is made when it is asked for.
+#[derive(Debug)]
+enum Syntax {
+    /// Lines of an INI file.
+    Ini(Document, OnceLock<Locator>),
+}
+
+impl Description {
+    pub(super) fn read(source: SourceFile, format: Format) -> Self {
+        let document = Document::new(source);
+        let (mut device, mut findings) = eds::read(&document, format.kind());
+        carried::restore(&mut device, &mut findings);
+        eds::file_name::check(&device, document.source().name(), &mut findings);
+        Self { format, syntax: Syntax::Ini(document, OnceLock::new()), device, findings }
+    }
+
+    /// The format that it was read as.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// The source.
+    pub fn source(&self) -> &SourceFile {
+        match &self.syntax {
+            Syntax::Ini(document, _) => document.source(),
+        }
+    }
+
+    /// The text as lines; `None` for one that is no INI file.
+    pub fn document(&self) -> Option<&Document> {
+        match &self.syntax {
+            Syntax::Ini(document, _) => Some(document),
+        }
+    }
+
+    /// The bytes of the file, put together from what was read: always the bytes as they came.
+    pub fn print(&self) -> Vec<u8> {
+        match &self.syntax {
+            Syntax::Ini(document, _) => document.print(),
+        }
+    }
+
+    /// The device.
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// The device, without its text.
+    pub fn into_device(self) -> Device {
+        self.device
+    }
+
+    /// Where a place of the model stands in the text; `None` for what has no text.
+    pub fn locate(&self, place: &Place) -> Option<Span> {
+        match &self.syntax {
+            Syntax::Ini(document, locator) => {
+                locator.get_or_init(|| Locator::new(document)).locate(document, place)
+            }
+        }
+    }
+
+    /// Where a label points in the text; the start of the text for what has none.
+    pub fn span_of(&self, at: &At) -> Span {
+        match at {
+            At::Span(span) => *span,
+            At::Place(place) => self.locate(place).unwrap_or_default(),
+        }
+    }
+
+    /// The bytes of this text as the description of a node, called `file_name`: an EDS becomes a DCF. Only the text that
+    /// must change does, so comments, order, spelling, line ends and encoding stay. `LastEDS` is the name that the text
+    /// was read by, unless it is of a node already.
+    ///
+    /// # Errors
+    /// When an edited text cannot be written in the encoding of the file.
+    pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
+        let last_eds = self.source().name().rsplit(['/', '\\']).next();
+        let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
+        match &self.syntax {
+            Syntax::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
+        }
+    }
+
+    /// The bytes of this text as the description of a device type, called `file_name`: without the node and the values
+    /// that were configured for it. A DCF becomes an EDS.
+    ///
+    /// # Errors
+    /// When an edited text cannot be written in the encoding of the file.
+    pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
+        match &self.syntax {
+            Syntax::Ini(document, _) => eds::to_eds(document, file_name),
+        }
+    }
+
+    /// What the reader of the format found: in the spelling and structure of the text.
+    pub fn findings(&self) -> &Findings {
+        &self.findings
+    }
+
+    /// What the lines of the text show, healthy or not; not looked for until it is asked for.
+    pub fn line_findings(&self) -> Findings {
+        let mut findings = Findings::new();
+        match &self.syntax {
+            Syntax::Ini(document, _) => ini::findings::check(document, &mut findings),
+        }
+        findings
+    }
+}
