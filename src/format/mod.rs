@@ -10,6 +10,7 @@ pub mod json;
 pub mod literal;
 pub mod nodelist;
 mod write;
+pub(crate) mod xdd;
 pub mod xml;
 
 use std::path::Path;

@@ -1,0 +1,279 @@
+//! Writing elements of CiA 311 in the namespaces of its versions.
+
+use super::version::XddVersion;
+
+/// Whose `ProfileBody` it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Body {
+    /// That of the device profile.
+    Device,
+    /// That of the communication network profile.
+    Network,
+}
+
+/// Writes an XML document of CiA 311: names without prefixes go in, and come out as the version demands.
+///
+/// In version 1.1 the elements that a schema declares inside others are in no namespace, and the others have the prefix
+/// that the `ProfileBody` around them declares, as CANopenEditor writes it. In version 1.0 nothing has a prefix.
+#[derive(Debug)]
+pub(crate) struct Markup {
+    writer: XmlWriter,
+    version: XddVersion,
+    body: Option<Body>,
+    /// The start tags that are not written yet, each inside the one before.
+    pending: Vec<Start>,
+    /// How many elements are open whose start tags are written.
+    open: usize,
+}
+
+#[derive(Debug)]
+struct Start {
+    name: String,
+    attributes: Vec<(String, String)>,
+    text: Option<String>,
+    needs_content: bool,
+}
+
+/// Declared inside other elements by the schema of the device profile, so in no namespace.
+const LOCAL_IN_DEVICE: &[&str] = &[
+    "ExternalProfileHandle",
+    "ProfileIdentification",
+    "ProfileLocation",
+    "ProfileRevision",
+    "LEDstateRef",
+    "category",
+    "connectedModule",
+    "connectedModuleList",
+    "description",
+    "descriptionRef",
+    "label",
+    "labelRef",
+    "maxValue",
+    "minValue",
+    "moduleInterface",
+    "step",
+];
+
+/// What the schema of the communication network profile does not declare inside other elements.
+const GLOBAL_IN_NETWORK: &[&str] = &[
+    "CANopenObjectList",
+    "buildDate",
+    "deviceFamily",
+    "productID",
+    "specificationRevision",
+    "vendorID",
+    "version",
+];
+
+impl Body {
+    const fn type_name(self) -> &'static str {
+        match self {
+            Self::Device => "ProfileBody_Device_CANopen",
+            Self::Network => "ProfileBody_CommunicationNetwork_CANopen",
+        }
+    }
+
+    const fn prefix(self) -> &'static str {
+        match self {
+            Self::Device => "q1",
+            Self::Network => "q2",
+        }
+    }
+
+    /// Whether an element in it is in the namespace.
+    fn declares_globally(self, name: &str) -> bool {
+        match self {
+            Self::Device => {
+                !LOCAL_IN_DEVICE.contains(&name) && crate::model::SimpleType::from_name(name).is_none()
+            }
+            Self::Network => GLOBAL_IN_NETWORK.contains(&name),
+        }
+    }
+}
+
+impl Markup {
+    /// An empty document of a version.
+    pub(crate) fn new(version: XddVersion) -> Self {
+        Self { writer: XmlWriter::new(), version, body: None, pending: Vec::new(), open: 0 }
+    }
+
+    /// The version that it is written in.
+    pub(crate) fn version(&self) -> XddVersion {
+        self.version
+    }
+
+    /// Begins the root, `ISO15745ProfileContainer`.
+    pub(crate) fn open_container(&mut self) {
+        self.open("ISO15745ProfileContainer");
+        self.attribute("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance");
+        self.attribute("xmlns", self.version.namespace());
+    }
+
+    /// Begins a `ProfileBody`; its own attributes follow. It ends by [`close_body`](Self::close_body).
+    pub(crate) fn open_body(&mut self, body: Body) {
+        self.open("ProfileBody");
+        match self.version {
+            XddVersion::V1_0 => self.attribute("xsi:type", body.type_name()),
+            XddVersion::V1_1 => {
+                self.attribute(&format!("xmlns:{}", body.prefix()), self.version.namespace());
+                self.attribute("xsi:type", &format!("{}:{}", body.prefix(), body.type_name()));
+                self.attribute("xmlns", "");
+            }
+        }
+        self.body = Some(body);
+    }
+
+    /// Ends the `ProfileBody`.
+    pub(crate) fn close_body(&mut self) {
+        self.body = None;
+        self.close();
+    }
+
+    /// Begins an element. Its attributes and its text or elements follow, until it is closed.
+    pub(crate) fn open(&mut self, name: &str) {
+        self.start(name, false);
+    }
+
+    /// Begins an element that is written only if it gets attributes, a text or elements.
+    pub(crate) fn open_unless_empty(&mut self, name: &str) {
+        self.start(name, true);
+    }
+
+    /// Adds an attribute to the element that was opened last and has no elements yet.
+    pub(crate) fn attribute(&mut self, name: &str, value: &str) {
+        if let Some(start) = self.pending.last_mut() {
+            start.attributes.push((name.to_owned(), value.to_owned()));
+        }
+    }
+
+    /// Gives a text to the element that was opened last. It must not get elements then.
+    pub(crate) fn text(&mut self, text: &str) {
+        if let Some(start) = self.pending.last_mut() {
+            start.text.get_or_insert_default().push_str(text);
+        }
+    }
+
+    /// Ends the element that was opened last.
+    pub(crate) fn close(&mut self) {
+        let Some(start) = self.pending.pop() else {
+            if self.open > 0 {
+                self.open -= 1;
+                self.writer.close();
+            }
+            return;
+        };
+        if start.needs_content && start.attributes.is_empty() && start.text.is_none() {
+            return;
+        }
+        self.write_pending();
+        match start.text.as_deref() {
+            None | Some("") => self.writer.empty(&start.name, &start.attributes()),
+            Some(text) => self.writer.text_element(&start.name, &start.attributes(), text),
+        }
+    }
+
+    /// The document. Elements that are still open are closed.
+    pub(crate) fn finish(mut self) -> String {
+        while !self.pending.is_empty() || self.open > 0 {
+            self.close();
+        }
+        self.writer.finish()
+    }
+
+    fn start(&mut self, name: &str, needs_content: bool) {
+        let is_header = name == "ProfileHeader";
+        let name = match self.body {
+            Some(body) if self.version == XddVersion::V1_1 && body.declares_globally(name) => {
+                format!("{}:{name}", body.prefix())
+            }
+            _ => name.to_owned(),
+        };
+        self.pending.push(Start { name, attributes: Vec::new(), text: None, needs_content });
+        // the header and all that is in it are in no namespace
+        if is_header && self.version == XddVersion::V1_1 {
+            self.attribute("xmlns", "");
+        }
+    }
+
+    /// Writes the start tags that are left, as something stands in their elements.
+    fn write_pending(&mut self) {
+        for start in self.pending.drain(..) {
+            self.writer.open(&start.name, &start.attributes());
+            self.open += 1;
+        }
+    }
+}
+
+impl Start {
+    fn attributes(&self) -> Vec<(&str, &str)> {
+        self.attributes.iter().map(|(name, value)| (name.as_str(), value.as_str())).collect()
+    }
+}
+
+#[derive(Debug, Default)]
+struct XmlWriter {
+    text: String,
+    open: Vec<String>,
+}
+
+impl XmlWriter {
+    fn new() -> Self {
+        Self { text: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(), open: Vec::new() }
+    }
+
+    fn tag(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.text.push_str(&"  ".repeat(self.open.len()));
+        self.text.push('<');
+        self.text.push_str(name);
+        for (name, value) in attributes {
+            self.text.push_str(&format!(" {name}=\"{}\"", escaped(value, true)));
+        }
+    }
+
+    fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.tag(name, attributes);
+        self.text.push_str(">\n");
+        self.open.push(name.to_owned());
+    }
+
+    fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.tag(name, attributes);
+        self.text.push_str(" />\n");
+    }
+
+    fn text_element(&mut self, name: &str, attributes: &[(&str, &str)], text: &str) {
+        self.tag(name, attributes);
+        self.text.push_str(&format!(">{}</{name}>\n", escaped(text, false)));
+    }
+
+    fn close(&mut self) {
+        if let Some(name) = self.open.pop() {
+            self.text.push_str(&"  ".repeat(self.open.len()));
+            self.text.push_str(&format!("</{name}>\n"));
+        }
+    }
+
+    fn finish(self) -> String {
+        self.text
+    }
+}
+
+fn escaped(text: &str, is_value: bool) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '&' => escaped.push_str("&amp;"),
+            '"' if is_value => escaped.push_str("&quot;"),
+            '\r' => escaped.push_str("&#13;"),
+            '\n' if is_value => escaped.push_str("&#10;"),
+            '\t' if is_value => escaped.push_str("&#9;"),
+            '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}' => {
+                escaped.push('\u{FFFD}')
+            }
+            character => escaped.push(character),
+        }
+    }
+    escaped
+}

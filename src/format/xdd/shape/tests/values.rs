@@ -1,0 +1,1 @@
+//! Any values of the parts.

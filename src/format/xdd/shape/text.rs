@@ -1,0 +1,89 @@
+//! Values as attributes and texts hold them.
+
+use std::borrow::Cow;
+
+use crate::model::{Date, LedColor, LedColors, LedOn, LedType, ParameterAccess, Support};
+
+/// A value that has a text.
+pub(crate) trait Text: Sized {
+    /// The value of a text; `None` where it is none.
+    fn parse(text: &str) -> Option<Self>;
+
+    /// The text of the value.
+    fn print(&self) -> Cow<'_, str>;
+}
+
+impl Text for Box<str> {
+    fn parse(text: &str) -> Option<Self> {
+        Some(text.into())
+    }
+
+    fn print(&self) -> Cow<'_, str> {
+        Cow::Borrowed(self)
+    }
+}
+
+/// `xsd:boolean`.
+impl Text for bool {
+    fn parse(text: &str) -> Option<Self> {
+        match collapsed(text) {
+            "true" | "1" => Some(true),
+            "false" | "0" => Some(false),
+            _ => None,
+        }
+    }
+
+    fn print(&self) -> Cow<'_, str> {
+        Cow::Borrowed(if *self { "true" } else { "false" })
+    }
+}
+
+/// `xsd:date` without a time zone.
+impl Text for Date {
+    fn parse(text: &str) -> Option<Self> {
+        Self::from_iso(collapsed(text))
+    }
+
+    fn print(&self) -> Cow<'_, str> {
+        Cow::Owned(self.to_iso())
+    }
+}
+
+/// Numbers such as `xsd:unsignedByte`.
+macro_rules! numbers {
+    ($($Number:ty)+) => {$(
+        impl Text for $Number {
+            fn parse(text: &str) -> Option<Self> {
+                collapsed(text).parse().ok()
+            }
+
+            fn print(&self) -> Cow<'_, str> {
+                Cow::Owned(self.to_string())
+            }
+        }
+    )+};
+}
+
+numbers! { u8 u32 }
+
+/// The words that a schema lists.
+macro_rules! words {
+    ($($Words:ty)+) => {$(
+        impl Text for $Words {
+            fn parse(text: &str) -> Option<Self> {
+                Self::from_name(collapsed(text))
+            }
+
+            fn print(&self) -> Cow<'_, str> {
+                Cow::Borrowed(self.name())
+            }
+        }
+    )+};
+}
+
+words! { LedColor LedColors LedOn LedType ParameterAccess Support }
+
+/// The text without white space around it, which means nothing in values of XML Schema.
+pub(super) fn collapsed(text: &str) -> &str {
+    text.trim_matches([' ', '\t', '\n', '\r'])
+}

@@ -1,0 +1,42 @@
+//! The versions of CiA 311.
+
+/// A version of CiA 311, which a file names by the namespace of its elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum XddVersion {
+    /// 1.0: every element is in the namespace.
+    V1_0,
+    /// 1.1: the elements that the schema declares inside others are in no namespace.
+    #[default]
+    V1_1,
+}
+
+impl XddVersion {
+    /// Every version, the oldest first.
+    pub const ALL: [Self; 2] = [Self::V1_0, Self::V1_1];
+
+    /// `1.0` or `1.1`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::V1_0 => "1.0",
+            Self::V1_1 => "1.1",
+        }
+    }
+
+    /// The version of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|version| version.name() == name)
+    }
+
+    /// The namespace of its elements.
+    pub const fn namespace(self) -> &'static str {
+        match self {
+            Self::V1_0 => "http://www.canopen.org/xml/1.0",
+            Self::V1_1 => "http://www.canopen.org/xml/1.1",
+        }
+    }
+
+    /// The version of a namespace.
+    pub fn from_namespace(uri: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|version| version.namespace() == uri)
+    }
+}
