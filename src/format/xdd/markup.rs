@@ -270,7 +270,7 @@ fn escaped(text: &str, is_value: bool) -> String {
             '\n' if is_value => escaped.push_str("&#10;"),
             '\t' if is_value => escaped.push_str("&#9;"),
             '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}' => {
-                escaped.push('\u{FFFD}')
+                escaped.push('\u{FFFD}');
             }
             character => escaped.push(character),
         }
