@@ -155,26 +155,38 @@ pub(super) struct GenerateArgs {
     pub input: InputArgs,
 }
 
-/// Turn a file into another format
+/// Turn files into another format, and say what it cannot carry
 ///
-/// EDS to EDS and DCF to DCF keep every byte; EDS to DCF and back edit the text and keep comments, order and spelling.
+/// EDS to EDS and DCF to DCF keep every byte; EDS to DCF and back edit the text and keep comments, order and spelling; XDD and
+/// XDC alike. Between the two worlds everything is written anew, and what has no place in the other is carried in
+/// properties or sections of its own (docs/formats.md). Exits with 1 when --deny-loss is given and something is lost.
 #[derive(Debug, Parser)]
 pub(super) struct ConvertArgs {
-    /// The file to convert; `-` is the standard input
-    #[arg(value_name = "IN")]
-    pub file: PathBuf,
-    /// The file to write; its ending says what: .eds .dcf .json .cdcf (concise DCF). `-` is the standard output
+    /// The files to convert; `-` is the standard input
+    #[arg(required = true, value_name = "IN")]
+    pub files: Vec<PathBuf>,
+    /// The file to write; its ending says what: .eds .dcf .xdd .xdc .json .cdcf (concise DCF). `-` is the standard output.
+    /// Or the folder for several files, with --to
     pub out: PathBuf,
     /// What to write, where the name does not say it
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<WrittenKind>,
-    /// The node-ID of the node that a DCF or concise DCF is for
+    /// Write what is lost, left out and carried to this file, as JSON (docs/json.md); `-` is the standard output
+    #[arg(long, value_name = "FILE")]
+    pub loss_report: Option<PathBuf>,
+    /// Exit with 1 when a datum is lost
+    #[arg(long)]
+    pub deny_loss: bool,
+    /// Carry nothing in properties or sections of objdict: what the format has no place for is lost
+    #[arg(long)]
+    pub no_carry: bool,
+    /// The node-ID of the node that a DCF, XDC or concise DCF is for
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// The bit rate in kbit/s that a DCF states
+    /// The bit rate in kbit/s that a DCF or XDC states
     #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
     pub bit_rate: Option<u16>,
-    /// The name of the node that a DCF states
+    /// The name of the node that a DCF or XDC states
     #[arg(long, value_name = "NAME", value_parser = node_name)]
     pub node_name: Option<String>,
     /// Write all values into a concise DCF, not only those that differ from the default

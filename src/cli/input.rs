@@ -75,6 +75,26 @@ impl FileKind {
         }
     }
 
+    /// The ending of its files.
+    pub(super) const fn ending(self) -> &'static str {
+        match self {
+            Self::Eds => "eds",
+            Self::Dcf => "dcf",
+            Self::Json => "json",
+            Self::Cdcf => "cdcf",
+            Self::Cpj => "cpj",
+        }
+    }
+
+    /// The format of a description.
+    pub(super) const fn format(self) -> Option<Format> {
+        match self {
+            Self::Eds => Some(Format::Eds),
+            Self::Dcf => Some(Format::Dcf),
+            Self::Json | Self::Cdcf | Self::Cpj => None,
+        }
+    }
+
     /// What people call it.
     pub(super) const fn name(self) -> &'static str {
         match self {

@@ -13,14 +13,14 @@ use crate::source::{SourceFile, Span};
 #[derive(Debug)]
 pub struct Description {
     format: Format,
-    syntax: Syntax,
+    text: Text,
     device: Device,
     findings: Findings,
 }
 
 /// The text in the syntax of its format, with what finds places in it; that is made when it is asked for.
 #[derive(Debug)]
-enum Syntax {
+enum Text {
     /// Lines of an INI file.
     Ini(Document, OnceLock<Locator>),
 }
@@ -31,7 +31,7 @@ impl Description {
         let (mut device, mut findings) = eds::read(&document, format.kind());
         carried::restore(&mut device, &mut findings);
         eds::file_name::check(&device, document.source().name(), &mut findings);
-        Self { format, syntax: Syntax::Ini(document, OnceLock::new()), device, findings }
+        Self { format, text: Text::Ini(document, OnceLock::new()), device, findings }
     }
 
     /// The format that it was read as.
@@ -41,22 +41,22 @@ impl Description {
 
     /// The source.
     pub fn source(&self) -> &SourceFile {
-        match &self.syntax {
-            Syntax::Ini(document, _) => document.source(),
+        match &self.text {
+            Text::Ini(document, _) => document.source(),
         }
     }
 
     /// The text as lines; `None` for one that is no INI file.
     pub fn document(&self) -> Option<&Document> {
-        match &self.syntax {
-            Syntax::Ini(document, _) => Some(document),
+        match &self.text {
+            Text::Ini(document, _) => Some(document),
         }
     }
 
     /// The bytes of the file, put together from what was read: always the bytes as they came.
     pub fn print(&self) -> Vec<u8> {
-        match &self.syntax {
-            Syntax::Ini(document, _) => document.print(),
+        match &self.text {
+            Text::Ini(document, _) => document.print(),
         }
     }
 
@@ -72,8 +72,8 @@ impl Description {
 
     /// Where a place of the model stands in the text; `None` for what has no text.
     pub fn locate(&self, place: &Place) -> Option<Span> {
-        match &self.syntax {
-            Syntax::Ini(document, locator) => {
+        match &self.text {
+            Text::Ini(document, locator) => {
                 locator.get_or_init(|| Locator::new(document)).locate(document, place)
             }
         }
@@ -96,8 +96,8 @@ impl Description {
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         let last_eds = self.source().name().rsplit(['/', '\\']).next();
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
-        match &self.syntax {
-            Syntax::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
+        match &self.text {
+            Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
         }
     }
 
@@ -107,8 +107,8 @@ impl Description {
     /// # Errors
     /// When an edited text cannot be written in the encoding of the file.
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
-        match &self.syntax {
-            Syntax::Ini(document, _) => eds::to_eds(document, file_name),
+        match &self.text {
+            Text::Ini(document, _) => eds::to_eds(document, file_name),
         }
     }
 
@@ -120,8 +120,8 @@ impl Description {
     /// What the lines of the text show, healthy or not; not looked for until it is asked for.
     pub fn line_findings(&self) -> Findings {
         let mut findings = Findings::new();
-        match &self.syntax {
-            Syntax::Ini(document, _) => ini::findings::check(document, &mut findings),
+        match &self.text {
+            Text::Ini(document, _) => ini::findings::check(document, &mut findings),
         }
         findings
     }

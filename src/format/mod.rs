@@ -22,7 +22,7 @@ pub use self::ini::EditError;
 pub use self::write::{Fate, Loss, WriteOptions, Written};
 use crate::diagnostic::RuleInfo;
 use crate::model::{Device, DeviceKind};
-use crate::source::{SourceError, SourceFile, SourceOptions};
+use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -52,6 +52,13 @@ impl Format {
         }
     }
 
+    /// How a file of this format is built.
+    pub const fn syntax(self) -> Syntax {
+        match self {
+            Self::Eds | Self::Dcf => Syntax::Ini,
+        }
+    }
+
     /// What the format is called.
     pub const fn name(self) -> &'static str {
         match self {
@@ -59,6 +66,14 @@ impl Format {
             Self::Dcf => "DCF",
         }
     }
+}
+
+/// How a file is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Syntax {
+    /// Sections and keys.
+    Ini,
 }
 
 /// Why a file is no description.
@@ -111,6 +126,11 @@ pub fn read(source: SourceFile, format: Format) -> Description {
 /// With it comes what the text does not give back: the differences of the device and what is read of the text.
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
     write::write(device, format, options)
+}
+
+/// What a text of a format, in an encoding, does not give back of the device that it was made of.
+pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
+    write::losses(device, bytes, format, encoding)
 }
 
 /// The rules that the readers raise themselves.

@@ -1,5 +1,6 @@
 //! Writing a device: the text of a format, what does not come back of it, and where that is kept.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use serde::Serialize;
@@ -131,36 +132,50 @@ impl fmt::Display for Shown<'_> {
 
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
-    let mut losses = Vec::new();
-    let kept = match format.kind() {
-        DeviceKind::Type => device.unconfigured(),
-        DeviceKind::Node => std::borrow::Cow::Borrowed(device),
-    };
-    let configuration = differences(device, &kept);
-    losses.extend(configuration.into_iter().filter_map(|found| Loss::new(found, Fate::LeftOut)));
+    let kept = kept(device, format);
+    let mut losses = told(differences(device, &kept), Fate::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
-    let wanted = if options.compact || options.carry {
-        kept
-    } else {
-        std::borrow::Cow::Owned(kept.expanded().into_owned())
+    let wanted = match options.compact || options.carry {
+        true => kept,
+        false => Cow::Owned(kept.expanded().into_owned()),
     };
     let mut bytes = encode(&wanted, format, options);
-    let mut lost = differences(&wanted, &decode(&bytes, format, options));
+    let mut lost = differences(&wanted, &decode(&bytes, format, options.encoding));
     if options.carry && !lost.is_empty() {
         let mut carrier = wanted.clone().into_owned();
         carried::embed(&mut carrier, &changes(&lost), room(format));
         let with_carried = encode(&carrier, format, options);
-        let still_lost = differences(&wanted, &decode(&with_carried, format, options));
+        let still_lost = differences(&wanted, &decode(&with_carried, format, options.encoding));
         let (gone, carried): (Vec<_>, Vec<_>) =
             lost.into_iter().partition(|found| is_among(found, &still_lost));
-        losses.extend(carried.into_iter().filter_map(|found| Loss::new(found, Fate::Carried)));
+        losses.append(&mut told(carried, Fate::Carried));
         // what could not even be carried may show at other places than before
         lost = if still_lost.is_empty() { gone } else { still_lost };
         bytes = with_carried;
     }
-    losses.extend(lost.into_iter().filter_map(|found| Loss::new(found, Fate::Lost)));
+    losses.append(&mut told(lost, Fate::Lost));
     losses.sort_by_key(|loss| loss.fate);
     Written { bytes, losses }
+}
+
+/// What a text does not give back of the device that it was made of.
+pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
+    let kept = kept(device, format);
+    let mut losses = told(differences(&kept, &decode(bytes, format, Some(encoding))), Fate::Lost);
+    losses.append(&mut told(differences(device, &kept), Fate::LeftOut));
+    losses
+}
+
+/// What a format describes of a device: all of it, or its type.
+fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
+    match format.kind() {
+        DeviceKind::Type => device.unconfigured(),
+        DeviceKind::Node => Cow::Borrowed(device),
+    }
+}
+
+fn told(differences: Vec<Difference>, fate: Fate) -> Vec<Loss> {
+    differences.into_iter().filter_map(|found| Loss::new(found, fate)).collect()
 }
 
 /// Whether a difference, or one inside it or around it, is among others.
@@ -193,8 +208,8 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-fn decode(bytes: &[u8], format: Format, options: &WriteOptions) -> Device {
-    let source_options = SourceOptions { encoding: options.encoding, max_size: u64::MAX };
+fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> Device {
+    let source_options = SourceOptions { encoding, max_size: u64::MAX };
     match SourceFile::from_bytes("", bytes.to_vec(), &source_options) {
         Ok(source) => super::read(source, format).into_device(),
         // only a text of more than 1 GiB is not read

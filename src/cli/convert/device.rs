@@ -1,0 +1,171 @@
+//! What is made of a device.
+
+use std::fs;
+use std::path::Path;
+
+use super::super::args::ConvertArgs;
+use super::super::input::FileKind;
+use super::super::{Failure, tell};
+use super::Job;
+use crate::download::{Configuration, NeededFile, Plan, PlanError, PlanOptions, Scope, plan};
+use crate::format::{self, Description, Format, Loss, concise, json};
+use crate::model::{Commissioning, Device, DeviceKind};
+
+/// What a file became.
+pub(super) struct Converted {
+    pub bytes: Vec<u8>,
+    pub losses: Vec<Loss>,
+}
+
+impl Converted {
+    /// Of which nothing is lost.
+    pub(super) fn whole(bytes: Vec<u8>) -> Self {
+        Self { bytes, losses: Vec::new() }
+    }
+}
+
+/// A description is edited where its syntax stays, and written anew where it does not.
+pub(super) fn of_description(
+    args: &ConvertArgs,
+    job: &Job,
+    description: &Description,
+    from: FileKind,
+) -> Result<Converted, Failure> {
+    let device = description.device();
+    let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
+        return of_device(args, job, device, !args.no_carry);
+    };
+    if args.canonical.is_asked() || args.expand.implicit_pdos {
+        return of_device(args, job, device, false);
+    }
+    if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
+        return Ok(Converted::whole(description.source().to_bytes()));
+    }
+    let file_name = base_name(&job.output);
+    let mut expected = device.clone();
+    let bytes = match to.kind() {
+        DeviceKind::Node => {
+            let node = node(args, device)?;
+            let bytes = description.to_node(&file_name, &node);
+            expected.kind = DeviceKind::Node;
+            expected.commissioning = Some(node);
+            bytes
+        }
+        DeviceKind::Type => description.to_type(&file_name),
+    };
+    let bytes = bytes.map_err(Failure::new)?;
+    if let Some(info) = &mut expected.file_info {
+        info.file_name = Some(file_name);
+    }
+    let losses = format::losses(&expected, &bytes, to, description.source().encoding());
+    Ok(Converted { bytes, losses })
+}
+
+/// A device that has no text, or whose text has another syntax.
+pub(super) fn of_device(
+    args: &ConvertArgs,
+    job: &Job,
+    device: &Device,
+    carry: bool,
+) -> Result<Converted, Failure> {
+    let device = args.expand.device(device);
+    match job.to {
+        FileKind::Json => Ok(Converted::whole(json::write_device(&device).into_bytes())),
+        FileKind::Cdcf => {
+            let configuration = configuration(args, job, &device)?;
+            concise::write(&configuration).map(Converted::whole).map_err(Failure::new)
+        }
+        FileKind::Cpj => Err(Failure::new("node lists are not written")),
+        FileKind::Eds => Ok(anew(args, job, device.into_owned(), Format::Eds, carry)),
+        FileKind::Dcf => {
+            let mut node_device = device.into_owned();
+            node_device.commissioning = Some(node(args, &node_device)?);
+            node_device.kind = DeviceKind::Node;
+            Ok(anew(args, job, node_device, Format::Dcf, carry))
+        }
+    }
+}
+
+/// A new text, written from the model alone.
+fn anew(args: &ConvertArgs, job: &Job, mut device: Device, format: Format, carry: bool) -> Converted {
+    if let Some(info) = &mut device.file_info {
+        info.file_name = Some(base_name(&job.output));
+    }
+    let mut options = args.canonical.options(args.input.encoding);
+    options.carry = carry;
+    let written = format::write(&device, format, &options);
+    Converted { bytes: written.bytes, losses: written.losses }
+}
+
+fn base_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The node of the output: that of the device, with what the arguments change.
+fn node(args: &ConvertArgs, device: &Device) -> Result<Commissioning, Failure> {
+    let mut node = device.commissioning.clone().unwrap_or_default();
+    node.node_id = args.node_id.or(node.node_id);
+    node.baud_rate = args.bit_rate.or(node.baud_rate);
+    if let Some(name) = &args.node_name {
+        node.node_name = Some(name.clone());
+    }
+    if node.node_id.is_none() {
+        return Err(Failure::new("a DCF or XDC is for one node, and nothing says which one")
+            .help("say its node-ID with `--node-id`"));
+    }
+    if node.baud_rate.is_none() {
+        let rate = usual_bit_rate(device);
+        node.baud_rate = Some(rate);
+        print_note(&format!("the DCF states {rate} kbit/s; say another bit rate with `--bit-rate`"));
+    }
+    Ok(node)
+}
+
+/// A bit rate that the device has, the most usual one first.
+fn usual_bit_rate(device: &Device) -> u16 {
+    let rates = device.device_info.as_ref().map(|info| info.baud_rates).unwrap_or_default();
+    let usual = [250, 125, 500, 1000, 50, 20, 800, 10];
+    usual.into_iter().find(|&rate| rates.get(rate) == Some(true)).unwrap_or(250)
+}
+
+/// What a node must be told so that it is configured as the device says.
+fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Configuration, Failure> {
+    let scope = if args.all { Scope::All } else { Scope::Changed };
+    let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
+    let plan = plan(device, &options).map_err(|error| refusal(&error))?;
+    print_skipped(&plan);
+    let folder = job.input.parent().unwrap_or(Path::new(""));
+    plan.into_configuration(|file| read_data(folder, file))
+}
+
+fn refusal(error: &PlanError) -> Failure {
+    let failure = Failure::new(error);
+    match error.help() {
+        Some(help) => failure.help(help),
+        None => failure,
+    }
+}
+
+/// The data of a DOMAIN, from the file that the description names; seen from the folder of the description.
+fn read_data(folder: &Path, file: &NeededFile) -> Result<Vec<u8>, Failure> {
+    let path = folder.join(file.name.as_ref());
+    fs::read(&path).map_err(|error| {
+        let entry = format!("0x{:04X}sub{:X}", file.index, file.sub);
+        Failure::new(format_args!("cannot read `{}`, the data of {entry}: {error}", path.display()))
+    })
+}
+
+fn print_skipped(plan: &Plan) {
+    for skipped in &plan.skipped {
+        print_note(&format!("{}: not part of the stream: {}", skipped.place, skipped.reason));
+    }
+    if plan.steps.is_empty() {
+        print_note(
+            "nothing is configured to another value than its default: the stream is empty; write all values with `--all`",
+        );
+    }
+}
+
+fn print_note(text: &str) {
+    tell(&format!("note: {text}\n"));
+}

@@ -1,0 +1,97 @@
+//! Which files become which.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::super::Failure;
+use super::super::args::ConvertArgs;
+use super::super::input::FileKind;
+
+/// A file to convert.
+pub(super) struct Job {
+    pub input: PathBuf,
+    pub output: PathBuf,
+    pub to: FileKind,
+}
+
+const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json` and `.cdcf` (concise DCF) are known";
+
+/// What the arguments ask for: one file for one, or a folder for all of them.
+pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
+    let said = args.to.map(FileKind::from);
+    let is_folder =
+        args.out.is_dir() || args.out.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR]);
+    match args.files.as_slice() {
+        [input] if !is_folder => {
+            let to = said.or_else(|| FileKind::of(&args.out)).ok_or_else(|| {
+                let message = format!("the name `{}` does not say which format to write", args.out.display());
+                Failure::new(message).help(format!("{KNOWN}; or say it with `--to`"))
+            })?;
+            if to == FileKind::Cpj {
+                return Err(Failure::new("node lists are not written").help(KNOWN));
+            }
+            Ok(vec![Job { input: input.clone(), output: args.out.clone(), to }])
+        }
+        inputs => {
+            let Some(to) = said else {
+                let message =
+                    format!("nothing says which format to write into the folder `{}`", args.out.display());
+                return Err(Failure::new(message).help("say it with `--to`"));
+            };
+            into_folder(inputs, &args.out, to)
+        }
+    }
+}
+
+fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Job>, Failure> {
+    let mut made: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    let mut jobs = Vec::new();
+    for input in inputs {
+        if input == Path::new("-") {
+            return Err(Failure::new("the standard input has no name for a file in a folder")
+                .help("name the file to write"));
+        }
+        let output = folder.join(format!("{}.{}", stem(input), to.ending()));
+        if let Some(other) = made.insert(output.clone(), input) {
+            let message = format!(
+                "`{}` and `{}` would both become `{}`",
+                other.display(),
+                input.display(),
+                output.display()
+            );
+            return Err(Failure::new(message).help("convert them into different folders"));
+        }
+        jobs.push(Job { input: input.clone(), output, to });
+    }
+    Ok(jobs)
+}
+
+/// The name of a file without its known endings: `drive` of `drive.eds.txt`.
+fn stem(path: &Path) -> String {
+    let mut stem = PathBuf::from(path.file_stem().unwrap_or_default());
+    while stem.extension().is_some() && FileKind::of(&stem).is_some() {
+        stem = PathBuf::from(stem.file_stem().unwrap_or_default());
+    }
+    stem.to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lose_their_known_endings() {
+        for (name, expected) in
+            [("a/drive.eds", "drive"), ("drive.eds.txt", "drive"), ("v1.2.xdd", "v1.2"), ("drive", "drive")]
+        {
+            assert_eq!(stem(Path::new(name)), expected);
+        }
+    }
+
+    #[test]
+    fn two_files_of_one_name_are_told() {
+        let inputs = [PathBuf::from("a/drive.eds"), PathBuf::from("b/drive.dcf")];
+        let failure = into_folder(&inputs, Path::new("out"), FileKind::Json).err().unwrap();
+        assert!(failure.message.contains("would both become"), "{}", failure.message);
+    }
+}

@@ -1,0 +1,89 @@
+//! What conversions lost, for people and for programs.
+
+use serde::Serialize;
+
+use super::super::input::{FileKind, name_of};
+use super::Job;
+use crate::format::{Fate, Loss};
+
+/// The version of the JSON document. It changes when a field is removed or means something else.
+const VERSION: u32 = 1;
+
+/// The losses of all files.
+#[derive(Default)]
+pub(super) struct LossReport {
+    files: Vec<FileLosses>,
+}
+
+#[derive(Serialize)]
+struct FileLosses {
+    file: String,
+    from: &'static str,
+    to: &'static str,
+    written: String,
+    losses: Vec<Loss>,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    files: &'a [FileLosses],
+    summary: Summary,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    lost: usize,
+    left_out: usize,
+    carried: usize,
+}
+
+impl LossReport {
+    pub(super) fn add(&mut self, job: &Job, from: FileKind, losses: Vec<Loss>) {
+        self.files.push(FileLosses {
+            file: name_of(&job.input),
+            from: from.name(),
+            to: job.to.name(),
+            written: job.output.display().to_string(),
+            losses,
+        });
+    }
+
+    /// Whether something is gone.
+    pub(super) fn has_lost(&self) -> bool {
+        self.count(Fate::Lost) > 0
+    }
+
+    fn count(&self, fate: Fate) -> usize {
+        self.files.iter().flat_map(|file| &file.losses).filter(|loss| loss.fate == fate).count()
+    }
+
+    /// One JSON document (docs/json.md), with a line feed at its end.
+    pub(super) fn to_json(&self) -> String {
+        let summary = Summary {
+            lost: self.count(Fate::Lost),
+            left_out: self.count(Fate::LeftOut),
+            carried: self.count(Fate::Carried),
+        };
+        let document = Document { version: VERSION, files: &self.files, summary };
+        // all keys are texts, so there is nothing that could fail
+        let mut text = serde_json::to_string_pretty(&document).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+}
+
+/// A line for each loss, and how many there are.
+pub(super) fn text(losses: &[Loss]) -> String {
+    if losses.is_empty() {
+        return String::new();
+    }
+    let mut text: String = losses.iter().map(|loss| format!("  {loss}\n")).collect();
+    let counts = [Fate::Lost, Fate::LeftOut, Fate::Carried].map(|fate| {
+        let count = losses.iter().filter(|loss| loss.fate == fate).count();
+        (count > 0).then(|| format!("{count} {}", fate.name()))
+    });
+    let counts: Vec<String> = counts.into_iter().flatten().collect();
+    text.push_str(&format!("  {}\n", counts.join(", ")));
+    text
+}
