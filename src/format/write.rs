@@ -97,13 +97,27 @@ fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::O
 }
 
 impl Loss {
-    fn new(difference: Difference, fate: Fate) -> Option<Self> {
+    /// The losses that a difference tells of. What the text says and the device does not is none.
+    fn of(difference: Difference, fate: Fate, losses: &mut Vec<Self>) {
         let place = difference.place();
         let Difference { path, left, right } = difference;
-        // what the text says and the device does not is no loss
-        Some(Self { place, path, fate, value: left?, becomes: right })
+        match (left, right) {
+            // a part that is gone as a whole: what it said, datum by datum
+            (Some(Value::Object(fields)), None) if PARTS.iter().any(|part| path.ends_with(part)) => {
+                for (name, value) in fields {
+                    let path = format!("{path}/{name}");
+                    Self::of(Difference { path, left: Some(value), right: None }, fate, losses);
+                }
+            }
+            (Some(value), becomes) => losses.push(Self { place, path, fate, value, becomes }),
+            (None, _) => {}
+        }
     }
 }
+
+/// The parts whose fields are told one by one.
+const PARTS: [&str; 7] =
+    ["/commissioning", "/configured", "/compact", "/names", "/values", "/denotations", "/safety"];
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -116,18 +130,28 @@ impl fmt::Display for Loss {
     }
 }
 
-/// A datum in a line: as JSON, but cut where it is long.
+/// A datum in a line: as JSON, but cut where it is long, and values of entries as they are written.
 struct Shown<'a>(&'a Value);
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const ROOM: usize = 100;
-        let text = self.0.to_string();
+        let text = match value_of_entry(self.0) {
+            Some(value) => value.to_string(),
+            None => self.0.to_string(),
+        };
+        let text = text.replace(char::is_control, " ");
         match text.char_indices().nth(ROOM) {
-            Some((end, _)) => write!(f, "`{}…` ({} bytes of JSON)", &text[..end], text.len()),
+            Some((end, _)) => write!(f, "`{}…` ({} bytes)", &text[..end], text.len()),
             None => write!(f, "`{text}`"),
         }
     }
+}
+
+/// The value of an entry that JSON is, if it is one.
+fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
+    let is_one = json.as_object().is_some_and(|map| map.len() == 1);
+    if is_one { serde_json::from_value(json.clone()).ok() } else { None }
 }
 
 /// The text of a device in a format, and what it does not give back.
@@ -175,7 +199,9 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
 }
 
 fn told(differences: Vec<Difference>, fate: Fate) -> Vec<Loss> {
-    differences.into_iter().filter_map(|found| Loss::new(found, fate)).collect()
+    let mut losses = Vec::new();
+    differences.into_iter().for_each(|found| Loss::of(found, fate, &mut losses));
+    losses
 }
 
 /// Whether a difference, or one inside it or around it, is among others.
