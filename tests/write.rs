@@ -164,7 +164,7 @@ fn every_damaged_device_reads_back_equal() {
 #[test]
 fn what_is_carried_comes_back() {
     let carry = options(|options| options.carry = true);
-    for path in support::files("", &["eds", "dcf"]) {
+    for path in support::devices_of_all_folders() {
         let device = open(&path);
         let written = write(&device, &carry);
         assert_eq!(differences(&device, &read(&written.bytes, format_of(&device))), [], "{}", path.display());
