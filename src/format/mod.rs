@@ -135,5 +135,10 @@ pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding)
 
 /// The rules that the readers raise themselves.
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    ini::findings::RULES.iter().chain(eds::findings::RULES).chain(carried::RULES).copied()
+    ini::findings::RULES
+        .iter()
+        .chain(xml::findings::RULES)
+        .chain(eds::findings::RULES)
+        .chain(carried::RULES)
+        .copied()
 }

@@ -1,6 +1,6 @@
 //! The attributes of a start tag: their steps, their names, their namespaces.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::ops::Range;
 
 use super::build::{Builder, MAX_NAME};
@@ -8,7 +8,7 @@ use super::chars::prefix_length;
 use super::findings::{self as rules, shown};
 use super::namespaces::{XML, XMLNS};
 use super::tag::{Flaw, RawAttribute, Step, Steps};
-use super::tree::{AttributeRecord, DECLARES};
+use super::tree::{AttributeRecord, DECLARES, NONE};
 use crate::diagnostic::{Diagnostic, RuleInfo};
 use crate::source::Span;
 
@@ -99,17 +99,17 @@ impl<'a> Builder<'a, '_> {
     pub(super) fn attributes(&mut self, name: Range<usize>) {
         let text = self.text;
         let first = self.parts.attributes.len();
-        let mut names = HashSet::new();
+        let mut names = HashMap::new();
         let is_many = self.raw.len() > FEW;
         let raw = std::mem::take(&mut self.raw);
         for (number, attribute) in raw.iter().enumerate() {
             let name = attribute.name.of(text);
-            let is_known = match is_many {
-                true => !names.insert(name),
-                false => raw[..number].iter().any(|other| other.name.of(text) == name),
+            let known = match is_many {
+                true => names.insert(name, attribute.name),
+                false => raw[..number].iter().map(|other| other.name).find(|other| other.of(text) == name),
             };
-            if is_known {
-                self.duplicate(attribute.name);
+            if let Some(known) = known {
+                self.duplicate(attribute.name, known);
             } else if name.len() > MAX_NAME {
                 self.limit(attribute.name.start as usize, format!("a name has more than {MAX_NAME} bytes"));
             } else {
@@ -126,9 +126,11 @@ impl<'a> Builder<'a, '_> {
         self.check_prefixes(first);
     }
 
-    fn duplicate(&mut self, name: Span) {
-        self.defect(&rules::DUPLICATE_ATTRIBUTE, name, |name| {
-            format!("the element has the attribute `{name}` already")
+    fn duplicate(&mut self, name: Span, known: Span) {
+        let text = self.text;
+        self.report(&rules::DUPLICATE_ATTRIBUTE, || {
+            let message = format!("the element has the attribute `{}` already", shown(name.of(text)));
+            Diagnostic::new(&rules::DUPLICATE_ATTRIBUTE, name, message).label(known, "already here")
         });
     }
 
@@ -177,11 +179,12 @@ impl<'a> Builder<'a, '_> {
         if is_allowed {
             self.namespaces.declare(prefix, &uri);
         } else {
-            self.defect(
-                &rules::BAD_NAMESPACE,
-                Span::new(attribute.name.start, attribute.value.end),
-                |declaration| format!("the declaration `{declaration}` is not allowed"),
-            );
+            let what = if prefix.is_empty() { "xmlns" } else { prefix };
+            let span = Span::new(attribute.name.start, attribute.value.end);
+            self.defect(&rules::BAD_NAMESPACE, span, |_| match uri.is_empty() {
+                true => format!("the prefix `{}` is declared to be in no namespace", shown(what)),
+                false => format!("`{}` cannot be declared to be `{}`", shown(what), shown(&uri)),
+            });
         }
     }
 
@@ -199,12 +202,12 @@ impl<'a> Builder<'a, '_> {
                 )
             });
         }
-        found.unwrap_or(super::tree::NONE)
+        found.unwrap_or(NONE)
     }
 
     /// Looks up the prefixes of the attributes from the `first` on, and finds those that mean the same name.
     fn check_prefixes(&mut self, first: usize) {
-        let mut seen = HashSet::new();
+        let mut seen = HashMap::new();
         for number in first..self.parts.attributes.len() {
             let record = self.parts.attributes[number];
             let length = record.prefix_length;
@@ -214,8 +217,11 @@ impl<'a> Builder<'a, '_> {
             let name = Span::new(record.name, record.name + u32::from(record.name_length));
             let namespace = self.namespace_of(name, usize::from(length));
             let local = &name.of(self.text)[usize::from(length)..];
-            if namespace != super::tree::NONE && !seen.insert((namespace, local)) {
-                self.duplicate(name);
+            if namespace == NONE {
+                continue;
+            }
+            if let Some(known) = seen.insert((namespace, local), name) {
+                self.duplicate(name, known);
             }
         }
     }

@@ -258,7 +258,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         if !self.is_skipping() {
             self.report(&rules::UNCLOSED_MARKUP, || {
                 let message = format!("the {what} has no `{mark}`");
-                Diagnostic::new(&rules::UNCLOSED_MARKUP, Self::span(start, end), message)
+                let length = self.text[start..end].trim_ascii_end().len();
+                Diagnostic::new(&rules::UNCLOSED_MARKUP, Self::span(start, start + length), message)
             });
         }
         self.pass_over(start, end)

@@ -11,7 +11,6 @@ use std::borrow::Cow;
 use crate::diagnostic::RuleInfo;
 
 /// Every rule of this module.
-#[expect(dead_code, reason = "registered together with the fixtures")]
 pub(crate) static RULES: &[&RuleInfo] = &[
     &UNCLOSED_ELEMENT,
     &STRAY_END_TAG,
