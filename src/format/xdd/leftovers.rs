@@ -181,3 +181,104 @@ impl<'a> Paths<'a> {
         self.numbers.get(&element.id()).copied()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Findings;
+    use crate::format::xml::Tree;
+    use crate::source::SourceFile;
+
+    fn tree(text: &str) -> Tree {
+        Tree::new(SourceFile::from_text("test.xdd", text), &mut Findings::new())
+    }
+
+    /// The sections of all elements with the names.
+    fn sections(text: &str, names: &[&str]) -> Vec<(String, Vec<(String, String)>)> {
+        let tree = tree(text);
+        let mut leftovers = Leftovers::default();
+        let elements =
+            tree.root().into_iter().flat_map(|root| std::iter::once(root).chain(root.descendants()));
+        // the last first: the order of the file must not depend on that of the reader
+        let mut elements: Vec<_> = elements.filter(|element| names.contains(&element.name())).collect();
+        elements.reverse();
+        elements.into_iter().for_each(|element| leftovers.element(element));
+        let sections = leftovers.into_sections().into_iter();
+        let owned = |(key, value): (&str, &str)| (key.to_owned(), value.to_owned());
+        sections.map(|section| (section.name.into(), section.entries.iter().map(owned).collect())).collect()
+    }
+
+    fn names_of(sections: &[(String, Vec<(String, String)>)]) -> Vec<&str> {
+        sections.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    #[test]
+    fn paths_begin_below_the_body() {
+        let text = "<C><Profile><ProfileHeader><x/></ProfileHeader><ProfileBody><x/><F><x/><y/><x/></F><F/></ProfileBody>\
+            <x/></Profile><Profile><ProfileBody><D><x/></D></ProfileBody></Profile></C>";
+        let expected = [
+            "xml:Profile[1]/ProfileHeader/x",
+            "xml:x",
+            "xml:F[1]/x[1]",
+            "xml:F[1]/x[2]",
+            "xml:Profile[1]/x",
+            "xml:D/x",
+        ];
+        assert_eq!(names_of(&sections(text, &["x"])), expected);
+        let around = ["xml:C", "xml:Profile[1]", "xml:Profile[1]/ProfileBody", "xml:Profile[2]"];
+        let whole = sections(text, &["C"]);
+        assert!(around.iter().all(|name| names_of(&whole).contains(name)), "{whole:?}");
+    }
+
+    #[test]
+    fn an_element_is_kept_with_all_in_it() {
+        let text =
+            "<R><ProfileBody><a k='1' l='&#10;2'> first <b>in\n side</b> second\n<c/></a></ProfileBody></R>";
+        let entry = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        let expected = [
+            (
+                "xml:a".to_owned(),
+                vec![entry("k", "1"), entry("l", ""), entry("l", "2"), entry(TEXT, "first  second")],
+            ),
+            ("xml:a/b".to_owned(), vec![entry(TEXT, "in"), entry(TEXT, " side")]),
+            ("xml:a/c".to_owned(), vec![]),
+        ];
+        assert_eq!(sections(text, &["a"]), expected);
+    }
+
+    #[test]
+    fn attributes_of_one_element_are_one_section() {
+        let tree = tree("<R><ProfileBody a='1' b='2'><c d='3'/></ProfileBody></R>");
+        let mut leftovers = Leftovers::default();
+        let elements: Vec<_> = tree.root().into_iter().flat_map(Element::descendants).collect();
+        for (element, name) in [(elements[0], "b"), (elements[1], "d"), (elements[0], "a")] {
+            if let Some(attribute) = element.attribute(name) {
+                leftovers.attribute(element, attribute);
+            }
+        }
+        let sections = leftovers.into_sections();
+        let entries: Vec<_> =
+            sections.iter().map(|section| section.entries.iter().collect::<Vec<_>>()).collect();
+        assert_eq!(entries, [vec![("b", "2"), ("a", "1")], vec![("d", "3")]]);
+    }
+
+    /// Many elements at the end of a long path, or beside each other, take no more than a multiple of their text.
+    #[test]
+    fn hostile_files_take_about_their_text() {
+        let name = "n".repeat(1000);
+        let depth = 200;
+        let deep = format!(
+            "<R>{}{}{}</R>",
+            format!("<{name}>").repeat(depth),
+            "<a/>".repeat(50_000),
+            format!("</{name}>").repeat(depth)
+        );
+        let wide = format!("<R>{}</R>", "<a/><b/>".repeat(50_000));
+        for text in [deep, wide] {
+            let found = sections(&text, &["R"]);
+            assert!(found.len() > 50_000);
+            let length: usize = found.iter().map(|(name, _)| name.len()).sum();
+            assert!(length < 16 * text.len(), "{length} of {}", text.len());
+        }
+    }
+}

@@ -210,6 +210,63 @@ impl Start {
     }
 }
 
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn document(version: XddVersion) -> String {
+        let mut out = Markup::new(version);
+        out.open_container();
+        for (body, name) in [(Body::Device, "DeviceManager"), (Body::Network, "ApplicationLayers")] {
+            out.open("ISO15745Profile");
+            out.open("ProfileHeader");
+            out.open("ProfileName");
+            out.text("a < b");
+            out.close();
+            out.close();
+            out.open_body(body);
+            out.attribute("fileName", "\"a\".xdd");
+            out.open(name);
+            out.open("moduleManagement");
+            out.open("interface");
+            out.close();
+            out.close();
+            out.open_unless_empty("indicatorList");
+            out.open_unless_empty("LEDList");
+            out.close();
+            out.close();
+            out.open_unless_empty("CANopenObjectList");
+            out.open_unless_empty("CANopenObject");
+            out.attribute("index", "1000");
+            out.close();
+            out.close();
+            out.close();
+            out.close_body();
+            out.close();
+        }
+        out.finish()
+    }
+
+    #[test]
+    fn names_are_in_the_namespaces_of_the_version() {
+        insta::assert_snapshot!("v1_1", document(XddVersion::V1_1));
+        insta::assert_snapshot!("v1_0", document(XddVersion::V1_0));
+    }
+
+    #[test]
+    fn what_is_open_at_the_end_is_closed() {
+        let mut out = Markup::new(XddVersion::V1_0);
+        out.open("a");
+        out.open("b");
+        out.close();
+        out.open("c");
+        out.attribute("d", "e");
+        let text = out.finish();
+        let body = text.split_once("?>").map_or("", |(_, body)| body);
+        assert_eq!(body.split_whitespace().collect::<String>(), "<a><b/><cd=\"e\"/></a>");
+    }
+}
+
 #[derive(Debug, Default)]
 struct XmlWriter {
     text: String,

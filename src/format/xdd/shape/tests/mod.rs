@@ -4,14 +4,15 @@ mod values;
 
 use proptest::prelude::*;
 
+use self::values::Any;
 use super::*;
 use crate::diagnostic::Findings;
 use crate::format::xdd::markup::Body;
 use crate::format::xdd::version::XddVersion;
 use crate::format::xml::Tree;
 use crate::model::{
-    ApplicationProcess, DeviceFunction, DeviceManager, ExtraSection, Labels, ModuleObjects, Parameter,
-    ProfileHeader,
+    ApplicationProcess, DataTypeRef, DeviceFunction, DeviceManager, ExtraSection, Labels, LedType,
+    ModuleObjects, Parameter, ProfileHeader, SimpleType,
 };
 use crate::source::SourceFile;
 
@@ -52,6 +53,16 @@ fn read_whole<T: Shape>(text: &str) -> T {
     let (part, left) = in_body(text, T::read);
     assert_eq!(left, [], "everything has a place");
     part
+}
+
+/// What is left over of an element, a line for each value.
+fn left_over<T: Shape>(text: &str) -> String {
+    let mut lines = String::new();
+    for ExtraSection { name, entries } in in_body(text, T::read).1 {
+        lines.push_str(&format!("[{name}]\n"));
+        entries.iter().for_each(|(key, value)| lines.push_str(&format!("{key}={value}\n")));
+    }
+    lines
 }
 
 /// A snippet in the style of version 1.1 is read without a rest, and written again as it stands.
@@ -131,4 +142,141 @@ fn header() {
         written(XddVersion::V1_1, Body::Device, |out| write_header(&header, ProfileClass::Network, out));
     assert_eq!(text.replace("q1:", ""), snippet);
     insta::assert_json_snapshot!(header);
+}
+
+/// Written in each version and read again, a part is the same.
+fn survives<T: Shape + std::fmt::Debug>(part: &T, name: &str, body: Body) {
+    for version in XddVersion::ALL {
+        let text = written(version, body, |out| Shape::write(part, name, out));
+        let (again, left): (T, _) = in_body(&text, T::read);
+        assert_eq!(left, [], "{text}");
+        assert_eq!(again, *part, "{text}");
+    }
+}
+
+proptest! {
+    // it is large
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn any_application_process_survives(process in ApplicationProcess::any()) {
+        survives(&process, "ApplicationProcess", Body::Device);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn any_parameter_survives(parameter in Parameter::any()) {
+        survives(&parameter, "parameter", Body::Device);
+    }
+
+    #[test]
+    fn any_device_manager_survives(manager in DeviceManager::any()) {
+        survives(&manager, "DeviceManager", Body::Device);
+    }
+
+    #[test]
+    fn any_device_function_survives(function in DeviceFunction::any()) {
+        survives(&function, "DeviceFunction", Body::Device);
+    }
+
+    #[test]
+    fn any_module_objects_survive(objects in ModuleObjects::any()) {
+        survives(&objects, "moduleManagement", Body::Network);
+    }
+
+    #[test]
+    fn any_identity_survives(identity in Identity::any()) {
+        survives(&identity, "DeviceIdentity", Body::Device);
+    }
+
+    #[test]
+    fn any_header_survives(header in ProfileHeader::any()) {
+        let text = written(XddVersion::V1_1, Body::Device, |out| write_header(&header, ProfileClass::Device, out));
+        let (again, left) =
+            in_body(&text, |element, leftovers| read_header(element, ProfileClass::Device, leftovers));
+        prop_assert_eq!(left, []);
+        prop_assert_eq!(again, header);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn texts_that_xml_cannot_carry_break_nothing(text in "(\\PC|[\u{0}-\u{20}\u{FFFE}\u{FFFF}<&]){0,12}") {
+        let label = |text: &str| Labels::name(text, text);
+        let carried = text.replace(|c| matches!(c, '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}'), "\u{FFFD}");
+        let document = written(XddVersion::V1_1, Body::Device, |out| Shape::write(&label(&text), "denotation", out));
+        prop_assert_eq!(read_whole::<Labels>(&document), label(&carried));
+    }
+}
+
+#[test]
+fn what_a_part_does_not_know_is_left_over() {
+    let text = r#"
+        <parameter uniqueID="P" colour="red" xml:space="preserve">
+            <label lang="en" tone="high">Force<b>!</b></label>
+            <label>second</label>
+            stray text
+            <shade depth="3"><tone>dark</tone><tone n="2"/>  lines
+of text </shade>
+            <UINT size="2">16</UINT>
+            <unit multiplier="1" scale="log"><label lang="en">N</label></unit>
+            <property name="a" value="1"/><property name="b" value="2" also="3"/>
+        </parameter>"#;
+    insta::assert_snapshot!(left_over::<Parameter>(text));
+}
+
+#[test]
+fn the_first_of_two_counts() {
+    let text = r#"
+        <parameter uniqueID="P">
+            <UINT/><INT/><dataTypeIDRef uniqueIDRef="T"/><variableRef position="2"/>
+            <unit multiplier="1"/><unit multiplier="2"/>
+            <denotation><label lang="en">first</label></denotation>
+            <denotation><label lang="de">zweite</label></denotation>
+            <allowedValues><range>
+                <minValue value="1"/><minValue value="2"/><maxValue value="3"/>
+            </range></allowedValues>
+        </parameter>"#;
+    insta::assert_snapshot!(left_over::<Parameter>(text));
+    let parameter = in_body(text, Parameter::read).0;
+    assert_eq!(parameter.data_type, Some(DataTypeRef::Simple(SimpleType::Uint)));
+    assert_eq!(parameter.unit.map(|unit| unit.multiplier).as_deref(), Some("1"));
+    assert_eq!(parameter.denotation, Labels::name("en", "first"));
+}
+
+#[test]
+fn what_is_no_value_of_its_field_is_left_over() {
+    let text = r#"
+        <DeviceManager><indicatorList lit="yes"><LEDList>
+            <LED LEDcolors="tricolor" LEDtype=" IO ">
+                <LEDstate uniqueID="S" state="ON" LEDcolor="red" flashingPeriod="4294967296" impulsWidth="-1"/>
+            </LED>
+            <combinedState><LEDstateRef stateIDRef="S" note="x">text</LEDstateRef><LEDstateRef/></combinedState>
+        </LEDList>not here</indicatorList></DeviceManager>"#;
+    insta::assert_snapshot!(left_over::<DeviceManager>(text));
+    let manager = in_body(text, DeviceManager::read).0;
+    assert_eq!(manager.leds.first().and_then(|led| led.kind), Some(LedType::Io));
+    assert_eq!(manager.combined_states.first().map(|state| state.states.len()), Some(2));
+}
+
+#[test]
+fn a_header_of_another_kind_is_left_over() {
+    let text = r#"
+        <ProfileHeader kind="x">
+            <ProfileClassID>Equipment</ProfileClassID>
+            <ISO15745Reference>
+                <ISO15745Part> 1 </ISO15745Part><ISO15745Part>4</ISO15745Part>
+                <ProfileTechnology>Powerlink</ProfileTechnology>
+            </ISO15745Reference>
+            <ProfileDate/><IASInterfaceType/>
+        </ProfileHeader>"#;
+    let (header, left) =
+        in_body(text, |element, leftovers| read_header(element, ProfileClass::Device, leftovers));
+    assert_eq!((header.date.as_deref(), header.interface_types.len()), (Some(""), 1));
+    insta::assert_json_snapshot!(left);
 }
