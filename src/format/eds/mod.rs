@@ -12,6 +12,7 @@ mod write;
 
 pub(crate) use configure::{to_dcf, to_eds};
 pub(crate) use locate::Locator;
+pub(crate) use quirks::spelling;
 pub(crate) use read::read;
 pub(crate) use section::SectionName;
 pub(crate) use write::write;

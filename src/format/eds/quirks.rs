@@ -5,20 +5,25 @@ use super::findings::{
     QUOTED_STRING, REAL_AS_BITS, TRAILING_COMMENT, TWOS_COMPLEMENT,
 };
 use super::read::Item;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
 use crate::format::literal::{Quirk, Quirks};
 
 /// The findings of a value's spelling.
 pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, findings: &mut Findings) {
+    spelling(item.value, item.value_at, quirks, findings);
+}
+
+/// The findings of the spelling of `value`, which stands at `at`.
+pub(crate) fn spelling(value: &str, at: impl Into<At>, quirks: Quirks, findings: &mut Findings) {
     if quirks.is_empty() {
         return;
     }
+    let at = at.into();
     for (quirk, rule, help) in SPELLINGS {
         // who turns a formula around spells it anew
         let explained = quirk == Quirk::FormulaSpelling && quirks.has(Quirk::NodeIdLast);
         if quirks.has(quirk) && !explained {
-            let finding =
-                Diagnostic::new(rule, item.value_at, format!("`{}` {}", item.value, rule_text(quirk)));
+            let finding = Diagnostic::new(rule, at.clone(), format!("`{value}` {}", rule_text(quirk)));
             findings.push(finding.help(help));
         }
     }
