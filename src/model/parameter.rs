@@ -163,9 +163,16 @@ impl Parameter {
         }
     }
 
-    /// Whether it says nothing but that the entry exists: all it has is the usual id.
+    /// Whether it has the id that it would be given, or none, which is the same.
+    pub fn has_usual_id(&self, index: u16, sub: Option<u8>) -> bool {
+        // most ids start so, and nobody wants a text for each of the others
+        self.unique_id.is_empty()
+            || self.unique_id.starts_with("UID_") && *self.unique_id == Self::usual_id(index, sub)
+    }
+
+    /// Whether it says nothing but that the entry exists.
     pub fn is_implied(&self, index: u16, sub: Option<u8>) -> bool {
-        *self.unique_id == Self::usual_id(index, sub)
+        self.has_usual_id(index, sub)
             && *self == Self { unique_id: self.unique_id.clone(), ..Self::default() }
     }
 }
