@@ -1,11 +1,19 @@
 //! XDD and XDC: device descriptions and configurations in XML (CiA 311).
 
-#![allow(dead_code, unused_imports, unreachable_pub, reason = "the reader and the writer come next")]
+#![allow(dead_code, unused_imports, unreachable_pub, reason = "the formats that use it come next")]
 
+mod defaults;
+mod layout;
 mod leftovers;
 mod markup;
+mod read;
 #[macro_use]
 mod shape;
+mod types;
 mod version;
+mod write;
 
+pub(crate) use self::layout::containers;
+pub(crate) use self::read::{read, read_container};
 pub use self::version::XddVersion;
+pub(crate) use self::write::{XddWriteOptions, write};
