@@ -7,7 +7,7 @@ use crate::lint;
 /// All findings about a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
     let mut findings = description.findings().clone();
-    findings.append(description.line_findings());
+    findings.append(description.text_findings());
     findings.append(lint::check(description.device()));
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);

@@ -10,8 +10,8 @@ use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
 use super::show::Address;
 use crate::diagnostic::Severity;
-use crate::format::WriteOptions;
 use crate::format::literal::RealSpelling;
+use crate::format::{WriteOptions, XddVersion};
 use crate::generate::Target;
 use crate::model::Device;
 use crate::source::Encoding;
@@ -180,6 +180,9 @@ pub(super) struct ConvertArgs {
     /// Carry nothing in properties or sections of objdict: what the format has no place for is lost
     #[arg(long)]
     pub no_carry: bool,
+    /// The version of CiA 311 of a new XDD or XDC
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub xdd_version: Option<Version>,
     /// The node-ID of the node that a DCF, XDC or concise DCF is for
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
@@ -291,11 +294,31 @@ pub(super) struct ExplainArgs {
     pub rule: String,
 }
 
+/// A version of CiA 311, as an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Version {
+    #[value(name = "1.0")]
+    V1_0,
+    #[value(name = "1.1")]
+    V1_1,
+}
+
+impl From<Version> for XddVersion {
+    fn from(version: Version) -> Self {
+        match version {
+            Version::V1_0 => Self::V1_0,
+            Version::V1_1 => Self::V1_1,
+        }
+    }
+}
+
 /// A kind of file that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum WrittenKind {
     Eds,
     Dcf,
+    Xdd,
+    Xdc,
     Json,
     Cdcf,
 }
@@ -305,6 +328,8 @@ impl From<WrittenKind> for FileKind {
         match kind {
             WrittenKind::Eds => Self::Eds,
             WrittenKind::Dcf => Self::Dcf,
+            WrittenKind::Xdd => Self::Xdd,
+            WrittenKind::Xdc => Self::Xdc,
             WrittenKind::Json => Self::Json,
             WrittenKind::Cdcf => Self::Cdcf,
         }

@@ -45,6 +45,10 @@ pub(super) enum FileKind {
     Eds,
     /// Device configuration file (CiA 306-1)
     Dcf,
+    /// XML device description (CiA 311)
+    Xdd,
+    /// XML device configuration (CiA 311)
+    Xdc,
     /// The model of a device, or the downloads of a concise DCF, as JSON
     Json,
     /// Concise DCF (CiA 302-3)
@@ -80,6 +84,8 @@ impl FileKind {
         match self {
             Self::Eds => "eds",
             Self::Dcf => "dcf",
+            Self::Xdd => "xdd",
+            Self::Xdc => "xdc",
             Self::Json => "json",
             Self::Cdcf => "cdcf",
             Self::Cpj => "cpj",
@@ -91,6 +97,8 @@ impl FileKind {
         match self {
             Self::Eds => Some(Format::Eds),
             Self::Dcf => Some(Format::Dcf),
+            Self::Xdd => Some(Format::Xdd),
+            Self::Xdc => Some(Format::Xdc),
             Self::Json | Self::Cdcf | Self::Cpj => None,
         }
     }
@@ -100,6 +108,8 @@ impl FileKind {
         match self {
             Self::Eds => "EDS",
             Self::Dcf => "DCF",
+            Self::Xdd => "XDD",
+            Self::Xdc => "XDC",
             Self::Json => "JSON",
             Self::Cdcf => "concise DCF",
             Self::Cpj => "node list",
@@ -112,13 +122,15 @@ impl From<Format> for FileKind {
         match format {
             Format::Eds => Self::Eds,
             Format::Dcf => Self::Dcf,
+            Format::Xdd => Self::Xdd,
+            Format::Xdc => Self::Xdc,
         }
     }
 }
 
 /// What was in a file.
 pub(super) enum Input {
-    /// A device as text: EDS or DCF.
+    /// A device as text: EDS, DCF, XDD or XDC.
     Description(Box<Description>),
     /// A device as JSON.
     Device(Box<Device>),
@@ -137,11 +149,9 @@ impl InputArgs {
         let bytes = self.size.bytes(path)?;
         let kind = self.kind(path, &bytes)?;
         let input = match kind {
-            FileKind::Eds => {
-                Input::Description(Box::new(format::read(self.source(path, bytes)?, Format::Eds)))
-            }
-            FileKind::Dcf => {
-                Input::Description(Box::new(format::read(self.source(path, bytes)?, Format::Dcf)))
+            FileKind::Eds | FileKind::Dcf | FileKind::Xdd | FileKind::Xdc => {
+                let format = kind.format().unwrap_or(Format::Eds);
+                Input::Description(Box::new(format::read(self.source(path, bytes)?, format)))
             }
             FileKind::Json => {
                 let source = self.source(path, bytes)?;
@@ -169,8 +179,10 @@ impl InputArgs {
             (_, Input::Description(description)) => Ok(*description),
             (kind, _) => {
                 let name = name_of(path);
-                let message =
-                    format!("only EDS and DCF can be checked, and `{name}` is read as {}", kind.name());
+                let message = format!(
+                    "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
+                    kind.name()
+                );
                 Err(Failure::new(message).help(format!("`objdict show {name}` shows what is in it")))
             }
         }

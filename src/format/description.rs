@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
-use super::eds::Locator;
 use super::ini::{Document, EditError};
-use super::{Format, carried, eds, ini};
+use super::xml::Tree;
+use super::{Format, Syntax, carried, eds, ini, xdd};
 use crate::diagnostic::{At, Findings};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
 use crate::source::{SourceFile, Span};
@@ -22,16 +22,31 @@ pub struct Description {
 #[derive(Debug)]
 enum Text {
     /// Lines of an INI file.
-    Ini(Document, OnceLock<Locator>),
+    Ini(Document, OnceLock<eds::Locator>),
+    /// Elements of XML.
+    Xml(Tree),
 }
 
 impl Description {
     pub(super) fn read(source: SourceFile, format: Format) -> Self {
-        let document = Document::new(source);
-        let (mut device, mut findings) = eds::read(&document, format.kind());
+        let (text, (mut device, mut findings)) = match format.syntax() {
+            Syntax::Ini => {
+                let document = Document::new(source);
+                let read = eds::read(&document, format.kind());
+                (Text::Ini(document, OnceLock::new()), read)
+            }
+            Syntax::Xml => {
+                let mut damage = Findings::new();
+                let tree = Tree::new(source, &mut damage);
+                let (device, findings) = xdd::read(&tree, format.kind());
+                damage.append(findings);
+                (Text::Xml(tree), (device, damage))
+            }
+        };
         carried::restore(&mut device, &mut findings);
-        eds::file_name::check(&device, document.source().name(), &mut findings);
-        Self { format, text: Text::Ini(document, OnceLock::new()), device, findings }
+        let read = Self { format, text, device, findings: Findings::new() };
+        eds::file_name::check(&read.device, read.source().name(), &mut findings);
+        Self { findings, ..read }
     }
 
     /// The format that it was read as.
@@ -43,6 +58,7 @@ impl Description {
     pub fn source(&self) -> &SourceFile {
         match &self.text {
             Text::Ini(document, _) => document.source(),
+            Text::Xml(tree) => tree.source(),
         }
     }
 
@@ -50,6 +66,15 @@ impl Description {
     pub fn document(&self) -> Option<&Document> {
         match &self.text {
             Text::Ini(document, _) => Some(document),
+            Text::Xml(..) => None,
+        }
+    }
+
+    /// The text as elements; `None` for one that is no XML.
+    pub fn tree(&self) -> Option<&Tree> {
+        match &self.text {
+            Text::Ini(..) => None,
+            Text::Xml(tree) => Some(tree),
         }
     }
 
@@ -57,6 +82,7 @@ impl Description {
     pub fn print(&self) -> Vec<u8> {
         match &self.text {
             Text::Ini(document, _) => document.print(),
+            Text::Xml(tree) => tree.source().to_bytes(),
         }
     }
 
@@ -74,8 +100,9 @@ impl Description {
     pub fn locate(&self, place: &Place) -> Option<Span> {
         match &self.text {
             Text::Ini(document, locator) => {
-                locator.get_or_init(|| Locator::new(document)).locate(document, place)
+                locator.get_or_init(|| eds::Locator::new(document)).locate(document, place)
             }
+            Text::Xml(_) => None,
         }
     }
 
@@ -98,6 +125,7 @@ impl Description {
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
         match &self.text {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
+            Text::Xml(_) => Ok(self.anew(file_name, Some(node))),
         }
     }
 
@@ -109,7 +137,22 @@ impl Description {
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
+            Text::Xml(_) => Ok(self.anew(file_name, None)),
         }
+    }
+
+    /// A new text in the same syntax.
+    fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Vec<u8> {
+        let mut device = self.device.clone();
+        if let Some(info) = &mut device.file_info {
+            info.file_name = Some(file_name.to_owned());
+        }
+        if let Some(node) = node {
+            device.kind = DeviceKind::Node;
+            device.commissioning = Some(node.clone());
+        }
+        let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
+        super::write(&device, format, &super::WriteOptions::default()).bytes
     }
 
     /// What the reader of the format found: in the spelling and structure of the text.
@@ -117,11 +160,13 @@ impl Description {
         &self.findings
     }
 
-    /// What the lines of the text show, healthy or not; not looked for until it is asked for.
-    pub fn line_findings(&self) -> Findings {
+    /// What the text shows beyond that, healthy or not: the lines of an INI file, the structure of XML. It is not looked
+    /// for until it is asked for.
+    pub fn text_findings(&self) -> Findings {
         let mut findings = Findings::new();
         match &self.text {
             Text::Ini(document, _) => ini::findings::check(document, &mut findings),
+            Text::Xml(_) => {}
         }
         findings
     }

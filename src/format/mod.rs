@@ -20,6 +20,7 @@ use self::identify::Identification;
 use self::identify::identify_source;
 pub use self::ini::EditError;
 pub use self::write::{Fate, Loss, WriteOptions, Written};
+pub use self::xdd::XddVersion;
 use crate::diagnostic::RuleInfo;
 use crate::model::{Device, DeviceKind};
 use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
@@ -32,6 +33,10 @@ pub enum Format {
     Eds,
     /// Device configuration file: a node (CiA 306-1).
     Dcf,
+    /// XML device description: a type of device (CiA 311).
+    Xdd,
+    /// XML device configuration: a node (CiA 311).
+    Xdc,
 }
 
 impl Format {
@@ -40,6 +45,8 @@ impl Format {
         name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
             "eds" => Some(Self::Eds),
             "dcf" => Some(Self::Dcf),
+            "xdd" | "nxdd" | "xpd" => Some(Self::Xdd),
+            "xdc" | "nxdc" => Some(Self::Xdc),
             _ => None,
         })
     }
@@ -47,8 +54,8 @@ impl Format {
     /// What a file of this format describes.
     pub const fn kind(self) -> DeviceKind {
         match self {
-            Self::Eds => DeviceKind::Type,
-            Self::Dcf => DeviceKind::Node,
+            Self::Eds | Self::Xdd => DeviceKind::Type,
+            Self::Dcf | Self::Xdc => DeviceKind::Node,
         }
     }
 
@@ -56,6 +63,7 @@ impl Format {
     pub const fn syntax(self) -> Syntax {
         match self {
             Self::Eds | Self::Dcf => Syntax::Ini,
+            Self::Xdd | Self::Xdc => Syntax::Xml,
         }
     }
 
@@ -64,6 +72,8 @@ impl Format {
         match self {
             Self::Eds => "EDS",
             Self::Dcf => "DCF",
+            Self::Xdd => "XDD",
+            Self::Xdc => "XDC",
         }
     }
 }
@@ -74,6 +84,8 @@ impl Format {
 pub enum Syntax {
     /// Sections and keys.
     Ini,
+    /// Elements and attributes.
+    Xml,
 }
 
 /// Why a file is no description.

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::carried::{self, Room};
 use super::literal::RealSpelling;
-use super::{Format, eds};
+use super::{Format, XddVersion, eds, xdd};
 use crate::compare::{Change, Difference, differences};
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
@@ -27,6 +27,8 @@ pub struct WriteOptions {
     /// The encoding of an EDS or DCF; `None` for ISO 646, as the standard demands. What it lacks is written in other
     /// letters.
     pub encoding: Option<Encoding>,
+    /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
+    pub xdd_version: XddVersion,
     /// Whether what the format has no place for is kept in sections or properties of a manufacturer, which other tools
     /// pass over and objdict reads (docs/formats.md).
     pub carry: bool,
@@ -225,12 +227,17 @@ fn changes(lost: &[Difference]) -> Vec<Change> {
 const fn room(format: Format) -> Room {
     match format {
         Format::Eds | Format::Dcf => Room::Section,
+        Format::Xdd | Format::Xdc => Room::Properties,
     }
 }
 
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format {
         Format::Eds | Format::Dcf => eds::write(device, options),
+        Format::Xdd | Format::Xdc => {
+            let options = xdd::XddWriteOptions { version: options.xdd_version };
+            xdd::write(device, format.kind(), &options).into_bytes()
+        }
     }
 }
 

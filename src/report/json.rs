@@ -144,7 +144,7 @@ mod tests {
         let mut report = Json::new(&mut out);
         for (name, text) in texts {
             let description = format::read(SourceFile::from_text(*name, *text), Format::Eds);
-            report.file(&description, &description.line_findings()).unwrap();
+            report.file(&description, &description.text_findings()).unwrap();
         }
         report.finish().unwrap();
         serde_json::from_slice(&out).unwrap()

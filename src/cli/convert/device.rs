@@ -35,7 +35,7 @@ pub(super) fn of_description(
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
         return of_device(args, job, device, !args.no_carry);
     };
-    if args.canonical.is_asked() || args.expand.implicit_pdos {
+    if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         return of_device(args, job, device, false);
     }
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
@@ -76,23 +76,25 @@ pub(super) fn of_device(
             concise::write(&configuration).map(Converted::whole).map_err(Failure::new)
         }
         FileKind::Cpj => Err(Failure::new("node lists are not written")),
-        FileKind::Eds => Ok(anew(args, job, device.into_owned(), Format::Eds, carry)),
-        FileKind::Dcf => {
+        FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), carry)),
+        FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
             node_device.commissioning = Some(node(args, &node_device)?);
             node_device.kind = DeviceKind::Node;
-            Ok(anew(args, job, node_device, Format::Dcf, carry))
+            Ok(anew(args, job, node_device, carry))
         }
     }
 }
 
 /// A new text, written from the model alone.
-fn anew(args: &ConvertArgs, job: &Job, mut device: Device, format: Format, carry: bool) -> Converted {
+fn anew(args: &ConvertArgs, job: &Job, mut device: Device, carry: bool) -> Converted {
     if let Some(info) = &mut device.file_info {
         info.file_name = Some(base_name(&job.output));
     }
     let mut options = args.canonical.options(args.input.encoding);
     options.carry = carry;
+    options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
+    let format = job.to.format().unwrap_or(Format::Eds);
     let written = format::write(&device, format, &options);
     Converted { bytes: written.bytes, losses: written.losses }
 }

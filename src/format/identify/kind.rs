@@ -100,6 +100,8 @@ impl ContentKind {
         match self {
             Self::Eds => Some(Format::Eds),
             Self::Dcf => Some(Format::Dcf),
+            Self::Xdd | Self::Xpd | Self::NetworkXdd => Some(Format::Xdd),
+            Self::Xdc | Self::NetworkXdc => Some(Format::Xdc),
             _ => None,
         }
     }
@@ -132,10 +134,14 @@ impl ContentKind {
     /// What to do about a file that no device can be read from.
     pub const fn advice(self) -> Option<&'static str> {
         match self {
-            Self::Eds | Self::Dcf | Self::Unknown => None,
-            Self::Xdd | Self::Xdc | Self::Xpd | Self::NetworkXdd | Self::NetworkXdc => {
-                Some("XDD and XDC are not read yet; EDS and DCF are INI files")
-            }
+            Self::Eds
+            | Self::Dcf
+            | Self::Xdd
+            | Self::Xdc
+            | Self::Xpd
+            | Self::NetworkXdd
+            | Self::NetworkXdc
+            | Self::Unknown => None,
             Self::CanopenNodeProject => Some("open it in CANopenEditor and save it as EDS or XDD"),
             Self::NodeList => Some("its keys `Node…DCFName` name the descriptions"),
             Self::ConciseDcf | Self::JsonConciseDcf => Some("name the DCF that it was made of"),
