@@ -1,6 +1,7 @@
 //! Writing elements of CiA 311 in the namespaces of its versions.
 
 use super::version::XddVersion;
+use crate::format::xml::XmlWriter;
 
 /// Whose `ProfileBody` it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -265,72 +266,4 @@ mod tests {
         let body = text.split_once("?>").map_or("", |(_, body)| body);
         assert_eq!(body.split_whitespace().collect::<String>(), "<a><b/><cd=\"e\"/></a>");
     }
-}
-
-#[derive(Debug, Default)]
-struct XmlWriter {
-    text: String,
-    open: Vec<String>,
-}
-
-impl XmlWriter {
-    fn new() -> Self {
-        Self { text: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(), open: Vec::new() }
-    }
-
-    fn tag(&mut self, name: &str, attributes: &[(&str, &str)]) {
-        self.text.push_str(&"  ".repeat(self.open.len()));
-        self.text.push('<');
-        self.text.push_str(name);
-        for (name, value) in attributes {
-            self.text.push_str(&format!(" {name}=\"{}\"", escaped(value, true)));
-        }
-    }
-
-    fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
-        self.tag(name, attributes);
-        self.text.push_str(">\n");
-        self.open.push(name.to_owned());
-    }
-
-    fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
-        self.tag(name, attributes);
-        self.text.push_str(" />\n");
-    }
-
-    fn text_element(&mut self, name: &str, attributes: &[(&str, &str)], text: &str) {
-        self.tag(name, attributes);
-        self.text.push_str(&format!(">{}</{name}>\n", escaped(text, false)));
-    }
-
-    fn close(&mut self) {
-        if let Some(name) = self.open.pop() {
-            self.text.push_str(&"  ".repeat(self.open.len()));
-            self.text.push_str(&format!("</{name}>\n"));
-        }
-    }
-
-    fn finish(self) -> String {
-        self.text
-    }
-}
-
-fn escaped(text: &str, is_value: bool) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '&' => escaped.push_str("&amp;"),
-            '"' if is_value => escaped.push_str("&quot;"),
-            '\r' => escaped.push_str("&#13;"),
-            '\n' if is_value => escaped.push_str("&#10;"),
-            '\t' if is_value => escaped.push_str("&#9;"),
-            '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}' => {
-                escaped.push('\u{FFFD}');
-            }
-            character => escaped.push(character),
-        }
-    }
-    escaped
 }

@@ -22,7 +22,7 @@ const fn is_name_start(character: char) -> bool {
         | '\u{10000}'..='\u{EFFFF}')
 }
 
-const fn is_name_char(character: char) -> bool {
+pub(super) const fn is_name_char(character: char) -> bool {
     is_name_start(character)
         || matches!(character, '0'..='9' | '-' | '.' | '\u{B7}' | '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
 }

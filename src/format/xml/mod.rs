@@ -10,5 +10,7 @@ mod namespaces;
 mod prolog;
 mod tag;
 mod tree;
+mod write;
 
 pub use tree::{Attribute, Element, ElementId, Tree};
+pub use write::{Replaced, XmlWriter};
