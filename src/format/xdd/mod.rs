@@ -5,6 +5,7 @@
 mod defaults;
 mod layout;
 mod leftovers;
+mod locate;
 mod markup;
 mod read;
 #[macro_use]
@@ -14,6 +15,7 @@ mod version;
 mod write;
 
 pub(crate) use self::layout::containers;
+pub(crate) use self::locate::Locator;
 pub(crate) use self::read::{read, read_container};
 pub use self::version::XddVersion;
 pub(crate) use self::write::{XddWriteOptions, write};
