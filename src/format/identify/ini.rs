@@ -60,10 +60,13 @@ pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
 
 /// The section of the node, where it stands behind the first objects: it may be the last of the file.
 fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
-    let names = ["[DeviceComissioning]", "[DeviceCommissioning]"];
-    let starts_line = |&at: &usize| matches!(content.bytes[..at].last(), None | Some(b'\n' | b'\r'));
-    let find = |name: &str| memchr::memmem::find_iter(content.bytes, name).find(starts_line);
-    let start = names.into_iter().find_map(find)?;
+    // both spellings start with this, so one look at a large file is enough
+    let start = memchr::memmem::find_iter(content.bytes, "[DeviceCom").find(|&at| {
+        let starts_line = matches!(content.bytes[..at].last(), None | Some(b'\n' | b'\r'));
+        let rest = &content.bytes[at..];
+        starts_line
+            && (rest.starts_with(b"[DeviceComissioning]") || rest.starts_with(b"[DeviceCommissioning]"))
+    })?;
     let rest = &content.bytes[start..];
     Some(String::from_utf8_lossy(&rest[..rest.len().min(SECTION)]))
 }
