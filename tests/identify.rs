@@ -234,13 +234,23 @@ fn damaged_files_are_not_refused() {
     assert_eq!(read_as("a.eds", "<<<<<<< HEAD\n[FileInfo]\n=======\n"), Some(Format::Eds));
     assert_eq!(read_as("a.eds", "<a@example.com> wrote:\n[DeviceInfo]\n"), Some(Format::Eds));
     assert_eq!(read_as("a.eds", "<<<<<<< HEAD\n"), Some(Format::Eds));
+    for text in
+        ["<?xml version=\"1.0\"?>\n", "<ISO15745ProfileContainer>\n", "<ISO15745ProfileContainer", "", "\0\0"]
+    {
+        assert_eq!(read_as("a.xdd", text), Some(Format::Xdd), "{text}");
+        assert_eq!(read_as("a.xdc", text), Some(Format::Xdc), "{text}");
+    }
+    assert_eq!(read_as("a.eds", "<?xml version=\"1.0\"?>\n"), None);
+    assert_eq!(read_as("a.xdd", "<html>\n"), None);
+    assert_eq!(read_as("a.eds", XDD), Some(Format::Xdd));
+    assert_eq!(read_as("a.xdd", "[DeviceInfo]\n"), Some(Format::Eds));
 }
 
 #[test]
 fn what_is_foreign_is_refused_in_one_sentence() {
     let folder = tempfile::tempdir().unwrap();
     for (name, kind, _) in FOREIGN {
-        if kind == ContentKind::Unknown {
+        if kind == ContentKind::Unknown || kind.format().is_some() {
             continue;
         }
         let path = folder.path().join("drive.eds");

@@ -37,8 +37,10 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
     }
     let signs = Signs::of(text);
     let Some(root) = &signs.root else {
-        let reason = "it starts like XML and has no root element";
-        return Some(Identification::new(ContentKind::OtherXml, reason));
+        // a damaged XDD is to be checked and not refused
+        let is_named = known_ending(content.name).is_some();
+        let kind = if is_named { ContentKind::Unknown } else { ContentKind::OtherXml };
+        return Some(Identification::new(kind, "it starts like XML and has no root element"));
     };
     let found = signs.identified(content, root);
     let namespace = root.namespace.clone().or(signs.inner_namespace);
@@ -145,6 +147,9 @@ impl Signs {
             None if !technology.is_empty() => foreign(ContentKind::OtherProfile, technology, reason),
             None if content.contains("CANopenObject") => {
                 self.canopen(content, root, format!("{reason}, with `CANopenObject`"))
+            }
+            None if known_ending(content.name).is_some() => {
+                self.canopen(content, root, format!("{reason}, and the name is one of CANopen"))
             }
             None => {
                 Identification::new(ContentKind::OtherXml, format!("{reason}, which names no technology"))
