@@ -2,12 +2,12 @@
 
 use std::sync::OnceLock;
 
-use super::ini::{Document, EditError};
+use super::ini::Document;
 use super::xml::Tree;
 use super::{Format, Syntax, carried, eds, ini, xdd};
 use crate::diagnostic::{At, Findings};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
-use crate::source::{SourceFile, Span};
+use crate::source::{EditError, SourceFile, Span};
 
 /// A description that was read: the device, the text that it came from, and what the reader found.
 #[derive(Debug)]

@@ -18,11 +18,11 @@ use std::path::Path;
 pub use self::description::Description;
 use self::identify::Identification;
 use self::identify::identify_source;
-pub use self::ini::EditError;
 pub use self::write::{Fate, Loss, WriteOptions, Written};
 pub use self::xdd::XddVersion;
 use crate::diagnostic::RuleInfo;
 use crate::model::{Device, DeviceKind};
+pub use crate::source::EditError;
 use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
 
 /// A kind of file.

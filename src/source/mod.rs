@@ -1,5 +1,6 @@
 //! Bytes in, text and positions out: the first stage of the pipeline.
 
+mod edit;
 mod encoding;
 mod line_index;
 mod span;
@@ -8,6 +9,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 use std::{fs, io};
 
+pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
 pub use line_index::{LineColumn, LineIndex};
 pub use span::Span;

@@ -1,8 +1,9 @@
 //! EDS to DCF and back, by edits of the text: comments, order, spelling, line ends and encoding stay.
 
 use super::section::SectionName;
-use crate::format::ini::{Document, EditError, Editor, Section};
+use crate::format::ini::{Document, Editor, Section};
 use crate::model::{Commissioning, Part};
+use crate::source::EditError;
 
 /// The keys that only a DCF has (CiA 306-1 §5.3.1).
 const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"];

@@ -1,41 +1,16 @@
 //! Edits of a document by spans: what they do not touch stays as it was, byte for byte.
 
 use super::{Document, Line, LineKind, Section};
-use crate::source::{Span, Unencodable};
+use crate::source::{EditError, Edits, Span};
 
 /// Changes of one document, in any order.
 #[derive(Debug)]
 pub struct Editor<'a> {
     document: &'a Document,
     line_end: &'static str,
-    changes: Vec<Change>,
+    edits: Edits<'a>,
     /// The first text that is more than a line.
     many_lines: Option<String>,
-}
-
-/// A span and the text that takes its place; of changes at one offset the first one made comes first.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Change {
-    span: Span,
-    text: String,
-}
-
-/// Why a document cannot be edited.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum EditError {
-    /// Two edits touch the same bytes.
-    #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
-    Overlap(Span),
-    /// The bytes of the file are not those of its text, so an edited text cannot be written.
-    #[error("`{0}` is damaged in its encoding and cannot be edited; save it as UTF-8 first")]
-    ReadOnly(String),
-    /// A new key, value or section name has a line end in it, so it would become more than that.
-    #[error("`{}` has a line end in it", .0.escape_debug())]
-    LineEnd(String),
-    /// A new text has a character that the encoding of the file lacks.
-    #[error(transparent)]
-    Unencodable(#[from] Unencodable),
 }
 
 impl<'a> Editor<'a> {
@@ -48,12 +23,12 @@ impl<'a> Editor<'a> {
             Some("\r") => "\r",
             _ => "\r\n",
         };
-        Self { document, line_end, changes: Vec::new(), many_lines: None }
+        Self { document, line_end, edits: Edits::new(document.source()), many_lines: None }
     }
 
     /// Puts `text` in the place of `span`.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
-        self.changes.push(Change { span, text: text.into() });
+        self.edits.replace(span, text);
     }
 
     /// Takes the lines of a span away, which starts with a line and ends with one.
@@ -143,24 +118,7 @@ impl<'a> Editor<'a> {
     /// # Errors
     /// When two changes overlap, or a new text has a line end in it.
     pub fn text(&self) -> Result<String, EditError> {
-        if let Some(text) = &self.many_lines {
-            return Err(EditError::LineEnd(text.clone()));
-        }
-        let text = self.document.text();
-        let mut changes: Vec<&Change> = self.changes.iter().collect();
-        changes.sort_by_key(|change| (change.span.start, change.span.end));
-        let mut edited = String::with_capacity(text.len());
-        let mut at = 0;
-        for change in changes {
-            if change.span.start < at {
-                return Err(EditError::Overlap(change.span));
-            }
-            edited.push_str(Span::new(at, change.span.start).of(text));
-            edited.push_str(&change.text);
-            at = change.span.end;
-        }
-        edited.push_str(Span::new(at, text.len() as u32).of(text));
-        Ok(edited)
+        self.sound()?.text()
     }
 
     /// The edited document in the encoding of the file; without changes, the bytes as they came.
@@ -168,14 +126,14 @@ impl<'a> Editor<'a> {
     /// # Errors
     /// When two changes overlap, a new text has a line end in it, or the file cannot be written in its encoding.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
-        let source = self.document.source();
-        if self.changes.is_empty() {
-            return Ok(source.to_bytes());
+        self.sound()?.to_bytes()
+    }
+
+    fn sound(&self) -> Result<&Edits<'a>, EditError> {
+        match &self.many_lines {
+            Some(text) => Err(EditError::LineEnd(text.clone())),
+            None => Ok(&self.edits),
         }
-        if source.is_read_only() {
-            return Err(EditError::ReadOnly(source.name().to_owned()));
-        }
-        Ok(source.encode(&self.text()?)?)
     }
 }
 
@@ -234,14 +192,5 @@ mod tests {
         let mut editor = Editor::new(&document);
         editor.insert_section(None, "N", &[("NodeName", "x\n[1000]".to_owned())]);
         assert_eq!(editor.to_bytes(), Err(EditError::LineEnd("x\n[1000]".to_owned())));
-    }
-
-    #[test]
-    fn overlapping_changes_are_an_error() {
-        let document = Document::new(SourceFile::from_text("test.eds", "[A]\nB=1\n"));
-        let mut editor = Editor::new(&document);
-        editor.replace(Span::new(0, 6), "x");
-        editor.replace(Span::new(4, 8), "y");
-        assert_eq!(editor.to_bytes(), Err(EditError::Overlap(Span::new(4, 8))));
     }
 }

@@ -6,5 +6,5 @@ pub(crate) mod findings;
 mod scan;
 
 pub use document::{Document, Entry, Header, Section};
-pub use edit::{EditError, Editor};
+pub use edit::Editor;
 pub use scan::{Line, LineKind, Lines};

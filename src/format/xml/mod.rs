@@ -4,6 +4,7 @@ mod attributes;
 mod build;
 mod chars;
 mod content;
+mod edit;
 mod expand;
 pub(crate) mod findings;
 mod namespaces;
@@ -12,5 +13,6 @@ mod tag;
 mod tree;
 mod write;
 
+pub use edit::Editor;
 pub use tree::{Attribute, Element, ElementId, Tree};
 pub use write::{Replaced, XmlWriter};

@@ -232,6 +232,15 @@ impl<'a> Element<'a> {
         attributes.map(move |&record| Attribute { tree: self.tree, element: self.id, record })
     }
 
+    /// The attributes in their order, those that declare namespaces among them.
+    pub(super) fn all_attributes(self) -> impl Iterator<Item = Attribute<'a>> {
+        let attributes = self.tree.attributes_of(self.id).iter();
+        attributes.map(move |&record| {
+            let record = AttributeRecord { prefix_length: record.prefix_length & !DECLARES, ..record };
+            Attribute { tree: self.tree, element: self.id, record }
+        })
+    }
+
     /// The first attribute of this local name, whatever its prefix.
     pub fn attribute(self, name: &str) -> Option<Attribute<'a>> {
         self.attributes().find(|attribute| attribute.name() == name)

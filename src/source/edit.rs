@@ -1,0 +1,121 @@
+//! Edits of a source by spans: what they do not touch stays as it was, byte for byte.
+
+use super::{SourceFile, Span, Unencodable};
+
+/// Changes of one source, in any order. Editors of formats know where to make them.
+#[derive(Clone, Debug)]
+pub struct Edits<'a> {
+    source: &'a SourceFile,
+    changes: Vec<Change>,
+}
+
+/// A span and the text that takes its place; of changes at one offset the first one made comes first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Change {
+    span: Span,
+    text: String,
+}
+
+/// Why a source cannot be edited.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EditError {
+    /// Two edits touch the same bytes.
+    #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
+    Overlap(Span),
+    /// The bytes of the file are not those of its text, so an edited text cannot be written.
+    #[error("`{0}` is damaged in its encoding and cannot be edited; save it as UTF-8 first")]
+    ReadOnly(String),
+    /// A new key, value or section name has a line end in it, so it would become more than that.
+    #[error("`{}` has a line end in it", .0.escape_debug())]
+    LineEnd(String),
+    /// A new name, value or text has a character that XML cannot hold there.
+    #[error("`{}` cannot be written in XML", .0.escape_debug())]
+    NotXml(String),
+    /// A new text has a character that the encoding of the file lacks.
+    #[error(transparent)]
+    Unencodable(#[from] Unencodable),
+}
+
+impl<'a> Edits<'a> {
+    /// No changes yet.
+    pub fn new(source: &'a SourceFile) -> Self {
+        Self { source, changes: Vec::new() }
+    }
+
+    /// The source.
+    pub fn source(&self) -> &'a SourceFile {
+        self.source
+    }
+
+    /// Whether there are no changes.
+    pub fn is_empty(&self) -> bool {
+        self.changes.is_empty()
+    }
+
+    /// Puts `text` in the place of `span`; an empty span is where it is inserted.
+    pub fn replace(&mut self, span: Span, text: impl Into<String>) {
+        self.changes.push(Change { span, text: text.into() });
+    }
+
+    /// The edited text.
+    ///
+    /// # Errors
+    /// When two changes overlap.
+    pub fn text(&self) -> Result<String, EditError> {
+        let text = self.source.text();
+        let mut changes: Vec<&Change> = self.changes.iter().collect();
+        changes.sort_by_key(|change| (change.span.start, change.span.end));
+        let mut edited = String::with_capacity(text.len());
+        let mut at = 0;
+        for change in changes {
+            if change.span.start < at {
+                return Err(EditError::Overlap(change.span));
+            }
+            edited.push_str(Span::new(at, change.span.start).of(text));
+            edited.push_str(&change.text);
+            at = change.span.end;
+        }
+        edited.push_str(Span::new(at, text.len() as u32).of(text));
+        Ok(edited)
+    }
+
+    /// The edited text in the encoding of the file; without changes, the bytes as they came.
+    ///
+    /// # Errors
+    /// When two changes overlap, or the file cannot be written in its encoding.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
+        if self.is_empty() {
+            return Ok(self.source.to_bytes());
+        }
+        if self.source.is_read_only() {
+            return Err(EditError::ReadOnly(self.source.name().to_owned()));
+        }
+        Ok(self.source.encode(&self.text()?)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changes_come_in_the_order_of_the_text() {
+        let source = SourceFile::from_text("test", "abc");
+        let mut edits = Edits::new(&source);
+        edits.replace(Span::new(2, 3), "z");
+        edits.replace(Span::empty(1), "1");
+        edits.replace(Span::empty(1), "2");
+        edits.replace(Span::new(1, 2), "");
+        assert_eq!(edits.text(), Ok("a12z".to_owned()));
+    }
+
+    #[test]
+    fn overlapping_changes_are_an_error() {
+        let source = SourceFile::from_text("test", "abcd");
+        let mut edits = Edits::new(&source);
+        edits.replace(Span::new(0, 3), "x");
+        edits.replace(Span::new(2, 4), "y");
+        assert_eq!(edits.to_bytes(), Err(EditError::Overlap(Span::new(2, 4))));
+    }
+}
