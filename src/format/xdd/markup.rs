@@ -82,7 +82,7 @@ impl Body {
     }
 
     /// Whether an element in it is in the namespace.
-    fn declares_globally(self, name: &str) -> bool {
+    pub(super) fn declares_globally(self, name: &str) -> bool {
         match self {
             Self::Device => {
                 !LOCAL_IN_DEVICE.contains(&name) && crate::model::SimpleType::from_name(name).is_none()

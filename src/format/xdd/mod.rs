@@ -3,11 +3,13 @@
 #![allow(dead_code, unused_imports, unreachable_pub, reason = "the formats that use it come next")]
 
 mod defaults;
+pub(crate) mod findings;
 mod layout;
 mod leftovers;
 mod locate;
 mod markup;
 mod read;
+pub(crate) mod schema;
 #[macro_use]
 mod shape;
 mod types;

@@ -1,0 +1,80 @@
+//! What attributes and texts take.
+
+/// What a text is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Kind {
+    /// Any text.
+    Text,
+    /// `true`, `false`, `1` or `0`.
+    Boolean,
+    /// A whole number in decimal from the first to the second.
+    Number(i128, i128),
+    /// A number with or without a fraction. The standard calls it a text.
+    Decimal,
+    /// Hex digits, at least and at most so many.
+    Hex(usize, usize),
+    /// `yyyy-mm-dd`, with a time zone or without.
+    Date,
+    /// `hh:mm:ss`, with a fraction and a time zone or without.
+    Time,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// Some of these words with blanks between them.
+    Words(&'static [&'static str]),
+    /// A bit rate of the list.
+    BaudRate,
+    /// `Dummy0001=0` to `Dummy0007=1`.
+    Dummy,
+    /// A name of its own in the whole file.
+    Id,
+    /// The name of another element.
+    Reference(Target),
+    /// A name of the form that names in XML have.
+    Name,
+    /// A language such as `en` or `de-at`.
+    Language,
+    /// Languages with blanks between them.
+    Languages,
+    /// Names with blanks between them.
+    Names,
+}
+
+/// What a reference may lead to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// What an object of the dictionary stands for in the application.
+    Application,
+    Parameter,
+    DataType,
+    ParameterTemplate,
+    AllowedValuesTemplate,
+    LedState,
+    FunctionType,
+    FunctionInstance,
+    Variable,
+    ModuleInterface,
+}
+
+impl Kind {
+    pub(super) const BYTE: Self = Self::Number(0, 0xFF);
+    pub(super) const SHORT: Self = Self::Number(0, 0xFFFF);
+    pub(super) const INT: Self = Self::Number(0, 0xFFFF_FFFF);
+    pub(super) const UNSIGNED_LONG: Self = Self::Number(0, u64::MAX as i128);
+    pub(super) const LONG: Self = Self::Number(i64::MIN as i128, i64::MAX as i128);
+    pub(super) const POSITIVE: Self = Self::Number(1, i128::MAX);
+    pub(super) const NATURAL: Self = Self::Number(0, i128::MAX);
+}
+
+/// The bit rates that `supportedBaudRate` takes.
+pub(crate) const BAUD_RATES: [&str; 10] = [
+    "10 Kbps",
+    "20 Kbps",
+    "50 Kbps",
+    "100 Kbps",
+    "125 Kbps",
+    "250 Kbps",
+    "500 Kbps",
+    "800 Kbps",
+    "1000 Kbps",
+    "auto-baudRate",
+];
