@@ -61,20 +61,25 @@ fn open(path: &Path) -> Description {
 /// A file with what is found in it.
 enum Examined {
     Description(Box<Description>, Findings),
-    /// A file that is damaged as XML: what the damage is, and not what it costs.
+    /// A file that is damaged as XML, or in its structure: what the damage is, and not what it costs.
     Tree(Tree, Findings),
 }
 
 impl Examined {
     fn new(path: &Path) -> Self {
-        if !path.starts_with(root().join("fixtures/rules/xml")) {
+        let is_of = |group: &str| path.starts_with(root().join("fixtures/rules").join(group));
+        if !is_of("xml") && !is_of("cia311") {
             let description = open(path);
             let findings = objdict::check(&description);
             return Self::Description(Box::new(description), findings);
         }
         let source = SourceFile::open(path, &SourceOptions::default()).unwrap();
         let mut findings = Findings::new();
-        Self::Tree(Tree::new(source, &mut findings), findings)
+        let tree = Tree::new(source, &mut findings);
+        if is_of("cia311") {
+            findings.append(format::check_structure(&tree));
+        }
+        Self::Tree(tree, findings)
     }
 
     fn findings(&self) -> &Findings {

@@ -20,7 +20,7 @@ use self::identify::Identification;
 use self::identify::identify_source;
 pub use self::write::{Fate, Loss, WriteOptions, Written};
 pub use self::xdd::XddVersion;
-use crate::diagnostic::RuleInfo;
+use crate::diagnostic::{Findings, RuleInfo};
 use crate::model::{Device, DeviceKind};
 pub use crate::source::EditError;
 use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
@@ -145,6 +145,14 @@ pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding)
     write::losses(device, bytes, format, encoding)
 }
 
+/// What is wrong with the structure of an XML document, held against CiA 311: all rules of the group `cia311`. A document
+/// without a container of CiA 311 has none to be held against.
+pub fn check_structure(tree: &xml::Tree) -> Findings {
+    let mut findings = Findings::new();
+    xdd::findings::check(tree, &mut findings);
+    findings
+}
+
 /// The rules that the readers raise themselves.
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     ini::findings::RULES
@@ -153,4 +161,5 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
         .chain(eds::findings::RULES)
         .chain(carried::RULES)
         .copied()
+        .chain(xdd::findings::rules())
 }

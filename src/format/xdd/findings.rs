@@ -16,6 +16,7 @@ use self::ids::Ids;
 use self::namespaces::Forms;
 use self::texts::Languages;
 use self::walk::{Seen, Walk};
+use super::layout::containers;
 use super::schema::CONTAINER;
 use crate::diagnostic::{Findings, RuleInfo};
 use crate::format::xml::{Element, Tree};
@@ -39,11 +40,8 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
 /// Holds each container of a document against CiA 311; a project file has several. What has none is no XDD, and nothing
 /// is said about it.
 pub(crate) fn check(tree: &Tree, findings: &mut Findings) {
-    let Some(root) = tree.root() else { return };
-    if root.name() == CONTAINER.name {
-        check_container(root, findings);
-    } else {
-        root.children_named(CONTAINER.name).for_each(|container| check_container(container, findings));
+    for container in containers(tree).into_iter().filter(|container| container.name() == CONTAINER.name) {
+        check_container(container, findings);
     }
 }
 
@@ -66,6 +64,3 @@ fn check_container(container: Element<'_>, findings: &mut Findings) {
     types::check(&mut walk);
     texts::check_dictionaries(&mut walk);
 }
-
-#[cfg(test)]
-mod tests;
