@@ -166,7 +166,7 @@ impl Description {
         let mut findings = Findings::new();
         match &self.text {
             Text::Ini(document, _) => ini::findings::check(document, &mut findings),
-            Text::Xml(_) => {}
+            Text::Xml(tree) => xdd::findings::check(tree, &mut findings),
         }
         findings
     }
