@@ -1,4 +1,5 @@
-//! A run over a folder of real files: nothing may panic, every file prints back byte-identical, and the table shows
+//! A run over a folder of real files: nothing may panic, every file prints back byte-identical, converts there
+//! and back without a loss, and the table shows
 //! which rules fire how often.
 
 use std::collections::BTreeMap;
@@ -9,7 +10,7 @@ use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use objdict::diagnostic::Severity;
-use objdict::format::{self, Format};
+use objdict::format::{self, Format, ReadError};
 use objdict::source::SourceOptions;
 
 /// What one file gave.
@@ -17,6 +18,8 @@ struct Outcome {
     bytes: usize,
     round_trip: bool,
     errors: usize,
+    /// What does not come back of a conversion there and back.
+    lost: Vec<String>,
     /// Findings per rule.
     rules: BTreeMap<&'static str, usize>,
     time: Duration,
@@ -29,10 +32,15 @@ pub(crate) fn run(folder: &Path, generate: bool) -> Result<(), String> {
     files.sort();
     let mut outcomes = Vec::new();
     let mut failures = Vec::new();
+    let mut foreign = 0;
     for file in &files {
         match catch_unwind(|| read(file)) {
-            Ok(Ok(outcome)) if outcome.round_trip => outcomes.push((file, outcome)),
-            Ok(Ok(_)) => failures.push(format!("{}: not printed back byte-identical", file.display())),
+            Ok(Ok(None)) => foreign += 1,
+            Ok(Ok(Some(outcome))) if outcome.round_trip => {
+                failures.extend(outcome.lost.iter().map(|lost| format!("{}: {lost}", file.display())));
+                outcomes.push((file, outcome));
+            }
+            Ok(Ok(Some(_))) => failures.push(format!("{}: not printed back byte-identical", file.display())),
             Ok(Err(error)) => failures.push(format!("{}: {error}", file.display())),
             Err(_) => failures.push(format!("{}: panic", file.display())),
         }
@@ -47,7 +55,18 @@ pub(crate) fn run(folder: &Path, generate: bool) -> Result<(), String> {
         let compiled = crate::generated::run(&sound, &mut failures);
         println!("{compiled} of {} files without an error give Rust and C that compile", sound.len());
     }
-    println!("{} files, {} failures", files.len(), failures.len());
+    let whole = |sound: bool| {
+        let is_meant = |outcome: &Outcome| !sound || outcome.errors == 0;
+        let all = outcomes.iter().filter(|(_, outcome)| is_meant(outcome));
+        let (whole, lossy): (Vec<_>, Vec<_>) = all.partition(|(_, outcome)| outcome.lost.is_empty());
+        format!("{} of {}", whole.len(), whole.len() + lossy.len())
+    };
+    println!(
+        "{} files come back whole from the other syntax, {} of those without an error",
+        whole(false),
+        whole(true)
+    );
+    println!("{} files, {foreign} of other technologies, {} failures", files.len(), failures.len());
     if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
 }
 
@@ -63,10 +82,15 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     Ok(())
 }
 
-fn read(file: &Path) -> Result<Outcome, String> {
+/// Reads, checks and converts a file; nothing comes of one that is something else.
+fn read(file: &Path) -> Result<Option<Outcome>, String> {
     let bytes = fs::read(file).map_err(|error| error.to_string())?;
     let start = Instant::now();
-    let description = format::open(file, &SourceOptions::default()).map_err(|error| error.to_string())?;
+    let description = match format::open(file, &SourceOptions::default()) {
+        Ok(description) => description,
+        Err(ReadError::Foreign { .. }) => return Ok(None),
+        Err(error) => return Err(error.to_string()),
+    };
     let findings = objdict::check(&description);
     let time = start.elapsed();
     let mut rules = BTreeMap::new();
@@ -75,7 +99,8 @@ fn read(file: &Path) -> Result<Outcome, String> {
     }
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
     let round_trip = description.print() == bytes;
-    Ok(Outcome { bytes: bytes.len(), round_trip, errors, rules, time })
+    let lost = crate::round_trip::problems(description.device(), description.format());
+    Ok(Some(Outcome { bytes: bytes.len(), round_trip, errors, lost, rules, time }))
 }
 
 fn table(outcomes: &[(&PathBuf, Outcome)]) -> String {

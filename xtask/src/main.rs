@@ -5,14 +5,15 @@
 mod corpus;
 mod docs;
 mod generated;
+mod round_trip;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage:
-  cargo xtask corpus FOLDER [--generate]  read, print and check every EDS and DCF below FOLDER, and print a table;
-                                          with --generate also compile what is generated from each
+  cargo xtask corpus FOLDER [--generate]  read, print, check and convert there and back every description below
+                                          FOLDER, and print a table; with --generate also compile what is generated from each
   cargo xtask docs [--check]              write docs/rules.md from the rules; with --check only compare";
 
 fn main() -> ExitCode {
