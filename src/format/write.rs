@@ -7,9 +7,12 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::carried::{self, Room};
+use super::ini::Document;
 use super::literal::RealSpelling;
-use super::{Format, XddVersion, eds, xdd};
+use super::xml::Tree;
+use super::{Format, Syntax, XddVersion, eds, xdd};
 use crate::compare::{Change, Difference, differences};
+use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
 
@@ -168,26 +171,46 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     let mut bytes = encode(&wanted, format, options);
     let mut lost = differences(&wanted, &decode(&bytes, format, options.encoding));
     if options.carry && !lost.is_empty() {
-        let mut carrier = wanted.clone().into_owned();
-        carried::embed(&mut carrier, &changes(&lost), room(format));
-        let with_carried = encode(&carrier, format, options);
-        let still_lost = differences(&wanted, &decode(&with_carried, format, options.encoding));
-        let (gone, carried): (Vec<_>, Vec<_>) =
-            lost.into_iter().partition(|found| is_among(found, &still_lost));
+        let plain = lost;
+        bytes = encode_with(&wanted, format, options, &plain);
+        let mut read = decode(&bytes, format, options.encoding);
+        carried::restore(&mut read, &mut Findings::new());
+        lost = differences(&wanted, &read);
+        let carried = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
         losses.append(&mut told(carried, Fate::Carried));
-        // what could not even be carried may show at other places than before
-        lost = if still_lost.is_empty() { gone } else { still_lost };
-        bytes = with_carried;
     }
     losses.append(&mut told(lost, Fate::Lost));
     losses.sort_by_key(|loss| loss.fate);
     Written { bytes, losses }
 }
 
+/// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
+/// what is carried is measured again until it is what is lost.
+fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[Difference]) -> Vec<u8> {
+    const ROUNDS: usize = 4;
+    let mut needed = changes(lost);
+    let mut bytes = Vec::new();
+    for _ in 0..ROUNDS {
+        let mut carrier = wanted.clone();
+        carried::embed(&mut carrier, &needed, room(format));
+        bytes = encode(&carrier, format, options);
+        let mut read = decode(&bytes, format, options.encoding);
+        carried::extract(&mut read);
+        let found = changes(&differences(wanted, &read));
+        if found == needed {
+            break;
+        }
+        needed = found;
+    }
+    bytes
+}
+
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let mut losses = told(differences(&kept, &decode(bytes, format, Some(encoding))), Fate::Lost);
+    let mut read = decode(bytes, format, Some(encoding));
+    carried::restore(&mut read, &mut Findings::new());
+    let mut losses = told(differences(&kept, &read), Fate::Lost);
     losses.append(&mut told(differences(device, &kept), Fate::LeftOut));
     losses
 }
@@ -241,11 +264,15 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
+/// The device that a text describes, with what is carried still where it is kept.
 fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> Device {
     let source_options = SourceOptions { encoding, max_size: u64::MAX };
-    match SourceFile::from_bytes("", bytes.to_vec(), &source_options) {
-        Ok(source) => super::read(source, format).into_device(),
+    let Ok(source) = SourceFile::from_bytes("", bytes.to_vec(), &source_options) else {
         // only a text of more than 1 GiB is not read
-        Err(_) => Device::default(),
+        return Device::default();
+    };
+    match format.syntax() {
+        Syntax::Ini => eds::read(&Document::new(source), format.kind()).0,
+        Syntax::Xml => xdd::read(&Tree::new(source, &mut Findings::new()), format.kind()).0,
     }
 }
