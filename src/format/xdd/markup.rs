@@ -15,7 +15,8 @@ pub(crate) enum Body {
 /// Writes an XML document of CiA 311: names without prefixes go in, and come out as the version demands.
 ///
 /// In version 1.1 the elements that a schema declares inside others are in no namespace, and the others have the prefix
-/// that the `ProfileBody` around them declares, as CANopenEditor writes it. In version 1.0 nothing has a prefix.
+/// that the `ProfileBody` around them declares, as CANopenEditor writes it. In version 1.0 nothing has a prefix, and what
+/// version 1.1 added is not written.
 #[derive(Debug)]
 pub(crate) struct Markup {
     writer: XmlWriter,
@@ -23,8 +24,10 @@ pub(crate) struct Markup {
     body: Option<Body>,
     /// The start tags that are not written yet, each inside the one before.
     pending: Vec<Start>,
-    /// How many elements are open whose start tags are written.
-    open: usize,
+    /// The names of the open elements whose start tags are written.
+    open: Vec<String>,
+    /// How many elements are open that the version does not have, or that stand in one of those.
+    skipped: usize,
 }
 
 #[derive(Debug)]
@@ -66,6 +69,27 @@ const GLOBAL_IN_NETWORK: &[&str] = &[
     "version",
 ];
 
+/// What version 1.1 added: elements and attributes, each behind the element that it stands in.
+const SINCE_1_1: &[(&str, &[&str])] = &[
+    ("ApplicationLayers", &["moduleManagement"]),
+    ("CANopenObject", &["rangeSelector"]),
+    ("CANopenSubObject", &["rangeSelector"]),
+    ("DeviceManager", &["moduleManagement"]),
+    (
+        "varDeclaration",
+        &[
+            "start",
+            "signed",
+            "offset",
+            "multiplier",
+            "conditionalSupport",
+            "defaultValue",
+            "allowedValues",
+            "unit",
+        ],
+    ),
+];
+
 impl Body {
     const fn type_name(self) -> &'static str {
         match self {
@@ -95,7 +119,14 @@ impl Body {
 impl Markup {
     /// An empty document of a version.
     pub(crate) fn new(version: XddVersion) -> Self {
-        Self { writer: XmlWriter::new(), version, body: None, pending: Vec::new(), open: 0 }
+        Self {
+            writer: XmlWriter::new(),
+            version,
+            body: None,
+            pending: Vec::new(),
+            open: Vec::new(),
+            skipped: 0,
+        }
     }
 
     /// The version that it is written in.
@@ -142,6 +173,9 @@ impl Markup {
 
     /// Adds an attribute to the element that was opened last and has no elements yet.
     pub(crate) fn attribute(&mut self, name: &str, value: &str) {
+        if self.skipped > 0 || self.is_too_new(name) {
+            return;
+        }
         if let Some(start) = self.pending.last_mut() {
             start.attributes.push((name.to_owned(), value.to_owned()));
         }
@@ -149,6 +183,9 @@ impl Markup {
 
     /// Gives a text to the element that was opened last. It must not get elements then.
     pub(crate) fn text(&mut self, text: &str) {
+        if self.skipped > 0 {
+            return;
+        }
         if let Some(start) = self.pending.last_mut() {
             start.text.get_or_insert_default().push_str(text);
         }
@@ -156,9 +193,12 @@ impl Markup {
 
     /// Ends the element that was opened last.
     pub(crate) fn close(&mut self) {
+        if self.skipped > 0 {
+            self.skipped -= 1;
+            return;
+        }
         let Some(start) = self.pending.pop() else {
-            if self.open > 0 {
-                self.open -= 1;
+            if self.open.pop().is_some() {
                 self.writer.close();
             }
             return;
@@ -167,21 +207,31 @@ impl Markup {
             return;
         }
         self.write_pending();
-        match start.text.as_deref() {
-            None | Some("") => self.writer.empty(&start.name, &start.attributes()),
-            Some(text) => self.writer.text_element(&start.name, &start.attributes(), text),
-        }
+        self.writer.text_element(&start.name, &start.attributes(), start.text.as_deref().unwrap_or_default());
     }
 
     /// The document. Elements that are still open are closed.
     pub(crate) fn finish(mut self) -> String {
-        while !self.pending.is_empty() || self.open > 0 {
+        while self.skipped > 0 || !self.pending.is_empty() || !self.open.is_empty() {
             self.close();
         }
         self.writer.finish()
     }
 
+    /// Whether an element or attribute of the innermost open element is one that the version does not have.
+    fn is_too_new(&self, name: &str) -> bool {
+        let parent = self.pending.last().map(|start| &start.name).or(self.open.last());
+        self.version == XddVersion::V1_0
+            && SINCE_1_1
+                .iter()
+                .any(|(of, names)| parent.is_some_and(|parent| parent == of) && names.contains(&name))
+    }
+
     fn start(&mut self, name: &str, needs_content: bool) {
+        if self.skipped > 0 || self.is_too_new(name) {
+            self.skipped += 1;
+            return;
+        }
         let is_header = name == "ProfileHeader";
         let name = match self.body {
             Some(body) if self.version == XddVersion::V1_1 && body.declares_globally(name) => {
@@ -200,7 +250,7 @@ impl Markup {
     fn write_pending(&mut self) {
         for start in self.pending.drain(..) {
             self.writer.open(&start.name, &start.attributes());
-            self.open += 1;
+            self.open.push(start.name);
         }
     }
 }
