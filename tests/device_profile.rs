@@ -123,7 +123,7 @@ fn it_survives_every_format() {
         let places: Vec<_> = written.losses.iter().map(|loss| loss.path.as_str()).collect();
         match (format, version) {
             (Format::Xdd, XddVersion::V1_1) => {
-                assert_eq!(places, [""; 0], "an XDD has a place for everything")
+                assert_eq!(places, [""; 0], "an XDD has a place for everything");
             }
             (Format::Xdd, _) => insta::assert_snapshot!("lost_in_1_0", places.join("\n")),
             _ => assert!(places.len() > 40, "an EDS has not: {places:?}"),
