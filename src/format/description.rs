@@ -24,7 +24,7 @@ enum Text {
     /// Lines of an INI file.
     Ini(Document, OnceLock<eds::Locator>),
     /// Elements of XML.
-    Xml(Tree),
+    Xml(Tree, OnceLock<xdd::Locator>),
 }
 
 impl Description {
@@ -40,7 +40,7 @@ impl Description {
                 let tree = Tree::new(source, &mut damage);
                 let (device, findings) = xdd::read(&tree, format.kind());
                 damage.append(findings);
-                (Text::Xml(tree), (device, damage))
+                (Text::Xml(tree, OnceLock::new()), (device, damage))
             }
         };
         carried::restore(&mut device, &mut findings);
@@ -58,7 +58,7 @@ impl Description {
     pub fn source(&self) -> &SourceFile {
         match &self.text {
             Text::Ini(document, _) => document.source(),
-            Text::Xml(tree) => tree.source(),
+            Text::Xml(tree, _) => tree.source(),
         }
     }
 
@@ -74,7 +74,7 @@ impl Description {
     pub fn tree(&self) -> Option<&Tree> {
         match &self.text {
             Text::Ini(..) => None,
-            Text::Xml(tree) => Some(tree),
+            Text::Xml(tree, _) => Some(tree),
         }
     }
 
@@ -82,7 +82,7 @@ impl Description {
     pub fn print(&self) -> Vec<u8> {
         match &self.text {
             Text::Ini(document, _) => document.print(),
-            Text::Xml(tree) => tree.source().to_bytes(),
+            Text::Xml(tree, _) => tree.source().to_bytes(),
         }
     }
 
@@ -102,7 +102,7 @@ impl Description {
             Text::Ini(document, locator) => {
                 locator.get_or_init(|| eds::Locator::new(document)).locate(document, place)
             }
-            Text::Xml(_) => None,
+            Text::Xml(tree, locator) => locator.get_or_init(|| xdd::Locator::new(tree)).locate(tree, place),
         }
     }
 
@@ -125,7 +125,7 @@ impl Description {
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
         match &self.text {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
-            Text::Xml(_) => Ok(self.anew(file_name, Some(node))),
+            Text::Xml(..) => Ok(self.anew(file_name, Some(node))),
         }
     }
 
@@ -137,7 +137,7 @@ impl Description {
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
-            Text::Xml(_) => Ok(self.anew(file_name, None)),
+            Text::Xml(..) => Ok(self.anew(file_name, None)),
         }
     }
 
@@ -166,7 +166,7 @@ impl Description {
         let mut findings = Findings::new();
         match &self.text {
             Text::Ini(document, _) => ini::findings::check(document, &mut findings),
-            Text::Xml(tree) => xdd::findings::check(tree, &mut findings),
+            Text::Xml(tree, _) => xdd::findings::check(tree, &mut findings),
         }
         findings
     }

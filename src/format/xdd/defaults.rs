@@ -16,6 +16,22 @@ pub(crate) const DATE: Date = Date { year: 1970, month: 1, day: 1 };
 /// The bit rate in kbit/s of a device that supports none: the one that the standard takes for the default.
 pub(crate) const BIT_RATE: u16 = 250;
 
+/// The object code of an entry that does not state it: VAR. Numbers that nobody stated have a leading zero, which means
+/// nothing to others.
+pub(crate) const OBJECT_TYPE: &str = "07";
+
+/// The object code of an object that is only described by its sub-indexes: RECORD.
+pub(crate) const ORPHAN: &str = "09";
+
+/// A number that nobody stated: the granularity, the node-ID, the number of the network.
+pub(crate) const NUMBER: &str = "00";
+
+/// A truth value that nobody stated: no, as it is not written otherwise.
+pub(crate) const FLAG: &str = "0";
+
+/// The name of a node or network that nobody stated.
+pub(crate) const NAME: &str = " ";
+
 /// The language of names that are not said to be of one.
 pub(crate) const LANGUAGE: &str = "en";
 

@@ -3,6 +3,7 @@
 use super::text::{Text, boolean, hex};
 use crate::diagnostic::Findings;
 use crate::format::literal::{self, Quirks};
+use crate::format::xdd::defaults;
 use crate::format::xml::{Attribute, Element};
 use crate::model::{
     Access, DataType, Entry, Field, Misfits, ObjFlags, ObjectType, PdoMapping, Reason, Value,
@@ -70,6 +71,11 @@ impl<'a> EntryAttributes<'a> {
         found
     }
 
+    /// Whether the element is only there for its sub-objects.
+    pub(crate) fn is_orphan(&self) -> bool {
+        self.object_type.is_some_and(|code| code.value() == defaults::ORPHAN)
+    }
+
     /// The index of an object.
     pub(crate) fn index(&self) -> Option<u16> {
         let number = hex(self.address?.value().trim_ascii(), 4)?;
@@ -93,7 +99,7 @@ impl<'a> EntryAttributes<'a> {
             entry.object_type = object_type(&text, misfits);
         }
         if let Some(text) = self.data_type.map(Text::of) {
-            entry.data_type = text.word(Field::DataType, data_type, misfits);
+            entry.data_type = data_type(&text, misfits);
         }
         if let Some(text) = self.access.map(Text::of) {
             entry.access = text.word(Field::AccessType, Access::from_name, misfits);
@@ -155,7 +161,7 @@ pub(crate) fn value_type(entry: &Entry) -> Option<DataType> {
 /// A decimal object code, or the name of one.
 fn object_type(text: &Text<'_>, misfits: &mut Misfits) -> Option<ObjectType> {
     let word = text.trimmed();
-    if word.is_empty() {
+    if matches!(word, "" | defaults::OBJECT_TYPE | defaults::ORPHAN) {
         return None;
     }
     let named = |object_type: &ObjectType| object_type.name().eq_ignore_ascii_case(word);
@@ -173,9 +179,17 @@ fn object_type(text: &Text<'_>, misfits: &mut Misfits) -> Option<ObjectType> {
 }
 
 /// Two or four hex digits, or a name.
-fn data_type(text: &str) -> Option<DataType> {
-    let index = hex(text, 4).and_then(|index| u16::try_from(index).ok());
-    index.map(DataType).or_else(|| DataType::from_name(text))
+fn data_type(text: &Text<'_>, misfits: &mut Misfits) -> Option<DataType> {
+    let word = text.trimmed();
+    if word.is_empty() {
+        return None;
+    }
+    let index = hex(word, 4).and_then(|index| u16::try_from(index).ok());
+    let data_type = index.map(DataType).or_else(|| DataType::from_name(word));
+    if data_type.is_none() {
+        text.misfit(Field::DataType, Reason::NotANumber, misfits);
+    }
+    data_type
 }
 
 fn pdo_mapping(word: &str) -> Option<PdoMapping> {

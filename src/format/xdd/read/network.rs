@@ -2,6 +2,7 @@
 
 use super::text::{bit_rate, hex, value_text};
 use super::{Reader, Text};
+use crate::format::xdd::defaults;
 use crate::format::xdd::layout::Profile;
 use crate::format::xdd::shape::Shape;
 use crate::format::xml::{Attribute, Element};
@@ -231,6 +232,7 @@ impl<'a> Reader<'a> {
             "SDORequestingDevice" => {
                 info.sdo_requesting = text.boolean(Field::Named(attribute.name().into()), misfits);
             }
+            "granularity" if text.text == defaults::NUMBER => {}
             "granularity" => {
                 info.granularity = text.integer(Field::Granularity, GRANULARITY, misfits, findings);
             }
@@ -261,9 +263,11 @@ impl<'a> Reader<'a> {
         let mut node = crate::model::Commissioning::default();
         for attribute in element.attributes() {
             let text = Text::of(attribute);
-            let owned = || Some(text.trimmed().to_owned());
+            let owned = || Some(text.trimmed().to_owned()).filter(|_| text.text != defaults::NAME);
             let (misfits, findings) = (&mut node.misfits, &mut self.findings);
             match attribute.name() {
+                "nodeID" | "networkNumber" if text.text == defaults::NUMBER => {}
+                "CANopenManager" if text.text == defaults::FLAG => {}
                 // CANopenEditor writes the second
                 "nodeID" | "NodeID" if node.node_id.is_none() => {
                     node.node_id = text.integer(Field::NodeId, U8, misfits, findings);

@@ -84,7 +84,8 @@ impl Entries<'_> {
         index: u16,
         leftovers: &mut super::Leftovers<'t>,
     ) -> Object {
-        let mut object = Object { main: self.entry(attributes, index, None), ..Object::default() };
+        let main = self.entry(attributes, index, None);
+        let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
         if let Some(number) = attributes.sub_number.map(super::Text::of) {
             object.sub_number =
                 number.integer(Field::SubNumber, (0, 255), &mut object.main.misfits, self.findings);

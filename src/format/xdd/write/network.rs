@@ -59,7 +59,7 @@ impl Writer<'_> {
         }
         out.open("NetworkManagement");
         out.open("CANopenGeneralFeatures");
-        general.demand("granularity", "0");
+        general.demand("granularity", defaults::NUMBER);
         general.write(out);
         out.close();
         if !master.is_empty() {
@@ -194,18 +194,23 @@ fn master_features(info: &DeviceInfo) -> Attributes<'_> {
 
 /// All six attributes, which the standard demands.
 fn commissioning(node: &Commissioning, out: &mut Markup) {
-    let text = |text: &Option<String>| text.clone().unwrap_or_default();
+    let text = |text: &Option<String>| text.clone().unwrap_or_else(|| defaults::NAME.to_owned());
     let or = |text: Option<String>, field: Field, nothing: &str| {
         Some(text.or_else(|| misfit(&node.misfits, &field)).unwrap_or_else(|| nothing.to_owned()))
     };
     let mut attributes = Attributes::default();
-    attributes.put("nodeID", or(node.node_id.map(|id| id.to_string()), Field::NodeId, "0"));
+    attributes.put("nodeID", or(node.node_id.map(|id| id.to_string()), Field::NodeId, defaults::NUMBER));
     attributes.put("nodeName", Some(text(&node.node_name)));
     attributes.put("actualBaudRate", or(node.baud_rate.map(bit_rate), Field::Baudrate, ""));
-    attributes.put("networkNumber", or(node.net_number.map(|id| id.to_string()), Field::NetNumber, "0"));
+    attributes.put(
+        "networkNumber",
+        or(node.net_number.map(|id| id.to_string()), Field::NetNumber, defaults::NUMBER),
+    );
     attributes.put("networkName", Some(text(&node.network_name)));
-    attributes
-        .put("CANopenManager", or(node.manager.map(|is| is.to_string()), Field::CanOpenManager, "false"));
+    attributes.put(
+        "CANopenManager",
+        or(node.manager.map(|is| is.to_string()), Field::CanOpenManager, defaults::FLAG),
+    );
     out.open("deviceCommissioning");
     attributes.write(out);
     out.close();

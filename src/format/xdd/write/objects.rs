@@ -2,10 +2,11 @@
 
 use super::Writer;
 use crate::format::literal::{self, Spelling};
+use crate::format::xdd::defaults;
 use crate::format::xdd::markup::Markup;
 use crate::format::xdd::read::{count_attribute, list_of};
 use crate::format::xdd::version::XddVersion;
-use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, ObjectType, PdoMapping, Value};
+use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, PdoMapping, Value};
 
 /// The attribute that names the parameter of an entry. Among the unknown keys of an entry it names one of others.
 pub(super) const REFERENCE: &str = "uniqueIDRef";
@@ -31,7 +32,7 @@ impl Writer<'_> {
     fn object(&self, index: u16, object: &Object, out: &mut Markup) {
         out.open("CANopenObject");
         out.attribute("index", &format!("{index:04X}"));
-        let code = if object.orphan { ObjectType::Record } else { ObjectType::Var };
+        let code = if object.orphan { defaults::ORPHAN } else { defaults::OBJECT_TYPE };
         self.entry(index, None, &object.main, code, out);
         let misfit = object.main.misfits.get(&Field::SubNumber).map(|misfit| misfit.text.to_string());
         if let Some(number) = object.sub_number.map(|number| number.to_string()).or(misfit) {
@@ -40,14 +41,14 @@ impl Writer<'_> {
         for (sub, entry) in object.subs.iter() {
             out.open("CANopenSubObject");
             out.attribute("subIndex", &format!("{sub:02X}"));
-            self.entry(index, Some(sub), entry, ObjectType::Var, out);
+            self.entry(index, Some(sub), entry, defaults::OBJECT_TYPE, out);
             out.close();
         }
         out.close();
     }
 
     /// The attributes of an object or sub-object; `code` is the object type where none is stated.
-    fn entry(&self, index: u16, sub: Option<u8>, entry: &Entry, code: ObjectType, out: &mut Markup) {
+    fn entry(&self, index: u16, sub: Option<u8>, entry: &Entry, code: &str, out: &mut Markup) {
         let misfit = |field: &Field| entry.misfits.get(field).map(|misfit| misfit.text.to_string());
         let value = |value: Option<&Value>, field: Field| value_text(index, entry, value, &field);
         let mut put = |name: &str, text: Option<String>| {
@@ -58,7 +59,7 @@ impl Writer<'_> {
         put("name", Some(entry.name.to_string()));
         let object_type = entry.object_type.map(|object_type| object_type.code().to_string());
         let object_type = object_type.or_else(|| misfit(&Field::ObjectType));
-        put("objectType", Some(object_type.unwrap_or_else(|| code.code().to_string())));
+        put("objectType", Some(object_type.unwrap_or_else(|| code.to_owned())));
         let data_type = entry.data_type.map(|data_type| format!("{:04X}", data_type.0));
         // what is no data type stands there, though the parameter may tell the type
         put("dataType", misfit(&Field::DataType).or(data_type));
