@@ -62,7 +62,7 @@ fn open(path: &Path) -> Description {
 enum Examined {
     Description(Box<Description>, Findings),
     /// A file that is damaged as XML, or in its structure: what the damage is, and not what it costs.
-    Tree(Tree, Findings),
+    Tree(Box<Tree>, Findings),
 }
 
 impl Examined {
@@ -79,7 +79,7 @@ impl Examined {
         if is_of("cia311") {
             findings.append(format::check_structure(&tree));
         }
-        Self::Tree(tree, findings)
+        Self::Tree(Box::new(tree), findings)
     }
 
     fn findings(&self) -> &Findings {

@@ -18,9 +18,15 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     for path in &args.files {
         match args.input.description(path) {
             Ok(description) => {
-                let findings = crate::check(&description);
-                tally.add(&findings);
-                report.file(&description, &findings)?;
+                let count = description.device_count();
+                let mut next = Some(description);
+                for number in 1..=count {
+                    let Some(description) = next else { break };
+                    let findings = crate::check(&description);
+                    tally.add(&findings);
+                    report.file(&description, &findings)?;
+                    next = description.select(number);
+                }
             }
             Err(failure) => {
                 failure.print();

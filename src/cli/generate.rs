@@ -17,7 +17,7 @@ use crate::model::{Device, Place};
 use crate::report::{Report, Tally, Text};
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (kind, input) = args.input.read(&args.file)?;
+    let (kind, input) = args.input.read_one(&args.file)?;
     let (device, findings) = match &input {
         Input::Description(description) => (description.device(), crate::check(description)),
         Input::Device(device) => (device.as_ref(), lint::check(device)),

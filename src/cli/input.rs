@@ -23,6 +23,9 @@ pub(super) struct InputArgs {
     /// What the files are, whatever their content shows
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
+    /// Which device of a network file (.nxdd, .nxdc), counted from 1
+    #[arg(long, value_name = "NUMBER")]
+    pub device: Option<std::num::NonZeroUsize>,
     /// The encoding of the files, where it cannot be found out: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
@@ -171,6 +174,34 @@ impl InputArgs {
             }
         };
         Ok((kind, input))
+    }
+
+    /// What is in a file, and as what kind it was read; of several devices the one that was asked for.
+    pub(super) fn read_one(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
+        let (kind, input) = self.read(path)?;
+        Ok(match input {
+            Input::Description(description) => {
+                (kind, Input::Description(Box::new(self.selected(path, *description)?)))
+            }
+            input => (kind, input),
+        })
+    }
+
+    /// The device of a file that was asked for: the only one, or the one of a number.
+    pub(super) fn selected(&self, path: &Path, description: Description) -> Result<Description, Failure> {
+        let count = description.device_count();
+        let name = name_of(path);
+        match self.device {
+            None if count == 1 => Ok(description),
+            None => {
+                let failure = Failure::new(format_args!("`{name}` describes {count} devices"));
+                Err(failure.help("say which one with `--device`, counted from 1"))
+            }
+            Some(number) => description.select(number.get() - 1).ok_or_else(|| {
+                let devices = if count == 1 { "device" } else { "devices" };
+                Failure::new(format_args!("`{name}` has no device {number}, it describes {count} {devices}"))
+            }),
+        }
     }
 
     /// A description with its text; what has none cannot be checked.

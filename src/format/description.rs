@@ -14,6 +14,8 @@ use crate::source::{EditError, SourceFile, Span};
 pub struct Description {
     format: Format,
     text: Text,
+    /// Which device of the file it is.
+    number: usize,
     device: Device,
     findings: Findings,
 }
@@ -38,15 +40,40 @@ impl Description {
             Syntax::Xml => {
                 let mut damage = Findings::new();
                 let tree = Tree::new(source, &mut damage);
-                let (device, findings) = xdd::read(&tree, format.kind());
+                let (device, findings) = xdd::read(&tree, 0, format.kind());
                 damage.append(findings);
                 (Text::Xml(tree, OnceLock::new()), (device, damage))
             }
         };
         carried::restore(&mut device, &mut findings);
-        let read = Self { format, text, device, findings: Findings::new() };
-        eds::file_name::check(&read.device, read.source().name(), &mut findings);
+        let read = Self { format, text, number: 0, device, findings: Findings::new() };
+        if read.device_count() == 1 {
+            eds::file_name::check(&read.device, read.source().name(), &mut findings);
+        }
         Self { findings, ..read }
+    }
+
+    /// How many devices the file describes. A network of CANopenEditor (`.nxdd`, `.nxdc`) describes several, and this is
+    /// the description of the first, unless another is [selected](Self::select).
+    pub fn device_count(&self) -> usize {
+        match &self.text {
+            Text::Ini(..) => 1,
+            Text::Xml(tree, _) => xdd::containers(tree).len().max(1),
+        }
+    }
+
+    /// The description of another device of the same file, counted from 0; `None` where there are fewer.
+    #[must_use]
+    pub fn select(self, number: usize) -> Option<Self> {
+        match self.text {
+            _ if number == self.number => Some(self),
+            Text::Xml(tree, _) if number < xdd::containers(&tree).len() => {
+                let (mut device, mut findings) = xdd::read(&tree, number, self.format.kind());
+                carried::restore(&mut device, &mut findings);
+                Some(Self { text: Text::Xml(tree, OnceLock::new()), number, device, findings, ..self })
+            }
+            _ => None,
+        }
     }
 
     /// The format that it was read as.
@@ -102,7 +129,9 @@ impl Description {
             Text::Ini(document, locator) => {
                 locator.get_or_init(|| eds::Locator::new(document)).locate(document, place)
             }
-            Text::Xml(tree, locator) => locator.get_or_init(|| xdd::Locator::new(tree)).locate(tree, place),
+            Text::Xml(tree, locator) => {
+                locator.get_or_init(|| xdd::Locator::new(tree, self.number)).locate(tree, place)
+            }
         }
     }
 
@@ -161,12 +190,13 @@ impl Description {
     }
 
     /// What the text shows beyond that, healthy or not: the lines of an INI file, the structure of XML. It is not looked
-    /// for until it is asked for.
+    /// for until it is asked for. Of a file with several devices it belongs to the first.
     pub fn text_findings(&self) -> Findings {
         let mut findings = Findings::new();
         match &self.text {
             Text::Ini(document, _) => ini::findings::check(document, &mut findings),
-            Text::Xml(tree, _) => xdd::findings::check(tree, &mut findings),
+            Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
+            Text::Xml(..) => {}
         }
         findings
     }

@@ -273,6 +273,6 @@ fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> Device {
     };
     match format.syntax() {
         Syntax::Ini => eds::read(&Document::new(source), format.kind()).0,
-        Syntax::Xml => xdd::read(&Tree::new(source, &mut Findings::new()), format.kind()).0,
+        Syntax::Xml => xdd::read(&Tree::new(source, &mut Findings::new()), 0, format.kind()).0,
     }
 }

@@ -8,10 +8,22 @@ use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
 
 /// A file to convert.
+#[derive(Clone)]
 pub(super) struct Job {
     pub input: PathBuf,
     pub output: PathBuf,
     pub to: FileKind,
+    /// Whether its name in a folder was made from that of the input.
+    pub is_named: bool,
+}
+
+impl Job {
+    /// The same for one of several devices in the input, counted from 0: `line-2.eds`.
+    pub(super) fn of_device(&self, number: usize) -> Self {
+        let stem = self.output.file_stem().unwrap_or_default().to_string_lossy();
+        let name = format!("{stem}-{}.{}", number + 1, self.to.ending());
+        Self { input: self.input.clone(), output: self.output.with_file_name(name), ..*self }
+    }
 }
 
 const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json` and `.cdcf` (concise DCF) are known";
@@ -30,7 +42,7 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
             if to == FileKind::Cpj {
                 return Err(Failure::new("node lists are not written").help(KNOWN));
             }
-            Ok(vec![Job { input: input.clone(), output: args.out.clone(), to }])
+            Ok(vec![Job { input: input.clone(), output: args.out.clone(), to, is_named: false }])
         }
         inputs => {
             let Some(to) = said else {
@@ -61,7 +73,7 @@ fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Jo
             );
             return Err(Failure::new(message).help("convert them into different folders"));
         }
-        jobs.push(Job { input: input.clone(), output, to });
+        jobs.push(Job { input: input.clone(), output, to, is_named: true });
     }
     Ok(jobs)
 }

@@ -17,6 +17,7 @@ use super::output::Output;
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
 use crate::format::{Fate, concise, json};
+use crate::report::visible;
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -42,32 +43,65 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     })
 }
 
-/// Converts one file, and says so.
+/// Converts one file: the device in it, or into a folder all of them.
 fn convert_one(
     args: &ConvertArgs,
     job: &Job,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let is_stdout = job.output == Path::new("-");
-    if !is_stdout && is_same_file(&job.input, &job.output) {
-        let failure = Failure::new(format_args!("`{}` would overwrite itself", job.input.display()));
-        return Err(failure.help("name another file for the output"));
+    let (from, input) = args.input.read(&job.input)?;
+    match input {
+        Input::Description(description) if job.is_named && args.input.device.is_none() => {
+            let count = description.device_count();
+            let mut next = Some(*description);
+            for number in 0..count {
+                let Some(description) = next.and_then(|description| description.select(number)) else {
+                    break;
+                };
+                let own = if count == 1 { job.clone() } else { job.of_device(number) };
+                let converted = device::of_description(args, &own, &description, from)?;
+                finish(&own, from, converted, report, out)?;
+                next = Some(description);
+            }
+            Ok(())
+        }
+        Input::Description(description) => {
+            let description = args.input.selected(&job.input, *description)?;
+            finish(job, from, device::of_description(args, job, &description, from)?, report, out)
+        }
+        input => finish(job, from, convert(args, job, input)?, report, out),
     }
-    let (from, Converted { bytes, losses }) = convert(args, job)?;
+}
+
+/// Writes what a file became, and says so.
+fn finish(
+    job: &Job,
+    from: FileKind,
+    converted: Converted,
+    report: &mut LossReport,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let Converted { bytes, losses } = converted;
     let to = job.to;
-    if is_stdout {
+    if job.output == Path::new("-") {
         out.write_all(&bytes)?;
         let shown: Vec<_> = losses.iter().filter(|loss| loss.fate != Fate::Carried).cloned().collect();
         super::tell(&losses::text(&shown));
     } else {
+        if is_same_file(&job.input, &job.output) {
+            let failure = Failure::new(format_args!("`{}` would overwrite itself", job.input.display()));
+            return Err(failure.help("name another file for the output"));
+        }
         let note = match save(&job.output, &bytes)? {
             Saved::Written => "",
             Saved::Unchanged => ", unchanged",
         };
         let (file, written, size) = (name_of(&job.input), job.output.display(), bytes.len());
         writeln!(out, "{file} ({}) to {written} ({}), {size} bytes{note}", from.name(), to.name())?;
-        out.write_all(losses::text(&losses).as_bytes())?;
+        let told: String =
+            losses::text(&losses).chars().map(|c| if c == '\n' { c } else { visible(c) }).collect();
+        out.write_all(told.as_bytes())?;
     }
     report.add(job, from, losses);
     Ok(())
@@ -77,27 +111,25 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// Reads a file and makes what was asked for of it.
-fn convert(args: &ConvertArgs, job: &Job) -> Result<(FileKind, Converted), Failure> {
-    let (from, input) = args.input.read(&job.input)?;
-    let converted = match input {
-        Input::Description(description) => device::of_description(args, job, &description, from)?,
-        Input::Device(device) => device::of_device(args, job, &device, !args.no_carry)?,
-        Input::Configuration(configuration) => match job.to {
-            FileKind::Json => Converted::whole(json::write_configuration(&configuration).into_bytes()),
-            FileKind::Cdcf => Converted::whole(concise::write(&configuration).map_err(Failure::new)?),
-            to => {
-                return Err(Failure::new(format_args!(
-                    "a concise DCF holds values and no description, so no {} can be made of it",
-                    to.name()
-                ))
-                .help("it can become `.json`"));
-            }
-        },
-        Input::NodeList(_) => {
-            return Err(Failure::new("a node list holds no device")
-                .help(format!("`objdict show {}` names the files of its nodes", job.input.display())));
+/// Makes what was asked for of a file that is no description.
+fn convert(args: &ConvertArgs, job: &Job, input: Input) -> Result<Converted, Failure> {
+    match (input, job.to) {
+        (Input::Description(description), _) => {
+            device::of_device(args, job, description.device(), !args.no_carry)
         }
-    };
-    Ok((from, converted))
+        (Input::Device(device), _) => device::of_device(args, job, &device, !args.no_carry),
+        (Input::Configuration(configuration), FileKind::Json) => {
+            Ok(Converted::whole(json::write_configuration(&configuration).into_bytes()))
+        }
+        (Input::Configuration(configuration), FileKind::Cdcf) => {
+            concise::write(&configuration).map(Converted::whole).map_err(Failure::new)
+        }
+        (Input::Configuration(_), to) => Err(Failure::new(format_args!(
+            "a concise DCF holds values and no description, so no {} can be made of it",
+            to.name()
+        ))
+        .help("it can become `.json`")),
+        (Input::NodeList(_), _) => Err(Failure::new("a node list holds no device")
+            .help(format!("`objdict show {}` names the files of its nodes", job.input.display()))),
+    }
 }

@@ -37,7 +37,7 @@ impl View<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (_, input) = args.input.read(&args.file)?;
+    let (_, input) = args.input.read_one(&args.file)?;
     let (device, format) = match &input {
         Input::Description(description) => (description.device(), description.format().name()),
         Input::Device(device) => (device.as_ref(), "JSON"),

@@ -38,9 +38,9 @@ pub(crate) fn containers(tree: &Tree) -> Vec<Element<'_>> {
 pub(crate) const CONTAINER: &str = "ISO15745ProfileContainer";
 
 impl<'a> Layout<'a> {
-    /// The first description of a tree.
-    pub(crate) fn of(tree: &'a Tree) -> Option<Self> {
-        containers(tree).first().copied().map(Self::of_container)
+    /// One of the [`containers`] of a tree.
+    pub(crate) fn of(tree: &'a Tree, number: usize) -> Option<Self> {
+        containers(tree).get(number).copied().map(Self::of_container)
     }
 
     /// What stands in a container. Of two profiles of a kind the first counts.

@@ -15,6 +15,8 @@ use crate::source::Span;
 /// Where the objects of a tree stand, and what they may refer to.
 #[derive(Debug)]
 pub(crate) struct Locator {
+    /// Which of the containers it is for.
+    number: usize,
     objects: HashMap<u16, ElementId>,
     state: RandomState,
     /// Hash of each id, and the element that has it, in order of the hashes.
@@ -22,9 +24,9 @@ pub(crate) struct Locator {
 }
 
 impl Locator {
-    pub(crate) fn new(tree: &Tree) -> Self {
-        let mut found = Self { objects: HashMap::new(), state: RandomState::new(), ids: Vec::new() };
-        let Some(layout) = Layout::of(tree) else { return found };
+    pub(crate) fn new(tree: &Tree, number: usize) -> Self {
+        let mut found = Self { number, objects: HashMap::new(), state: RandomState::new(), ids: Vec::new() };
+        let Some(layout) = Layout::of(tree, number) else { return found };
         for object in layout.objects() {
             let attributes = super::read::EntryAttributes::of(object);
             if let Some(index) = attributes.index() {
@@ -47,7 +49,7 @@ impl Locator {
     /// The span of a place: what its attribute or element says, where that is there; else the tag of its part. `None` for
     /// the device as a whole, and for parts that are not there.
     pub(crate) fn locate(&self, tree: &Tree, place: &Place) -> Option<Span> {
-        let layout = Layout::of(tree)?;
+        let layout = Layout::of(tree, self.number)?;
         let field = place.field.as_ref();
         match &place.part {
             Part::Object(index) => self.entry(tree, *index, None, field),

@@ -18,6 +18,6 @@ mod write;
 
 pub(crate) use self::layout::containers;
 pub(crate) use self::locate::Locator;
-pub(crate) use self::read::{read, read_container};
+pub(crate) use self::read::read;
 pub use self::version::XddVersion;
 pub(crate) use self::write::{XddWriteOptions, write};

@@ -26,16 +26,17 @@ use crate::diagnostic::Findings;
 use crate::format::xml::{Element, Tree};
 use crate::model::{Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
 
-/// Reads the first description of a tree as that of a device type or, where it is told or has a node in it, of a node.
-pub(crate) fn read(tree: &Tree, kind: DeviceKind) -> (Device, Findings) {
-    match containers(tree).first() {
+/// Reads one of the [`containers`] of a tree as the description of a device type or, where it is told or has a node in
+/// it, of a node.
+pub(crate) fn read(tree: &Tree, number: usize, kind: DeviceKind) -> (Device, Findings) {
+    match containers(tree).get(number) {
         Some(&container) => read_container(container, kind),
         None => (Device { kind, ..Device::default() }, Findings::new()),
     }
 }
 
 /// Reads one of the [`containers`] of a tree.
-pub(crate) fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings) {
+fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings) {
     let mut reader = Reader::new(Layout::of_container(container));
     reader.headers();
     reader.files();
