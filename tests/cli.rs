@@ -18,12 +18,12 @@ fn sessions() {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
-    for page in ["README.md", "docs/cli.md", "docs/json.md"] {
+    for page in ["README.md", "docs/cli.md", "docs/json.md", "docs/formats.md"] {
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
-        for fixtures in ["eds", "dcf", "broken", "torture", "nodelist", "foreign"] {
+        for fixtures in ["eds", "dcf", "xdd", "broken", "torture", "nodelist", "foreign"] {
             copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
         }
         let cases = trycmd::TestCases::new();

@@ -234,6 +234,10 @@ pub(super) struct CanonicalArgs {
     /// Keep compact storage (CompactSubObj), which many tools do not know; implies --canonical
     #[arg(long)]
     pub compact: bool,
+    /// The encoding of the text that is written; without it ISO 646, as CiA 306 demands, in which `ü` is `ue`; implies
+    /// --canonical
+    #[arg(long, value_name = "ENCODING")]
+    pub output_encoding: Option<Encoding>,
 }
 
 /// A spelling of REAL numbers.
@@ -248,17 +252,22 @@ pub(super) enum Real {
 impl CanonicalArgs {
     /// Whether a new text is wanted although there is one to edit.
     pub(super) fn is_asked(&self) -> bool {
-        self.canonical || self.real.is_some() || self.quote_strings || self.compact
+        self.canonical
+            || self.real.is_some()
+            || self.quote_strings
+            || self.compact
+            || self.output_encoding.is_some()
     }
 
-    pub(super) fn options(&self, encoding: Option<Encoding>) -> WriteOptions {
+    /// How the text is written; an encoding that was said for reading holds for writing too.
+    pub(super) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
         let mut options = WriteOptions::default();
         if self.real == Some(Real::Bits) {
             options.real = RealSpelling::Hex;
         }
         options.quote_strings = self.quote_strings;
         options.compact = self.compact;
-        options.encoding = encoding;
+        options.encoding = self.output_encoding.or(read_in);
         options
     }
 }
