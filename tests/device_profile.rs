@@ -133,3 +133,27 @@ fn it_survives_every_format() {
         assert_eq!(differences(&device, &read), [], "{format:?} {version:?}");
     }
 }
+
+/// Older versions of CANopenEditor said in attributes what the newer ones say in properties.
+#[test]
+fn attributes_of_canopen_editor_are_stack_options() {
+    let text = r#"<ISO15745ProfileContainer xmlns="http://www.canopen.org/xml/1.0" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"><ISO15745Profile>
+        <ProfileBody xsi:type="ProfileBody_CommunicationNetwork_CANopen"><ApplicationLayers><CANopenObjectList>
+            <CANopenObject index="2000" name="A" objectType="7" dataType="0005" accessType="ro"
+                edseditor_extenstion_storagelocation="ROM" edseditor_extension_notifyonchange="true" other="1" />
+            <CANopenObject index="2001" name="B" objectType="7" edseditor_extension_notifyonchange="maybe" />
+        </CANopenObjectList></ApplicationLayers></ProfileBody></ISO15745Profile></ISO15745ProfileContainer>"#;
+    let read = |text: &str| format::read(SourceFile::from_text("old.xdd", text), Format::Xdd).into_device();
+    let device = read(text);
+    let stack = device.objects[&0x2000].main.stack.as_ref().unwrap();
+    assert_eq!((stack.storage_group.as_deref(), stack.detects_change), (Some("ROM"), Some(true)));
+    assert_eq!(device.objects[&0x2000].main.extra.iter().collect::<Vec<_>>(), [("other", "1")]);
+    let odd = &device.objects[&0x2001].main;
+    assert_eq!(odd.stack, None);
+    assert_eq!(odd.extra.get("edseditor_extension_notifyonchange"), Some("maybe"));
+
+    let written =
+        String::from_utf8(format::write(&device, Format::Xdd, &WriteOptions::default()).bytes).unwrap();
+    assert!(written.contains(r#"<q1:property name="CO_storageGroup" value="ROM" />"#), "{written}");
+    assert_eq!(read(&written).objects, device.objects);
+}

@@ -42,11 +42,6 @@ impl<'a> Leftovers<'a> {
         }
     }
 
-    /// Whether there is nothing.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.found.is_empty()
-    }
-
     /// A section for each element with something left over, in the order of the file.
     ///
     /// It is called `xml:` and the path of the element below its `ProfileBody` (else below the root), such as

@@ -4,9 +4,10 @@ use super::text::{Text, boolean, hex};
 use crate::diagnostic::Findings;
 use crate::format::literal::{self, Quirks};
 use crate::format::xdd::defaults;
+use crate::format::xdd::shape::stack_attribute;
 use crate::format::xml::{Attribute, Element};
 use crate::model::{
-    Access, DataType, Entry, Field, Misfits, ObjFlags, ObjectType, PdoMapping, Reason, Value,
+    Access, DataType, Entry, Field, Misfits, ObjFlags, ObjectType, PdoMapping, Reason, StackOptions, Value,
 };
 
 /// The attributes of a `CANopenObject` or `CANopenSubObject`, not yet understood.
@@ -113,9 +114,14 @@ impl<'a> EntryAttributes<'a> {
         if let Some(text) = self.denotation.map(Text::of).filter(|text| !text.is_blank()) {
             entry.configured_mut().denotation = Some(text.trimmed().into());
         }
+        let mut options = StackOptions::default();
         for attribute in &self.unknown {
-            entry.extra.push(attribute.name(), &attribute.value());
+            let (name, value) = (attribute.name(), attribute.value());
+            if !stack_attribute(&mut options, name, &value) {
+                entry.extra.push(name, &value);
+            }
         }
+        entry.stack = Some(options).filter(|options| *options != StackOptions::default()).map(Box::new);
         let text = |attribute: Option<Attribute<'a>>| attribute.map(Text::of);
         let values = ValueAttributes {
             low: text(self.low),

@@ -135,7 +135,7 @@ impl Entries<'_> {
         }
         match (source, attributes.reference) {
             (Some(Source::Own(mut parameter)), _) => {
-                entry.stack = take_stack_options(&mut parameter.properties);
+                take_stack_options(&mut entry.stack, &mut parameter.properties);
                 if parameter.has_usual_id(index, sub) && !self.parameters.is_named(&parameter.unique_id) {
                     parameter.unique_id = Box::default();
                 }

@@ -22,7 +22,6 @@ mod tests;
 
 use std::borrow::Cow;
 
-pub(crate) use self::application::write_application_process;
 pub(crate) use self::header::{ProfileClass, read_header, write_header};
 pub(crate) use self::identity::Identity;
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};

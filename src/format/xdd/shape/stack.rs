@@ -5,10 +5,10 @@ use crate::model::{Property, SrdoAccess, StackOptions};
 
 /// Takes the properties that CANopenEditor gives a meaning out of a list. What is no value of its property, and what
 /// stands again, stays in the list.
-pub(crate) fn take_stack_options(properties: &mut Vec<Property>) -> Option<Box<StackOptions>> {
-    let mut options = StackOptions::default();
-    properties.retain(|property| !take(&mut options, &property.name, &property.value));
-    (options != StackOptions::default()).then(|| Box::new(options))
+pub(crate) fn take_stack_options(options: &mut Option<Box<StackOptions>>, properties: &mut Vec<Property>) {
+    let mut taken = options.take().unwrap_or_default();
+    properties.retain(|property| !take(&mut taken, &property.name, &property.value));
+    *options = Some(taken).filter(|taken| **taken != StackOptions::default());
 }
 
 fn take(options: &mut StackOptions, name: &str, value: &str) -> bool {
@@ -93,6 +93,12 @@ mod tests {
         Property { name: name.into(), value: value.into() }
     }
 
+    fn taken(properties: &mut Vec<Property>) -> Option<Box<StackOptions>> {
+        let mut options = None;
+        take_stack_options(&mut options, properties);
+        options
+    }
+
     #[test]
     fn known_properties_move_and_come_back() {
         let known = [
@@ -106,7 +112,7 @@ mod tests {
         ];
         let mut properties: Vec<_> = known.map(property).to_vec();
         properties.insert(3, property(("scale", "log")));
-        let options = take_stack_options(&mut properties).unwrap_or_default();
+        let options = taken(&mut properties).unwrap_or_default();
         assert_eq!(properties, [property(("scale", "log"))]);
         assert_eq!(options.srdo_access, Some(SrdoAccess::Trx));
         assert_eq!(options.min_string_length, Some(10));
@@ -124,10 +130,10 @@ mod tests {
             ("co_countlabel", "TPDO"),
         ];
         let mut properties: Vec<_> = odd.map(property).to_vec();
-        assert_eq!(take_stack_options(&mut properties), None);
+        assert_eq!(taken(&mut properties), None);
         assert_eq!(properties, odd.map(property));
         let mut twice = [("CO_countLabel", "SYNC"), ("CO_countLabel", "TIME")].map(property).to_vec();
-        let options = take_stack_options(&mut twice).unwrap_or_default();
+        let options = taken(&mut twice).unwrap_or_default();
         assert_eq!(options.count_label.as_deref(), Some("SYNC"));
         assert_eq!(twice, [property(("CO_countLabel", "TIME"))]);
     }

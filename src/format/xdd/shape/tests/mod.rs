@@ -92,15 +92,6 @@ fn application_process() {
 }
 
 #[test]
-fn parameters_are_written_in_the_order_that_is_asked_for() {
-    let process: ApplicationProcess = read_whole(include_str!("application.xml"));
-    let parameters = process.parameters.iter().rev().cloned().collect::<Vec<_>>();
-    let write = |out: &mut Markup| write_application_process(&process, parameters.clone(), out);
-    let again: ApplicationProcess = read_whole(&written(XddVersion::V1_1, Body::Device, write));
-    assert_eq!(again, ApplicationProcess { parameters, ..process });
-}
-
-#[test]
 fn device_manager() {
     let manager: DeviceManager = stays_as_it_is(include_str!("manager.xml"), "DeviceManager", Body::Device);
     insta::assert_json_snapshot!(manager);
