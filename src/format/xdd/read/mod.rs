@@ -24,7 +24,7 @@ use super::leftovers::Leftovers;
 use super::shape::Shape;
 use crate::diagnostic::Findings;
 use crate::format::xml::{Element, Tree};
-use crate::model::{Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
+use crate::model::{ApplicationProcess, Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
 
 /// Reads one of the [`containers`] of a tree as the description of a device type or, where it is told or has a node in
 /// it, of a node.
@@ -64,9 +64,23 @@ impl<'a> Reader<'a> {
         self.device.device_info.get_or_insert_default()
     }
 
-    /// The device profile but for its file attributes.
+    /// The device profile but for its file attributes, and the objects that refer to it.
     fn device_body(&mut self) {
-        let Some(Profile { body, .. }) = self.layout.device else { return };
+        let mut application = match self.layout.device {
+            Some(Profile { body, .. }) => self.device_parts(body),
+            None => Vec::new(),
+        };
+        self.objects(&mut application);
+        application.retain(|process| *process != Default::default());
+        self.device.application = application;
+        self.device.manager = self.device.manager.take().filter(|manager| **manager != Default::default());
+        if defaults::is_function_invented(&self.device.functions) {
+            self.device.functions = Vec::new();
+        }
+    }
+
+    /// Reads the parts of the device profile. The application processes are not finished: objects refer to them.
+    fn device_parts(&mut self, body: Element<'a>) -> Vec<ApplicationProcess> {
         let mut application = Vec::new();
         let mut has_identity = false;
         for element in body.children() {
@@ -85,13 +99,7 @@ impl<'a> Reader<'a> {
             }
         }
         self.leftovers.text(body);
-        self.objects(&mut application);
-        application.retain(|process| *process != Default::default());
-        self.device.application = application;
-        self.device.manager = self.device.manager.take().filter(|manager| **manager != Default::default());
-        if defaults::is_function_invented(&self.device.functions) {
-            self.device.functions = Vec::new();
-        }
+        application
     }
 
     fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
