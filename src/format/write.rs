@@ -121,8 +121,16 @@ impl Loss {
 }
 
 /// The parts whose fields are told one by one.
-const PARTS: [&str; 8] =
-    ["/commissioning", "/configured", "/compact", "/names", "/values", "/denotations", "/safety", "/parameter"];
+const PARTS: [&str; 8] = [
+    "/commissioning",
+    "/configured",
+    "/compact",
+    "/names",
+    "/values",
+    "/denotations",
+    "/safety",
+    "/parameter",
+];
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -84,7 +84,7 @@ impl<'a> Resolver<'a> {
         let (shape, default) = match kind {
             TypeKind::VisibleString | TypeKind::OctetString | TypeKind::UnicodeString | TypeKind::Domain => {
                 let bytes = self.string(&place, entry, data_type);
-                let capacity = self.capacity(data_type, access, bytes.len());
+                let capacity = self.capacity(data_type, access, bytes.len(), entry);
                 if capacity == 0 && kind == TypeKind::Domain {
                     self.notes.push(
                         Note::new(place.clone(), "a DOMAIN without default has no room in the table")
@@ -199,13 +199,16 @@ impl<'a> Resolver<'a> {
         Vec::new()
     }
 
-    /// Bytes of room for a string or DOMAIN whose default has `length` bytes.
-    fn capacity(&self, data_type: DataType, access: Access, length: usize) -> u16 {
+    /// Bytes of room for a string or DOMAIN whose default has `length` bytes: what the description asks for, else what the
+    /// options say.
+    fn capacity(&self, data_type: DataType, access: Access, length: usize, entry: &Entry) -> u16 {
         let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are errors already
         let room = match data_type.kind() {
             TypeKind::Domain => self.options.domain_capacity,
-            TypeKind::UnicodeString => self.options.string_capacity.max(2) & !1,
-            _ => self.options.string_capacity.max(1),
+            TypeKind::UnicodeString => {
+                characters(entry, 2).unwrap_or(self.options.string_capacity.max(2) & !1)
+            }
+            _ => characters(entry, 1).unwrap_or(self.options.string_capacity.max(1)),
         };
         match access {
             Access::Const => length,
@@ -320,4 +323,10 @@ fn is_fixed(object: &Object, sub: u8, access: Access) -> bool {
     let count = sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
     let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
     access == Access::Ro && (count || definition)
+}
+
+/// Bytes of the characters that a string shall have room for at least (`CO_stringLengthMin`), each of so many bytes.
+fn characters(entry: &Entry, bytes: u32) -> Option<u16> {
+    let length = entry.stack.as_ref()?.min_string_length.filter(|&length| length > 0)?;
+    u16::try_from(length.saturating_mul(bytes)).ok()
 }

@@ -161,6 +161,11 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn object(&mut self, index: u16, object: &Object) {
+        if object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true)) {
+            let note = Note::new(Place::object(index), "the description disables the object (`CO_disabled`)");
+            self.resolver.notes.push(note);
+            return;
+        }
         if let Some(compact) = &object.compact {
             // compact entries have no texts of their own: what is wrong stands with the object
             let data_type = object.main.data_type.unwrap_or(DataType(0));

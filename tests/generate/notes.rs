@@ -1,7 +1,9 @@
 //! What a table cannot express is named with its place, or nothing is generated.
 
 use objdict::generate::{GenerateError, Generated, Options, Target, generate};
-use objdict::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Reason, Value};
+use objdict::model::{
+    Access, DataType, Device, Entry, Field, Object, ObjectType, Reason, StackOptions, Value,
+};
 
 use crate::odd;
 
@@ -45,6 +47,24 @@ fn error(device: &Device) -> String {
 #[test]
 fn a_plain_entry_needs_no_note() {
     assert!(notes(&with(byte())).is_empty());
+}
+
+#[test]
+fn what_the_description_says_to_a_stack_holds_here_too() {
+    let stack =
+        |options: StackOptions| Entry { name: "Zyklop".into(), stack: Some(Box::new(options)), ..byte() };
+    let disabled = with(stack(StackOptions { disabled: Some(true), ..StackOptions::default() }));
+    assert_eq!(notes(&disabled), ["0x2000: the description disables the object (`CO_disabled`)"]);
+    let code = |device: &Device| {
+        run(device).unwrap().files.into_iter().map(|file| file.contents).collect::<Vec<_>>()
+    };
+    assert!(!code(&disabled).iter().any(|code| String::from_utf8_lossy(code).contains("Zyklop")));
+    let enabled = with(stack(StackOptions { disabled: Some(false), ..StackOptions::default() }));
+    assert_eq!(notes(&enabled), [""; 0]);
+    assert!(code(&enabled).iter().any(|code| String::from_utf8_lossy(code).contains("Zyklop")));
+    let room = stack(StackOptions { min_string_length: Some(77), ..StackOptions::default() });
+    let room = with(Entry { data_type: Some(DataType::VISIBLE_STRING), ..room });
+    assert!(code(&room).iter().any(|code| String::from_utf8_lossy(code).contains("Octets<77>")));
 }
 
 #[test]
