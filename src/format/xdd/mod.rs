@@ -1,7 +1,5 @@
 //! XDD and XDC: device descriptions and configurations in XML (CiA 311).
 
-#![allow(dead_code, unused_imports, unreachable_pub, reason = "the formats that use it come next")]
-
 mod defaults;
 pub(crate) mod findings;
 mod layout;
