@@ -24,8 +24,8 @@ const MAX_ELEMENTS: usize = 4_000_000;
 /// So many bytes a name has; a bit of its length is in use.
 pub(super) const MAX_NAME: usize = 32_000;
 
-/// So many bytes, and four times the file, are read twice because of damage.
-const MAX_WASTE: usize = 64 << 20;
+/// So many bytes are read twice because of damage. From then on quick-xml sees only markup that has an end.
+const MAX_WASTE: usize = 1 << 20;
 
 /// The tree of a source.
 pub(super) fn build(source: &SourceFile, findings: &mut Findings) -> Parts {
@@ -57,7 +57,11 @@ pub(super) struct Builder<'a, 'f> {
     pub(super) expanded: usize,
     /// Bytes that were read twice.
     wasted: usize,
+    /// Which [`Markup`] has no end in the rest of the text.
+    endless: [bool; 4],
     is_stopped: bool,
+    /// Something was left out because of a limit.
+    is_limited: bool,
 }
 
 /// An element whose end tag has not come.
@@ -72,6 +76,30 @@ pub(super) struct Open {
 pub(super) struct Skip {
     start: usize,
     depth: usize,
+}
+
+/// Markup whose end may be anywhere behind it.
+#[derive(Clone, Copy)]
+enum Markup {
+    Comment,
+    Instruction,
+    Section,
+    DocumentType,
+}
+
+impl Markup {
+    /// What starts `text`.
+    fn of(text: &[u8]) -> Option<Self> {
+        match text {
+            [b'<', b'!', b'-', b'-', ..] => Some(Self::Comment),
+            [b'<', b'?', ..] => Some(Self::Instruction),
+            _ if text.starts_with(b"<![CDATA[") => Some(Self::Section),
+            _ if text.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case(b"<!DOCTYPE")) => {
+                Some(Self::DocumentType)
+            }
+            _ => None,
+        }
+    }
 }
 
 impl<'a, 'f> Builder<'a, 'f> {
@@ -93,7 +121,9 @@ impl<'a, 'f> Builder<'a, 'f> {
             has_section_ends: memchr::memmem::find(text.as_bytes(), b"]]>").is_some(),
             expanded: 0,
             wasted: 0,
+            endless: [false; 4],
             is_stopped: false,
+            is_limited: false,
         }
     }
 
@@ -140,16 +170,24 @@ impl<'a, 'f> Builder<'a, 'f> {
     fn read(&mut self) {
         let (mut at, mut reader) = self.reader(0);
         while !self.is_stopped {
+            if let Some(resume) = self.without_reader(at) {
+                (at, reader) = self.reader(resume);
+                continue;
+            }
             let event = reader.read_event();
-            let end = self.text.len() - reader.get_ref().len();
             let is_damaged = event.is_err();
+            // where there is no end, the reader has looked for it in all the rest, and stands where it stood
+            let end = match self.text.len() - reader.get_ref().len() {
+                end if is_damaged && end == at => self.text.len(),
+                end => end,
+            };
             let resume = match event {
                 Ok(Event::Eof) => break,
                 Ok(event) => self.event(&event, at, end),
                 Err(_) => self.damaged(at, end),
             };
             if is_damaged || resume != end {
-                self.waste(end.saturating_sub(resume), resume);
+                self.wasted += end.saturating_sub(resume);
                 (at, reader) = self.reader(resume);
             } else {
                 at = end;
@@ -177,12 +215,18 @@ impl<'a, 'f> Builder<'a, 'f> {
         (at, reader)
     }
 
-    fn waste(&mut self, bytes: usize, at: usize) {
-        self.wasted += bytes;
-        if self.wasted > MAX_WASTE + 4 * self.text.len() {
-            self.limit(at, "the file is too damaged to be read on".to_owned());
-            self.stop(at);
+    /// Reads markup at `at` where quick-xml would look for its end in vain, so that a file full of damage does not take a
+    /// time that is quadratic in its size; says where to go on.
+    fn without_reader(&mut self, at: usize) -> Option<usize> {
+        if self.wasted <= MAX_WASTE {
+            return None;
         }
+        let rest = self.text.as_bytes().get(at..)?;
+        let is_endless = match Markup::of(rest) {
+            None => rest.starts_with(b"<"),
+            Some(markup) => self.endless[markup as usize],
+        };
+        is_endless.then(|| self.damaged(at, at))
     }
 
     fn stop(&mut self, at: usize) {
@@ -193,6 +237,7 @@ impl<'a, 'f> Builder<'a, 'f> {
     }
 
     pub(super) fn limit(&mut self, at: usize, message: String) {
+        self.is_limited = true;
         let span = Span::empty(at as u32);
         self.report(&rules::LIMIT, || Diagnostic::new(&rules::LIMIT, span, message));
     }
@@ -225,24 +270,26 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     /// Finds out what stands at `start`, where quick-xml met an error that made it read up to `end`; says where to go on.
     fn damaged(&mut self, start: usize, end: usize) -> usize {
-        let rest = &self.text[start..];
-        let markup = |next: usize| self.find(start + next, |byte| byte == b'<');
-        match rest.as_bytes() {
-            [b'<', b'/', ..] => self.end_tag(start),
-            [b'<', b'?', ..] => self.unclosed_markup(start, markup(2), "processing instruction", "?>"),
-            [b'<', b'!', b'-', b'-', ..] => self.unclosed_markup(start, markup(4), "comment", "-->"),
-            _ if rest.starts_with("<![CDATA[") => {
-                self.unclosed_markup(start, start + 9, "CDATA section", "]]>")
-            }
-            _ if rest.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case("<!DOCTYPE")) => {
-                let closed = rest.as_bytes()[..end - start].ends_with(b">");
-                let end = if closed { end } else { markup(9) };
+        let rest = self.text[start..].as_bytes();
+        let markup = Markup::of(rest);
+        if let Some(markup) = markup {
+            self.endless[markup as usize] |= end == self.text.len();
+        }
+        let next = |from: usize| self.find(start + from, |byte| byte == b'<');
+        match markup {
+            Some(Markup::Comment) => self.unclosed_markup(start, next(4), "comment", "-->"),
+            Some(Markup::Instruction) => self.unclosed_markup(start, next(2), "processing instruction", "?>"),
+            Some(Markup::Section) => self.unclosed_markup(start, start + 9, "CDATA section", "]]>"),
+            Some(Markup::DocumentType) => {
+                let is_closed = rest[..end - start].ends_with(b">");
+                let end = if is_closed { end } else { next(9) };
                 self.document_type(start, end);
                 self.pass_over(start, end)
             }
-            [b'<', b'!', ..] => self.unknown_markup(start),
-            [b'<', ..] => self.start_tag(start),
-            _ => end.max(start),
+            None if rest.starts_with(b"</") => self.end_tag(start),
+            None if rest.starts_with(b"<!") => self.unknown_markup(start),
+            None if rest.starts_with(b"<") => self.start_tag(start),
+            None => end.max(start),
         }
     }
 
@@ -485,7 +532,7 @@ impl<'a, 'f> Builder<'a, 'f> {
     }
 
     fn finish(mut self) -> Parts {
-        if self.parts.elements.is_empty() && !self.is_stopped {
+        if self.parts.elements.is_empty() && !self.is_limited {
             self.report(&rules::NO_ROOT, || {
                 Diagnostic::new(&rules::NO_ROOT, Span::empty(0), "the file has no element")
             });

@@ -326,7 +326,7 @@ text_rule! {
     /// the file is beyond a limit of this reader
     ///
     /// ## What it checks
-    /// Elements nest 256 deep, an element has 256 attributes, a name 32,000 bytes, the file 4 million elements and 1 MiB of text from its own entities. What is beyond is not read. A file so damaged that it must be read again and again is not read to its end either.
+    /// Elements nest 256 deep, an element has 256 attributes, a name 32,000 bytes, the file 4 million elements and 1 MiB of text from its own entities. What is beyond is not read.
     ///
     /// ## Why it matters
     /// No device needs as much; files that do are made to fill the memory of tools.
