@@ -45,7 +45,8 @@ pub(crate) fn check(tree: &Tree, findings: &mut Findings) {
     }
 }
 
-fn check_container(container: Element<'_>, findings: &mut Findings) {
+/// Holds one container against CiA 311: the description of one device.
+pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
     let mut walk = Walk {
         findings,
         forms: Forms::new(container),

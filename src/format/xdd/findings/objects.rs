@@ -125,7 +125,7 @@ text_rule! {
     /// the number of objects is wrong
     ///
     /// ## What it checks
-    /// Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and `mandatoryObjects` and `optionalObjects` together that of the others. Which objects are mandatory depends on the device, so these two are counted together.
+    /// Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and `mandatoryObjects` and `optionalObjects` together that of the others, with or without the definitions of data types below 1000h. Which objects are mandatory depends on the device, so these two are counted together.
     ///
     /// ## Why it matters
     /// Someone added or removed objects by hand and did not count; perhaps one got lost.
@@ -333,6 +333,8 @@ fn spelling(text: &str) -> String {
 fn counts(list: Element<'_>, findings: &mut Findings) {
     let indexes = list.children_named("CANopenObject").filter_map(|object| hex(object.attribute("index")?));
     let (ours, others): (Vec<u16>, Vec<u16>) = indexes.partition(|index| (0x2000..0x6000).contains(index));
+    // an EDS has the definitions of data types in no list, so some do not count them
+    let definitions = others.iter().filter(|&&index| index < 0x1000).count();
     let number = |name: &str| {
         let attribute = list.attribute(name)?;
         Some((attribute, attribute.value().trim_ascii().parse::<usize>().ok()?))
@@ -351,7 +353,8 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
     else {
         return;
     };
-    if mandatory.saturating_add(optional) != others.len() {
+    let stated = mandatory.saturating_add(optional);
+    if stated != others.len() && stated != others.len() - definitions {
         let message = format!(
             "`mandatoryObjects` is {mandatory}, `optionalObjects` {optional}, and outside 2000h to 5FFFh the list has {}",
             counted(others.len(), "object", "objects")

@@ -125,7 +125,7 @@ elements! {
         maybe ALLOWED_VALUES,
         maybe UNIT,
     ], newer [
-        "start", "size", "signed", "offset", "multiplier", "conditionalSupport", "defaultValue", "allowedValues", "unit"
+        "start", "signed", "offset", "multiplier", "conditionalSupport", "defaultValue", "allowedValues", "unit"
     ];
 
     FUNCTION_TYPE_LIST global "functionTypeList", [some FUNCTION_TYPE];
