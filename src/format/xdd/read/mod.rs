@@ -17,7 +17,7 @@ pub(crate) use self::network::{
 pub(crate) use self::objects::list_of;
 pub(crate) use self::parameters::SUB;
 use self::text::Text;
-pub(crate) use self::text::bit_rate;
+pub(crate) use self::text::{bit_rate, hex};
 use super::defaults;
 use super::layout::{Layout, Profile, containers};
 use super::leftovers::Leftovers;

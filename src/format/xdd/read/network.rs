@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
                         segment.max_number =
                             text.integer(name("maxNumber"), U32, misfits, &mut self.findings);
                     }
-                    "addressOffset" => segment.offset = value_text(&text.text, None).map(Into::into),
+                    "addressOffset" => segment.offset = value_text(&text.text, None).map(offset),
                     "bitAlignment" => {
                         segment.bit_alignment =
                             text.integer(name("bitAlignment"), U8, misfits, &mut self.findings);
@@ -296,6 +296,12 @@ pub(crate) const fn count_attribute(list: ObjectList) -> &'static str {
 /// The word of an EDS for a direction.
 fn direction(word: &str) -> Box<str> {
     DIRECTIONS.iter().find(|(xdd, _)| *xdd == word).map_or(word, |(_, eds)| eds).into()
+}
+
+/// The offset of a segment as an EDS writes it.
+fn offset(text: &str) -> Box<str> {
+    let is_digits = text.len().is_multiple_of(2) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if is_digits { format!("0x{text}").into() } else { text.into() }
 }
 
 /// `accessType` of a channel, and `DirN` of an EDS.

@@ -4,7 +4,9 @@ use super::Writer;
 use super::attributes::{Attributes, misfit};
 use crate::format::xdd::defaults;
 use crate::format::xdd::markup::Markup;
-use crate::format::xdd::read::{DIRECTIONS, default_rate_field, range_length, supported_field};
+use crate::format::xdd::read::{
+    DIRECTIONS, default_rate_field, hex as hex_number, range_length, supported_field,
+};
 use crate::format::xdd::shape::{Identity, Shape};
 use crate::format::xdd::version::XddVersion;
 use crate::model::{
@@ -122,9 +124,25 @@ fn dynamic_channel<'a>(number: usize, segment: &Segment, misfits: &'a Misfits) -
     put("endIndex", "endIndex", segment.range.map(|(_, last)| hex(last)));
     let number = segment.max_number.or_else(|| range_length(segment.range));
     put("maxNumber", "maxNumber", number.map(|number| number.to_string()));
-    put("addressOffset", "PPOffset", segment.offset.as_deref().map(str::to_owned));
+    put("addressOffset", "PPOffset", segment.offset.as_deref().map(address_offset));
     put("bitAlignment", "bitAlignment", segment.bit_alignment.map(|bits| bits.to_string()));
     attributes
+}
+
+/// The offset of a segment as pairs of hex digits, where it is a number: an EDS writes `0x100` or `256`.
+fn address_offset(text: &str) -> String {
+    let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) if digits.len().is_multiple_of(2) && hex_number(digits, 8).is_some() => {
+            return digits.to_owned();
+        }
+        Some(digits) => hex_number(digits, 8),
+        None => text.parse::<u32>().ok(),
+    };
+    match number.map(|number| format!("{number:X}")) {
+        Some(digits) if digits.len().is_multiple_of(2) => digits,
+        Some(digits) => format!("0{digits}"),
+        None => text.to_owned(),
+    }
 }
 
 fn transport_layers(info: &DeviceInfo, out: &mut Markup) {
