@@ -1,7 +1,8 @@
 //! Everything that is wrong with a description: one call for what the text shows and what the model shows.
 
 use crate::diagnostic::Findings;
-use crate::format::Description;
+use crate::format::xdd::wording;
+use crate::format::{Description, Syntax};
 use crate::lint;
 
 /// All findings about a description, in the order of its text.
@@ -9,6 +10,9 @@ pub fn check(description: &Description) -> Findings {
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
     findings.append(lint::check(description.device()));
+    if description.format().syntax() == Syntax::Xml {
+        findings = wording::of_xdd(findings, |at| description.span_of(at));
+    }
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (start, finding.rule.id)

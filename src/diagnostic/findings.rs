@@ -29,6 +29,21 @@ impl Findings {
         }
     }
 
+    /// The findings with a change made to each; those that become nothing are not counted either.
+    pub(crate) fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
+        let Self { kept, mut seen } = self;
+        let change = |diagnostic: Diagnostic| {
+            let rule = diagnostic.rule.id;
+            let changed = change(diagnostic);
+            if let Some(seen) = seen.get_mut(rule).filter(|_| changed.is_none()) {
+                *seen = seen.saturating_sub(1);
+            }
+            changed
+        };
+        let kept = kept.into_iter().filter_map(change).collect();
+        Self { kept, seen }
+    }
+
     /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
     pub fn is_full(&self, rule: &RuleInfo) -> bool {
         self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)

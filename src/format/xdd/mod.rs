@@ -12,6 +12,7 @@ pub(crate) mod schema;
 mod shape;
 mod types;
 mod version;
+pub(crate) mod wording;
 mod write;
 
 pub(crate) use self::layout::containers;

@@ -35,14 +35,16 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 
 fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     let entry = at.entry;
-    if entry.data_type.is_some() && entry.access.is_some() {
+    // an application without access has a parameter that says so
+    let has_access = entry.access.is_some() || entry.parameter.as_ref().is_some_and(|parameter| parameter.access.is_some());
+    if entry.data_type.is_some() && has_access {
         return;
     }
     // the value of such a VAR is described by its sub-index 0
     if at.sub.is_none() && at.object.compact.is_none() && at.object.subs.get(0).is_some() {
         return;
     }
-    let stated = [(Field::DataType, entry.data_type.is_some()), (Field::AccessType, entry.access.is_some())];
+    let stated = [(Field::DataType, entry.data_type.is_some()), (Field::AccessType, has_access)];
     let missing: Vec<Field> = stated
         .into_iter()
         .filter(|(field, stated)| !stated && !stated::is_misfit(entry, field))
