@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench read`: the ratio of two rows of one run is the figure; absolute ones depend on the machine.
 
-use std::fmt::Write;
+mod large;
 
 use divan::Bencher;
 use divan::counter::BytesCount;
@@ -16,38 +16,9 @@ fn main() {
 
 const MEGABYTES: [usize; 4] = [1, 2, 4, 8];
 
-/// A healthy EDS of about `megabytes`: records of a drive with limits and defaults, as a vendor's tool writes them. The
-/// indexes of the profile area run out at 4 MB, so larger ones take longer names.
 fn eds(megabytes: usize) -> String {
-    let size = megabytes << 20;
-    let mut text = String::from(include_str!("../fixtures/eds/minimal.eds")).replace("\r\n", "\n");
     let padding = "x".repeat(12 * megabytes.saturating_sub(2));
-    let mut list = String::new();
-    let mut count = 0;
-    'all: for index in 0x2000..0x6000 {
-        count += 1;
-        let _ = writeln!(list, "{count}=0x{index:04X}");
-        let _ = write!(
-            text,
-            "\n[{index:X}]\nParameterName=Axis parameters {index:04X} {padding}\nObjectType=0x9\nSubNumber=9\n"
-        );
-        for sub in 0..9 {
-            let (data_type, access, high, value) =
-                if sub == 0 { ("0x0005", "const", "0x7F", 8) } else { ("0x0007", "rw", "0x7FFFFFFF", sub) };
-            let _ = write!(
-                text,
-                "\n[{index:X}sub{sub:X}]\nParameterName=Position control gain {sub} {padding}\nObjectType=0x7\nDataType={data_type}\n\
-                 LowLimit=0x00000000\nHighLimit={high}\nAccessType={access}\nDefaultValue={value}\nPDOMapping=0\n"
-            );
-        }
-        if text.len() + list.len() >= size {
-            break 'all;
-        }
-    }
-    text.replace(
-        "[ManufacturerObjects]\nSupportedObjects=0\n",
-        &format!("[ManufacturerObjects]\nSupportedObjects={count}\n{list}"),
-    )
+    large::of_size(megabytes << 20, &padding)
 }
 
 #[divan::bench(args = MEGABYTES)]
