@@ -331,6 +331,16 @@ fn a_compact_object_in_every_style() {
     }
 }
 
+#[test]
+fn a_blank_value_is_no_value() {
+    let main = Entry { low_limit: Some(Value::Raw(" ".into())), ..Entry::default() };
+    let mut device = Device::default();
+    device.objects.insert(0x2000, Object { main, ..Object::default() });
+    let written = write(&device, &WriteOptions::default());
+    assert!(!String::from_utf8_lossy(&written.bytes).contains("LowLimit"));
+    assert_eq!(written.losses.len(), 1);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
