@@ -154,7 +154,10 @@ impl Description {
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
         match &self.text {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
-            Text::Xml(..) => Ok(self.anew(file_name, Some(node))),
+            Text::Xml(tree, _) => {
+                let edited = xdd::to_xdc(tree, file_name, node);
+                edited.unwrap_or_else(|| Ok(self.anew(file_name, Some(node))))
+            }
         }
     }
 
@@ -166,11 +169,14 @@ impl Description {
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
-            Text::Xml(..) => Ok(self.anew(file_name, None)),
+            Text::Xml(tree, _) => {
+                xdd::to_xdd(tree, file_name).unwrap_or_else(|| Ok(self.anew(file_name, None)))
+            }
         }
     }
 
-    /// A new text in the same syntax.
+    /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
+    /// without communication network profile.
     fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Vec<u8> {
         let mut device = self.device.clone();
         if let Some(info) = &mut device.file_info {

@@ -1,5 +1,6 @@
 //! XDD and XDC: device descriptions and configurations in XML (CiA 311).
 
+mod configure;
 mod defaults;
 pub(crate) mod findings;
 mod layout;
@@ -15,6 +16,7 @@ mod version;
 pub(crate) mod wording;
 mod write;
 
+pub(crate) use self::configure::{to_xdc, to_xdd};
 pub(crate) use self::layout::containers;
 pub(crate) use self::locate::Locator;
 pub(crate) use self::read::read;

@@ -15,4 +15,5 @@ mod write;
 
 pub use edit::Editor;
 pub use tree::{Attribute, Element, ElementId, Tree};
+pub(crate) use write::escaped_value;
 pub use write::{Replaced, XmlWriter};

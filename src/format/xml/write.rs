@@ -150,7 +150,7 @@ pub(super) fn escaped_text(text: &str) -> Cow<'_, str> {
 }
 
 /// A value as it stands in double quotes. Tabs and line ends would be read as blanks, so they are written as numbers.
-pub(super) fn escaped_value(value: &str) -> Cow<'_, str> {
+pub(crate) fn escaped_value(value: &str) -> Cow<'_, str> {
     let escaped = partial_escape(value);
     if !escaped.contains(['"', '\t', '\n']) {
         return escaped;
