@@ -26,8 +26,8 @@ pub(crate) const ORPHAN: &str = "09";
 /// A number that nobody stated: the granularity, the node-ID, the number of the network.
 pub(crate) const NUMBER: &str = "00";
 
-/// A truth value that nobody stated: no, as it is not written otherwise.
-pub(crate) const FLAG: &str = "0";
+/// A truth value that nobody stated: no, with a blank that means nothing to others.
+pub(crate) const FLAG: &str = " false";
 
 /// The name of a node or network that nobody stated.
 pub(crate) const NAME: &str = " ";

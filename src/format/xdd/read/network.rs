@@ -1,5 +1,6 @@
 //! The communication network profile but for its objects: features, bit rates, dummies, channels, the node.
 
+use super::objects::count;
 use super::text::{bit_rate, hex, value_text};
 use super::{Reader, Text};
 use crate::format::xdd::defaults;
@@ -74,7 +75,7 @@ impl<'a> Reader<'a> {
         self.derive_lists();
         for attribute in list.attributes() {
             let counted = ObjectList::ALL.into_iter().find(|list| count_attribute(*list) == attribute.name());
-            let count = counted.map(|counted| self.device.lists.get(counted).len().to_string());
+            let count = counted.map(|counted| count(self.device.objects.keys(), counted).to_string());
             if count.as_deref() != Some(attribute.value().trim_ascii()) {
                 self.leftovers.attribute(list, attribute);
             }

@@ -66,6 +66,12 @@ pub(crate) const fn list_of(index: u16) -> Option<ObjectList> {
     }
 }
 
+/// How many of some indexes `CANopenObjectList` counts in a list. It has no other number for definitions of data types than
+/// that of the optional objects.
+pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
+    indexes.filter(|&&index| list_of(index).unwrap_or(ObjectList::Optional) == list).count()
+}
+
 /// The entries of an object list, one after the other.
 struct Entries<'a> {
     parameters: &'a mut Parameters,

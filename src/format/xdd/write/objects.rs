@@ -4,7 +4,7 @@ use super::Writer;
 use crate::format::literal::{self, Spelling};
 use crate::format::xdd::defaults;
 use crate::format::xdd::markup::Markup;
-use crate::format::xdd::read::{count_attribute, list_of};
+use crate::format::xdd::read::{count, count_attribute};
 use crate::format::xdd::version::XddVersion;
 use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, PdoMapping, Value};
 
@@ -20,8 +20,7 @@ impl Writer<'_> {
         let objects = &self.device.objects;
         out.open("CANopenObjectList");
         for list in ObjectList::ALL {
-            let count = objects.keys().filter(|&&index| list_of(index) == Some(list)).count();
-            out.attribute(count_attribute(list), &count.to_string());
+            out.attribute(count_attribute(list), &count(objects.keys(), list).to_string());
         }
         for (&index, object) in objects {
             self.object(index, object, out);
