@@ -5,7 +5,7 @@
 mod support;
 
 use objdict::compare::differences;
-use objdict::format::{self, Fate, Format, WriteOptions, Written, literal::RealSpelling};
+use objdict::format::{self, Fate, Format, WriteOptions, Written, XddVersion, literal::RealSpelling};
 use objdict::model::{
     Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectLists, ObjectType, Value,
 };
@@ -331,6 +331,16 @@ fn a_compact_object_in_every_style() {
     }
 }
 
+#[test]
+fn a_blank_value_is_no_value() {
+    let main = Entry { low_limit: Some(Value::Raw(" ".into())), ..Entry::default() };
+    let mut device = Device::default();
+    device.objects.insert(0x2000, Object { main, ..Object::default() });
+    let written = write(&device, &WriteOptions::default());
+    assert!(!String::from_utf8_lossy(&written.bytes).contains("LowLimit"));
+    assert_eq!(written.losses.len(), 1);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
@@ -339,14 +349,21 @@ proptest! {
         assert_reads_back(&device, &every_style()[style], &"arbitrary");
     }
 
-    /// Whatever a device is, its differences from what is read of its text bring it back.
+    /// Whatever a device is, its differences from what is read of its text bring it back, in lines and in elements.
     #[test]
-    fn every_device_is_carried(device in device(Texts::Any), style in 0usize..8) {
+    fn every_device_is_carried(device in device(Texts::Any), style in 0usize..8, xml in any::<bool>(), old in any::<bool>()) {
         let mut options = every_style()[style].clone();
         options.carry = true;
-        let written = write(&device, &options);
-        prop_assert_eq!(differences(&device, &read(&written.bytes, format_of(&device))), []);
-        prop_assert!(written.losses.iter().all(|loss| loss.fate == Fate::Carried));
+        options.xdd_version = if old { XddVersion::V1_0 } else { XddVersion::V1_1 };
+        let format = match (format_of(&device), xml) {
+            (Format::Eds, true) => Format::Xdd,
+            (_, true) => Format::Xdc,
+            (format, false) => format,
+        };
+        let written = format::write(&device, format, &options);
+        let lost: Vec<_> = written.losses.iter().filter(|loss| loss.fate != Fate::Carried).collect();
+        prop_assert!(lost.is_empty(), "{lost:?}");
+        prop_assert_eq!(differences(&device, &read(&written.bytes, format)), []);
     }
 
     /// Whatever the texts are, what is written has the same parts, and is the same when it is written again.

@@ -129,7 +129,10 @@ impl Writer<'_> {
 
     fn entry(&self, sheet: &mut Sheet<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
         let spelling = spelling(sheet, index, entry.data_type);
-        let value = |value: Option<&Value>| value.map(|value| literal::print(value, spelling));
+        // a key without a value says nothing; an empty string stands in quotes
+        let value = |value: Option<&Value>| {
+            value.map(|value| literal::print(value, spelling)).filter(|text| !text.trim().is_empty())
+        };
         sheet.open(part);
         sheet.put(&Field::ParameterName, &entry.name);
         sheet.put_some(
