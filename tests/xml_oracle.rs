@@ -248,7 +248,7 @@ fn print(node: &Node, text: &mut String) {
             write!(text, "</{name}>").unwrap();
         }
         Node::Text(raw) => {
-            text.push_str(&raw.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"))
+            text.push_str(&raw.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"));
         }
         Node::Raw(raw) => text.push_str(raw),
     }

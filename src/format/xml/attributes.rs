@@ -106,7 +106,10 @@ impl<'a> Builder<'a, '_> {
             let name = attribute.name.of(text);
             let known = match is_many {
                 true => names.insert(name, attribute.name),
-                false => raw[..number].iter().map(|other| other.name).find(|other| other.of(text) == name),
+                false => raw[..number].iter().map(|other| other.name).find(|other| {
+                    // most names differ in length, which costs nothing to see
+                    other.len() == attribute.name.len() && other.of(text) == name
+                }),
             };
             if let Some(known) = known {
                 self.duplicate(attribute.name, known);

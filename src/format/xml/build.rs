@@ -270,7 +270,7 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     /// Finds out what stands at `start`, where quick-xml met an error that made it read up to `end`; says where to go on.
     fn damaged(&mut self, start: usize, end: usize) -> usize {
-        let rest = self.text[start..].as_bytes();
+        let rest = &self.text.as_bytes()[start..];
         let markup = Markup::of(rest);
         if let Some(markup) = markup {
             self.endless[markup as usize] |= end == self.text.len();

@@ -1,8 +1,47 @@
 //! Characters and names, as XML 1.0 (fifth edition) and Namespaces in XML 1.0 define them.
 
+/// White space.
+const BLANK: u8 = 1;
+/// Ends a name in a tag, good or not.
+const ENDS_NAME: u8 = 2;
+/// An ASCII character that starts names.
+const NAME_START: u8 = 4;
+/// An ASCII character that names have.
+const NAME: u8 = 8;
+
+/// What each byte is.
+const CLASSES: [u8; 256] = {
+    let mut classes = [0; 256];
+    let mut byte = 0;
+    while byte < 128 {
+        let character = byte as u8 as char;
+        let mut class = 0;
+        if matches!(character, ' ' | '\t' | '\n' | '\r') {
+            class |= BLANK | ENDS_NAME;
+        }
+        if matches!(character, '=' | '>' | '<' | '/' | '"' | '\'' | '?') {
+            class |= ENDS_NAME;
+        }
+        if is_name_start(character) {
+            class |= NAME_START;
+        }
+        if is_name_char(character) {
+            class |= NAME;
+        }
+        classes[byte] = class;
+        byte += 1;
+    }
+    classes
+};
+
 /// Whether a byte is white space (XML 1.0 §2.3).
 pub(super) const fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
+    CLASSES[byte as usize] & BLANK != 0
+}
+
+/// Whether a byte ends a name in a tag, be it a good name or not.
+pub(super) const fn ends_name(byte: u8) -> bool {
+    CLASSES[byte as usize] & ENDS_NAME != 0
 }
 
 /// Whether `text` is nothing but white space.
@@ -29,12 +68,24 @@ pub(super) const fn is_name_char(character: char) -> bool {
 
 /// Whether `name` is a name without colon: an element's local name, a prefix, the name of an entity.
 pub(super) fn is_name(name: &str) -> bool {
+    is_plain_name(name.as_bytes()) || is_any_name(name)
+}
+
+fn is_plain_name(name: &[u8]) -> bool {
+    let is_start = name.first().is_some_and(|&byte| CLASSES[usize::from(byte)] & NAME_START != 0);
+    is_start && name.iter().all(|&byte| CLASSES[usize::from(byte)] & NAME != 0)
+}
+
+fn is_any_name(name: &str) -> bool {
     let mut characters = name.chars();
     characters.next().is_some_and(is_name_start) && characters.all(is_name_char)
 }
 
 /// Length of the prefix with its colon, 0 without prefix; `None` for what is no qualified name.
 pub(super) fn prefix_length(name: &str) -> Option<usize> {
+    if is_plain_name(name.as_bytes()) {
+        return Some(0);
+    }
     match name.split_once(':') {
         None => is_name(name).then_some(0),
         Some((prefix, local)) => (is_name(prefix) && is_name(local)).then_some(prefix.len() + 1),

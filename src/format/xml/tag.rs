@@ -1,7 +1,7 @@
 //! The inside of a tag, step by step. What quick-xml calls a tag reaches up to a `>` outside quotes; with a quote missing
 //! that is anywhere. These steps find the end that was meant, and every attribute up to there.
 
-use super::chars::is_blank;
+use super::chars::{ends_name, is_blank};
 use crate::source::Span;
 
 /// An attribute as it stands in the text.
@@ -53,10 +53,6 @@ pub(super) struct Steps<'a> {
 /// The length of the name at the start of `bytes`, which may be no good name.
 pub(super) fn name_length(bytes: &[u8]) -> usize {
     bytes.iter().position(|&byte| ends_name(byte)).unwrap_or(bytes.len())
-}
-
-const fn ends_name(byte: u8) -> bool {
-    is_blank(byte) || matches!(byte, b'=' | b'>' | b'<' | b'/' | b'"' | b'\'' | b'?')
 }
 
 /// What stands in no name and starts none; digits, which start none either, are most likely a name's.
