@@ -23,7 +23,7 @@ fn pages() {
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
-        for fixtures in ["eds", "dcf", "xdd", "broken", "torture", "nodelist", "foreign"] {
+        for fixtures in ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign"] {
             copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
         }
         let cases = trycmd::TestCases::new();
