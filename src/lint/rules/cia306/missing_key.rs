@@ -36,7 +36,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     let entry = at.entry;
     // an application without access has a parameter that says so
-    let has_access = entry.access.is_some() || entry.parameter.as_ref().is_some_and(|parameter| parameter.access.is_some());
+    let has_access = entry.access.is_some()
+        || entry.parameter.as_ref().is_some_and(|parameter| parameter.access.is_some());
     if entry.data_type.is_some() && has_access {
         return;
     }
