@@ -1,5 +1,5 @@
-//! The object-dictionary toolchain for CANopen: reads the description of a device (EDS) or of a configured node (DCF), says
-//! what is wrong with it and where, and turns it into what a product needs.
+//! The object-dictionary toolchain for CANopen: reads the description of a device (EDS, XDD) or of a configured node (DCF,
+//! XDC), says what is wrong with it and where, and turns it into what a product needs.
 //!
 //! This is the library. The command `objdict` is in the feature `cli`, which is on by default; build scripts and tools of
 //! your own do without it (`default-features = false`).
@@ -115,6 +115,28 @@
 //! // JSON holds the whole model
 //! let document = json::write_device(dcf.device());
 //! assert_eq!(json::read_device(&document)?, *dcf.device());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Between lines and XML a description is written anew. Whoever asks for a conversion gets what it loses with it: the
+//! written text is read back and compared. What the other format has no place for can be carried in it.
+//!
+//! ```
+//! use objdict::format::{self, Fate, Format, WriteOptions};
+//! use objdict::source::SourceFile;
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+//! # let path = std::path::Path::new(folder).join("io-401.eds");
+//! let eds = format::open(&path, &Default::default())?;
+//! let mut options = WriteOptions::default();
+//! let plain = format::write(eds.device(), Format::Xdd, &options);
+//! assert_eq!(plain.losses[2].to_string(), "lost: FileInfo / EDSVersion: `\"4.0\"`");
+//!
+//! options.carry = true;
+//! let whole = format::write(eds.device(), Format::Xdd, &options);
+//! assert!(whole.losses.iter().all(|loss| loss.fate == Fate::Carried));
+//! let source = SourceFile::from_bytes("io-401.xdd", whole.bytes, &Default::default())?;
+//! assert_eq!(format::read(source, Format::Xdd).device(), eds.device());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
