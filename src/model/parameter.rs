@@ -165,9 +165,17 @@ impl Parameter {
 
     /// Whether it has the id that it would be given, or none, which is the same.
     pub fn has_usual_id(&self, index: u16, sub: Option<u8>) -> bool {
-        // most ids start so, and nobody wants a text for each of the others
-        self.unique_id.is_empty()
-            || self.unique_id.starts_with("UID_") && *self.unique_id == Self::usual_id(index, sub)
+        let is_number = |digits: &str, number: u32| {
+            let is_hex = digits.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'A'..=b'F'));
+            is_hex && u32::from_str_radix(digits, 16) == Ok(number)
+        };
+        // as `usual_id`, without making a text for each
+        let usual = match sub {
+            None => self.unique_id.strip_prefix("UID_OBJ_").filter(|digits| digits.len() == 4),
+            Some(_) => self.unique_id.strip_prefix("UID_SUB_").filter(|digits| digits.len() == 6),
+        };
+        let number = sub.map_or(u32::from(index), |sub| u32::from(index) << 8 | u32::from(sub));
+        self.unique_id.is_empty() || usual.is_some_and(|digits| is_number(digits, number))
     }
 
     /// Whether it says nothing but that the entry exists.

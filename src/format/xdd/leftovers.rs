@@ -24,6 +24,9 @@ impl<'a> Leftovers<'a> {
 
     /// Keeps the text of an element, if it has one.
     pub(crate) fn text(&mut self, element: Element<'a>) {
+        if !element.has_text() {
+            return;
+        }
         let text = element.text();
         let text = text.trim_matches([' ', '\t', '\n', '\r']);
         if !text.is_empty() {

@@ -50,6 +50,12 @@ pub(crate) fn data_type(simple: SimpleType, object_type: Option<ObjectType>) -> 
     }
 }
 
+/// The index of the object that a type is of, by its id.
+pub(crate) fn index_of(id: &str) -> Option<u16> {
+    let digits = id.strip_prefix("UID_ARR_").or_else(|| id.strip_prefix("UID_REC_"))?;
+    if digits.len() == 4 { u16::from_str_radix(digits, 16).ok() } else { None }
+}
+
 /// The type of an ARRAY or RECORD, made of those of its sub-indexes as CANopenEditor does it; `None` where one of them has none.
 pub(crate) fn definition_of(index: u16, object: &Object) -> Option<TypeDefinition> {
     let simple = |data_type: Option<DataType>| data_type.map(simple_type).map(DataTypeRef::Simple);

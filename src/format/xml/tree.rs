@@ -284,6 +284,18 @@ impl<'a> Element<'a> {
         text
     }
 
+    /// Whether [`text`](Self::text) has anything but blanks, which is known without putting it together.
+    pub fn has_text(self) -> bool {
+        let bytes = self.tree.text().as_bytes();
+        let is_blank_span = |span: Span| {
+            let range = span.start as usize..span.end as usize;
+            bytes.get(range).unwrap_or_default().iter().all(|&byte| is_blank(byte))
+        };
+        // most gaps are line ends and blanks, which have no pieces to look for
+        let mut gaps = self.gaps().filter(|gap| !is_blank_span(*gap));
+        gaps.any(|gap| self.tree.pieces(gap).any(|piece| !is_blank_span(piece.span)))
+    }
+
     /// From the first to the last character of [`text`](Self::text) that is no blank, as they stand in the source; where
     /// there is none, the empty span behind the start tag.
     pub fn text_span(self) -> Span {

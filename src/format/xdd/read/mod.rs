@@ -16,12 +16,13 @@ pub(crate) use self::network::{
 };
 pub(crate) use self::objects::{count, list_of};
 pub(crate) use self::parameters::SUB;
+use self::parameters::Slot;
 use self::text::Text;
 pub(crate) use self::text::{bit_rate, hex};
 use super::defaults;
 use super::layout::{Layout, Profile, containers};
 use super::leftovers::Leftovers;
-use super::shape::Shape;
+use super::shape::{Shape, read_application_process};
 use crate::diagnostic::Findings;
 use crate::format::xml::{Element, Tree};
 use crate::model::{ApplicationProcess, Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
@@ -66,11 +67,11 @@ impl<'a> Reader<'a> {
 
     /// The device profile but for its file attributes, and the objects that refer to it.
     fn device_body(&mut self) {
-        let mut application = match self.layout.device {
+        let (mut application, parameters) = match self.layout.device {
             Some(Profile { body, .. }) => self.device_parts(body),
-            None => Vec::new(),
+            None => Default::default(),
         };
-        self.objects(&mut application);
+        self.objects(&mut application, parameters);
         application.retain(|process| *process != Default::default());
         self.device.application = application;
         self.device.manager = self.device.manager.take().filter(|manager| **manager != Default::default());
@@ -79,9 +80,11 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the parts of the device profile. The application processes are not finished: objects refer to them.
-    fn device_parts(&mut self, body: Element<'a>) -> Vec<ApplicationProcess> {
+    /// Reads the parts of the device profile. The parameters of the application processes are only found: objects refer to
+    /// them.
+    fn device_parts(&mut self, body: Element<'a>) -> (Vec<ApplicationProcess>, Vec<Slot<'a>>) {
         let mut application = Vec::new();
+        let mut slots = Vec::new();
         let mut has_identity = false;
         for element in body.children() {
             match element.name() {
@@ -94,12 +97,16 @@ impl<'a> Reader<'a> {
                 "DeviceFunction" => {
                     self.device.functions.push(DeviceFunction::read(element, &mut self.leftovers));
                 }
-                "ApplicationProcess" => application.push(Shape::read(element, &mut self.leftovers)),
+                "ApplicationProcess" => {
+                    let (process, found) = read_application_process(element, &mut self.leftovers);
+                    slots.extend(found.into_iter().map(|parameter| Slot::new(parameter, application.len())));
+                    application.push(process);
+                }
                 _ => self.leftovers.element(element),
             }
         }
         self.leftovers.text(body);
-        application
+        (application, slots)
     }
 
     fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {

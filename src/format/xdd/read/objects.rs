@@ -3,8 +3,9 @@
 use super::Reader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
-use super::parameters::{Definitions, Parameters, Reference, SUB, variables};
+use super::parameters::{Definitions, Parameters, Reference, SUB, Slot, variables};
 use crate::diagnostic::Findings;
+use crate::format::xdd::leftovers::Leftovers;
 use crate::format::xdd::shape::take_stack_options;
 use crate::format::xdd::types;
 use crate::format::xml::Element;
@@ -13,16 +14,17 @@ use crate::model::{
     Parameter, ParameterAccess, Place, VarDeclaration,
 };
 
-impl Reader<'_> {
-    /// Reads all objects. The parameters that belong to one entry leave the application processes.
-    pub(super) fn objects(&mut self, application: &mut [ApplicationProcess]) {
-        let mut parameters = Parameters::take(application, &self.layout);
+impl<'a> Reader<'a> {
+    /// Reads all objects. The parameters that belong to no entry, or to several, go to the application processes.
+    pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<Slot<'a>>) {
+        let mut parameters = Parameters::new(slots, application, &self.layout);
         let definitions = Definitions::of(application);
         let mut entries = Entries {
             parameters: &mut parameters,
             definitions: &definitions,
             variables: variables(application).collect(),
             findings: &mut self.findings,
+            leftovers: &mut self.leftovers,
             number: 0,
         };
         for element in self.layout.objects() {
@@ -30,16 +32,16 @@ impl Reader<'_> {
             let index = attributes.index().filter(|index| !self.device.objects.contains_key(index));
             match index {
                 Some(index) => {
-                    let object = entries.object(element, &attributes, index, &mut self.leftovers);
+                    let object = entries.object(element, &attributes, index);
                     self.device.objects.insert(index, object);
                 }
                 None => {
                     entries.number += 1 + element.children_named(SUB).count();
-                    self.leftovers.element(element);
+                    entries.leftovers.element(element);
                 }
             }
         }
-        parameters.put_back(application);
+        parameters.give_rest(application, &mut self.leftovers);
         drop_written_types(&mut self.device, application);
     }
 
@@ -73,23 +75,18 @@ pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList
 }
 
 /// The entries of an object list, one after the other.
-struct Entries<'a> {
-    parameters: &'a mut Parameters,
+struct Entries<'t, 'a> {
+    parameters: &'a mut Parameters<'t>,
     definitions: &'a Definitions<'a>,
     variables: Vec<&'a VarDeclaration>,
     findings: &'a mut Findings,
+    leftovers: &'a mut Leftovers<'t>,
     /// How many objects and sub-objects were met.
     number: usize,
 }
 
-impl Entries<'_> {
-    fn object<'t>(
-        &mut self,
-        element: Element<'t>,
-        attributes: &EntryAttributes<'t>,
-        index: u16,
-        leftovers: &mut super::Leftovers<'t>,
-    ) -> Object {
+impl<'t> Entries<'t, '_> {
+    fn object(&mut self, element: Element<'t>, attributes: &EntryAttributes<'t>, index: u16) -> Object {
         let main = self.entry(attributes, index, None);
         let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
         if let Some(number) = attributes.sub_number.map(super::Text::of) {
@@ -98,7 +95,7 @@ impl Entries<'_> {
         }
         for child in element.children() {
             if child.name() != SUB {
-                leftovers.element(child);
+                self.leftovers.element(child);
                 continue;
             }
             let attributes = EntryAttributes::of(child);
@@ -108,12 +105,12 @@ impl Entries<'_> {
                     if let Some(attribute) = attributes.sub_number {
                         entry.extra.push(attribute.name(), &attribute.value());
                     }
-                    child.children().for_each(|unknown| leftovers.element(unknown));
+                    child.children().for_each(|unknown| self.leftovers.element(unknown));
                     object.subs.insert(sub, entry);
                 }
                 None => {
                     self.number += 1;
-                    leftovers.element(child);
+                    self.leftovers.element(child);
                 }
             }
         }
@@ -159,9 +156,9 @@ impl Entries<'_> {
     fn source(&mut self, reference: Reference) -> Option<Source> {
         match reference {
             Reference::None | Reference::Dangling => None,
-            Reference::Parameter(number) => match self.parameters.take_own(number) {
+            Reference::Parameter(number) => match self.parameters.own(number, self.leftovers) {
                 Some(own) => Some(Source::Own(own)),
-                None => self.parameters.shared(number).cloned().map(Source::Shared),
+                None => self.parameters.shared(number, self.leftovers).cloned().map(Source::Shared),
             },
             Reference::Variable(number) => {
                 let variable = self.variables.get(number as usize)?;
@@ -209,36 +206,23 @@ fn in_order(misfits: &mut Misfits) {
 
 /// Drops the types of ARRAYs and RECORDs that would be written anyway.
 fn drop_written_types(device: &mut Device, application: &mut [ApplicationProcess]) {
-    for (&index, object) in &mut device.objects {
-        let Some(DataTypeRef::Defined(id)) =
-            object.main.parameter.as_ref().and_then(|parameter| parameter.data_type.as_ref())
-        else {
-            continue;
-        };
-        let Some(written) = types::definition_of(index, object).filter(|written| written.unique_id == *id)
-        else {
-            continue;
-        };
-        let is_written = |process: &ApplicationProcess| process.data_types.contains(&written);
-        if application.iter().any(is_written) {
-            drop_type_of(&mut object.main);
-        }
-    }
-    let objects = &device.objects;
     for process in application {
         process.data_types.retain(|definition| {
-            let index =
-                definition.unique_id.get(8..12).and_then(|digits| u16::from_str_radix(digits, 16).ok());
-            let object = index.and_then(|index| Some((index, objects.get(&index)?)));
-            let written = object.and_then(|(index, object)| types::definition_of(index, object));
-            written.as_ref() != Some(definition)
+            let Some(index) = types::index_of(&definition.unique_id) else { return true };
+            let Some(object) = device.objects.get_mut(&index) else { return true };
+            if types::definition_of(index, object).as_ref() != Some(definition) {
+                return true;
+            }
+            drop_type_of(&mut object.main, &definition.unique_id);
+            false
         });
     }
 }
 
-fn drop_type_of(entry: &mut Entry) {
+fn drop_type_of(entry: &mut Entry, id: &str) {
+    let is_it = |reference: &DataTypeRef| matches!(reference, DataTypeRef::Defined(other) if &**other == id);
     if let Some(mut parameter) = entry.parameter.take() {
-        parameter.data_type = None;
+        parameter.data_type = parameter.data_type.take().filter(|reference| !is_it(reference));
         entry.parameter = Some(parameter).filter(|parameter| **parameter != Parameter::default());
     }
 }

@@ -1,29 +1,49 @@
 //! The parameters of the application process, and which entry each belongs to.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use crate::format::xdd::layout::Layout;
-use crate::format::xml::Attribute;
+use crate::format::xdd::leftovers::Leftovers;
+use crate::format::xdd::shape::Shape;
+use crate::format::xml::{Attribute, Element};
 use crate::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, FunctionType, Parameter, ParameterGroup, SimpleType,
     TypeDefinition, TypeShape, VarDeclaration,
 };
 
-/// All parameters of a description, taken out of its application processes.
-pub(crate) struct Parameters {
-    slots: Vec<Slot>,
+/// All parameters of a description. They are read when it is known whose they are.
+pub(crate) struct Parameters<'a> {
+    slots: Vec<Slot<'a>>,
     /// What each object and sub-object in the order of the file refers to.
     references: Vec<Reference>,
     /// The ids that groups and conditions speak of.
     named: HashSet<Box<str>>,
 }
 
-struct Slot {
-    parameter: Option<Parameter>,
+/// A parameter.
+#[derive(Debug)]
+pub(crate) struct Slot<'a> {
+    element: Element<'a>,
     /// Its application process.
     process: usize,
     /// How many objects and sub-objects refer to it.
     uses: u32,
+    /// Whether it belongs to an entry.
+    is_own: bool,
+    /// What it says, where several refer to it and the first of them was met.
+    shared: Option<Box<Parameter>>,
+}
+
+impl<'a> Slot<'a> {
+    /// A parameter of an application process.
+    pub(crate) fn new(element: Element<'a>, process: usize) -> Self {
+        Self { element, process, uses: 0, is_own: false, shared: None }
+    }
+
+    fn id(&self) -> Option<Cow<'a, str>> {
+        self.element.attribute("uniqueID").map(Attribute::value)
+    }
 }
 
 /// What `uniqueIDRef` refers to.
@@ -39,19 +59,14 @@ pub(crate) enum Reference {
     Variable(u32),
 }
 
-impl Parameters {
-    /// Takes the parameters out of the application processes and looks up what the objects refer to.
-    pub(crate) fn take(application: &mut [ApplicationProcess], layout: &Layout<'_>) -> Self {
-        let named = named_ids(application);
-        let mut slots = Vec::new();
-        for (process, part) in application.iter_mut().enumerate() {
-            let parameters = std::mem::take(&mut part.parameters);
-            slots.extend(parameters.into_iter().map(|parameter| Slot {
-                parameter: Some(parameter),
-                process,
-                uses: 0,
-            }));
-        }
+impl<'a> Parameters<'a> {
+    /// Looks up what the objects refer to.
+    pub(crate) fn new(
+        mut slots: Vec<Slot<'a>>,
+        application: &[ApplicationProcess],
+        layout: &Layout<'a>,
+    ) -> Self {
+        let named = named_ids(&slots, application);
         let references = references(&slots, application, layout);
         for reference in &references {
             if let Reference::Parameter(number) = reference {
@@ -66,15 +81,18 @@ impl Parameters {
         self.references.get(number).copied().unwrap_or(Reference::None)
     }
 
-    /// The parameter that one entry alone refers to; it is its own from now on.
-    pub(crate) fn take_own(&mut self, number: u32) -> Option<Parameter> {
+    /// The parameter that one entry alone refers to; it is its own.
+    pub(crate) fn own(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<Parameter> {
         let slot = self.slots.get_mut(number as usize).filter(|slot| slot.uses == 1)?;
-        slot.parameter.take()
+        slot.is_own = true;
+        Some(Parameter::read(slot.element, leftovers))
     }
 
     /// A parameter that several entries refer to.
-    pub(crate) fn shared(&self, number: u32) -> Option<&Parameter> {
-        self.slots.get(number as usize)?.parameter.as_ref()
+    pub(crate) fn shared(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<&Parameter> {
+        let slot = self.slots.get_mut(number as usize)?;
+        let element = slot.element;
+        Some(slot.shared.get_or_insert_with(|| Box::new(Parameter::read(element, leftovers))))
     }
 
     /// Whether a group or a condition speaks of an id.
@@ -82,11 +100,12 @@ impl Parameters {
         self.named.contains(id)
     }
 
-    /// Puts those that belong to no entry back.
-    pub(crate) fn put_back(self, application: &mut [ApplicationProcess]) {
-        for slot in self.slots {
-            if let (Some(parameter), Some(process)) = (slot.parameter, application.get_mut(slot.process)) {
-                process.parameters.push(parameter);
+    /// Gives those that belong to no entry to their application processes.
+    pub(crate) fn give_rest(self, application: &mut [ApplicationProcess], leftovers: &mut Leftovers<'a>) {
+        for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
+            if let Some(process) = application.get_mut(slot.process) {
+                let read = slot.shared.map(|parameter| *parameter);
+                process.parameters.push(read.unwrap_or_else(|| Parameter::read(slot.element, leftovers)));
             }
         }
         for process in application {
@@ -96,27 +115,26 @@ impl Parameters {
 }
 
 /// Looks up `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids the first counts.
-fn references(slots: &[Slot], application: &[ApplicationProcess], layout: &Layout<'_>) -> Vec<Reference> {
-    let mut targets: HashMap<&str, Reference> = HashMap::with_capacity(slots.len());
+fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &Layout<'_>) -> Vec<Reference> {
+    let mut targets: HashMap<Cow<'_, str>, Reference> = HashMap::with_capacity(slots.len());
     for (number, slot) in (0..).zip(slots) {
-        if let Some(parameter) = &slot.parameter {
-            targets.entry(&parameter.unique_id).or_insert(Reference::Parameter(number));
+        if let Some(id) = slot.id() {
+            targets.entry(id).or_insert(Reference::Parameter(number));
         }
     }
     for (number, variable) in (0..).zip(variables(application)) {
-        targets.entry(&variable.unique_id).or_insert(Reference::Variable(number));
+        targets.entry(Cow::Borrowed(&*variable.unique_id)).or_insert(Reference::Variable(number));
     }
-    let mut references = Vec::new();
-    let elements =
-        layout.objects().flat_map(|object| std::iter::once(object).chain(object.children_named(SUB)));
-    for element in elements {
+    let objects = layout.objects();
+    let elements = objects.flat_map(|object| std::iter::once(object).chain(object.children_named(SUB)));
+    let reference = |element: Element<'_>| {
         let id = element.attribute("uniqueIDRef").map(Attribute::value);
-        references.push(match id.as_deref().map(str::trim_ascii) {
+        match id.as_deref().map(str::trim_ascii) {
             None | Some("") => Reference::None,
             Some(id) => targets.get(id).copied().unwrap_or(Reference::Dangling),
-        });
-    }
-    references
+        }
+    };
+    elements.map(reference).collect()
 }
 
 /// The element of a sub-index.
@@ -137,7 +155,7 @@ pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Ite
 }
 
 /// The ids of parameters that groups and conditions speak of.
-fn named_ids(application: &[ApplicationProcess]) -> HashSet<Box<str>> {
+fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<Box<str>> {
     fn of_groups(groups: &[ParameterGroup], ids: &mut HashSet<Box<str>>) {
         for group in groups {
             ids.extend(group.parameters.iter().cloned());
@@ -147,13 +165,13 @@ fn named_ids(application: &[ApplicationProcess]) -> HashSet<Box<str>> {
     let mut ids = HashSet::new();
     for process in application {
         of_groups(&process.groups, &mut ids);
-        for parameter in &process.parameters {
-            ids.extend(parameter.conditional_support.iter().cloned());
-        }
         for variable in variables(std::slice::from_ref(process)) {
             ids.extend(variable.conditional_support.iter().cloned());
         }
     }
+    let conditions = slots.iter().flat_map(|slot| slot.element.children_named("conditionalSupport"));
+    let named = conditions.filter_map(|condition| condition.attribute("paramIDRef"));
+    ids.extend(named.map(|id| id.value().into()));
     ids
 }
 

@@ -22,6 +22,7 @@ mod tests;
 
 use std::borrow::Cow;
 
+pub(crate) use self::application::read_application_process;
 pub(crate) use self::header::{ProfileClass, read_header, write_header};
 pub(crate) use self::identity::Identity;
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
@@ -234,8 +235,13 @@ fn read_attributes<'a>(
             leftovers.attribute(element, attribute);
         }
     }
-    if !accept(TEXT, &element.text()) {
-        leftovers.text(element);
+    // an element around others has blanks between them
+    if element.has_text() {
+        if !accept(TEXT, &element.text()) {
+            leftovers.text(element);
+        }
+    } else if element.children().next().is_none() {
+        accept(TEXT, &element.text());
     }
 }
 
