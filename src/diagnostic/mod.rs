@@ -4,6 +4,7 @@
 //! only for what is reported. Reports ([`crate::report`]) render findings; nothing here knows how.
 
 mod findings;
+mod fix;
 mod rule;
 mod words;
 
@@ -16,7 +17,8 @@ use crate::model::Place;
 use crate::source::Span;
 
 pub use findings::{Findings, MAX_PER_RULE};
-pub(crate) use rule::text_rule;
+pub use fix::{Change, Fix, Safety};
+pub(crate) use rule::{fix_of, text_rule};
 pub use rule::{HEADINGS, RuleInfo};
 pub(crate) use words::{counted, listing, series, sub_index};
 
@@ -85,6 +87,8 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// What to do.
     pub help: Option<Cow<'static, str>>,
+    /// How the program does it, where it can.
+    pub fix: Option<Fix>,
 }
 
 impl Diagnostic {
@@ -96,6 +100,7 @@ impl Diagnostic {
             message: message.into(),
             labels: vec![Label { at: at.into(), text: Cow::Borrowed("") }],
             help: None,
+            fix: None,
         }
     }
 
@@ -117,6 +122,12 @@ impl Diagnostic {
     #[must_use]
     pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+    /// With a fix.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fix = Some(fix);
         self
     }
 }

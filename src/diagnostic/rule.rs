@@ -1,6 +1,6 @@
 //! What a rule is: its name, its severity and its page.
 
-use super::Severity;
+use super::{Safety, Severity};
 
 /// The facts about a rule that every report and the documentation need.
 #[derive(Debug)]
@@ -9,6 +9,8 @@ pub struct RuleInfo {
     pub id: &'static str,
     /// The severity of its findings.
     pub severity: Severity,
+    /// Whether its findings can have a [fix](super::Fix), and the least safe that it can be.
+    pub fix: Option<Safety>,
     /// The rule's page in Markdown: a first line that names the defect, then the headings of [`HEADINGS`].
     pub docs: &'static str,
 }
@@ -28,6 +30,11 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
+    /// The documents that the rule comes from: the text under the heading "Source".
+    pub fn source(&self) -> &'static str {
+        self.docs.split_once("## Source").map_or("", |(_, source)| source).trim()
+    }
+
     /// The first line of the page: the defect in one sentence.
     pub fn summary(&self) -> &'static str {
         self.docs.lines().next().unwrap_or_default().trim()
@@ -35,14 +42,28 @@ impl RuleInfo {
 }
 
 /// Declares a rule that the reader of a format raises: a `static` [`RuleInfo`] whose page is its doc comment.
+///
+/// `text_rule! { /// page … NAME = "cia306/name", Error, fix Safe }`; without the last part for a rule that mends nothing.
 macro_rules! text_rule {
-    ($(#[doc = $doc:literal])+ $NAME:ident = $id:literal, $severity:ident) => {
+    ($(#[doc = $doc:literal])+ $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?) => {
         $(#[doc = $doc])+
         pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::diagnostic::RuleInfo {
             id: $id,
             severity: $crate::diagnostic::Severity::$severity,
+            fix: $crate::diagnostic::fix_of!($($safety)?),
             docs: concat!($($doc, "\n"),+),
         };
     };
 }
 pub(crate) use text_rule;
+
+/// What a rule says of its fixes: nothing, `Safe` or `Unsafe`.
+macro_rules! fix_of {
+    () => {
+        None
+    };
+    ($safety:ident) => {
+        Some($crate::diagnostic::Safety::$safety)
+    };
+}
+pub(crate) use fix_of;

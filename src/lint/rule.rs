@@ -113,14 +113,15 @@ pub(crate) fn with_others(finding: Diagnostic, places: impl Iterator<Item = (Pla
 
 /// Declares a rule about the model: a `static RULE` whose page is its doc comment.
 ///
-/// `rule! { /// page … "cia306/name", Error, Entry(check) }`
+/// `rule! { /// page … "cia306/name", Error, Entry(check), fix Safe }`; without the part `fix` for a rule that mends nothing.
 macro_rules! rule {
-    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path)) => {
+    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
         $(#[doc = $doc])+
         pub(crate) static RULE: $crate::lint::Rule = $crate::lint::Rule {
             info: $crate::diagnostic::RuleInfo {
                 id: $id,
                 severity: $crate::diagnostic::Severity::$severity,
+                fix: $crate::diagnostic::fix_of!($($safety)?),
                 docs: concat!($($doc, "\n"),+),
             },
             check: $crate::lint::Check::$kind($check),
