@@ -3,13 +3,18 @@
 use crate::diagnostic::Findings;
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
-use crate::lint;
+use crate::lint::{self, Options};
 
 /// All findings about a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
+    check_with(description, &Options::default())
+}
+
+/// As [`check`], with more known than the description says.
+pub fn check_with(description: &Description, options: &Options) -> Findings {
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
-    findings.append(lint::check(description.device()));
+    findings.append(lint::check(description.device(), options));
     if description.format().syntax() == Syntax::Xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
     }

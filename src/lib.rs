@@ -165,7 +165,7 @@ pub mod registry;
 pub mod report;
 pub mod source;
 
-pub use check::check;
+pub use check::{check, check_with};
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

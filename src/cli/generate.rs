@@ -20,7 +20,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     let (kind, input) = args.input.read_one(&args.file)?;
     let (device, findings) = match &input {
         Input::Description(description) => (description.device(), crate::check(description)),
-        Input::Device(device) => (device.as_ref(), lint::check(device)),
+        Input::Device(device) => (device.as_ref(), lint::check(device, &lint::Options::default())),
         Input::Configuration(_) | Input::NodeList(_) => {
             let (file, kind) = (name_of(&args.file), kind.name());
             let message = format!("`{file}` is read as {kind} and describes no device");

@@ -6,6 +6,7 @@
 mod findings;
 mod fix;
 mod rule;
+mod tool;
 mod words;
 
 use std::borrow::Cow;
@@ -18,8 +19,9 @@ use crate::source::Span;
 
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::{Change, Fix, Safety};
-pub(crate) use rule::{fix_of, text_rule};
 pub use rule::{HEADINGS, RuleInfo};
+pub(crate) use rule::{fix_of, text_rule};
+pub use tool::Tool;
 pub(crate) use words::{counted, listing, series, sub_index};
 
 /// How grave a finding is.

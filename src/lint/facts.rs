@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
+use crate::lint::Options;
 use crate::model::{
     CobId, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, predefined, restricted,
 };
@@ -10,6 +11,8 @@ use crate::model::{
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
     pub device: &'a Device,
+    /// What the check was told.
+    pub options: &'a Options,
     /// Its PDOs, first RPDOs, then TPDOs, by number; those that `CompactPDO` implies are not among them.
     pub pdos: Vec<PdoFacts<'a>>,
     /// Every COB-ID that an object states, PDOs last.
@@ -75,15 +78,15 @@ pub(crate) enum Service {
 }
 
 impl<'a> Facts<'a> {
-    pub(crate) fn new(device: &'a Device) -> Self {
+    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
         let pdos: Vec<PdoFacts<'a>> = device.pdos().map(|pdo| PdoFacts::new(device, pdo)).collect();
         let cob_ids = cob_ids(device, &pdos);
-        Self { device, pdos, cob_ids }
+        Self { device, options, pdos, cob_ids }
     }
 
-    /// The node-IDs that the description can be for: that of a DCF, else all.
+    /// The node-IDs that the description can be for: the one that the check was told or that of a DCF, else all.
     pub(crate) fn node_ids(&self) -> RangeInclusive<u8> {
-        match self.device.node_id() {
+        match self.options.node_id.or(self.device.node_id()) {
             Some(node_id) => node_id..=node_id,
             None => 1..=127,
         }

@@ -4,6 +4,7 @@
 mod expected;
 mod facts;
 mod index_set;
+mod options;
 mod rule;
 mod rules;
 mod stated;
@@ -14,13 +15,14 @@ use crate::model::{Device, Object};
 pub(crate) use expected::{Expected, expected, has_shape_of};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
+pub use options::Options;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
 
 /// All rules on one device.
-pub fn check(device: &Device) -> Findings {
+pub fn check(device: &Device, options: &Options) -> Findings {
     let mut findings = Findings::new();
-    let facts = Facts::new(device);
+    let facts = Facts::new(device, options);
     for rule in RULES {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),

@@ -1,0 +1,13 @@
+//! What a check is told beside the description.
+
+use crate::diagnostic::Tool;
+
+/// What a check is told beside the description.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct Options {
+    /// The node-ID that formulas are worked out for; without it that of a DCF, else every node-ID from 1 to 127.
+    pub node_id: Option<u8>,
+    /// The tools that the description shall be fit for: rules of the group `portability` look for what they choke on.
+    pub tools: Vec<Tool>,
+}
