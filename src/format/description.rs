@@ -76,6 +76,11 @@ impl Description {
         }
     }
 
+    /// Which device of the file it describes, counted from 0.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+
     /// The format that it was read as.
     pub fn format(&self) -> Format {
         self.format

@@ -1,6 +1,7 @@
 //! Findings as output: one file a format. A report is given one checked file after the other and writes as it goes, so
 //! the findings of a thousand files are never in memory at once.
 
+mod fingerprint;
 mod json;
 #[cfg(feature = "cli")]
 mod text;
@@ -14,6 +15,7 @@ use crate::format::Description;
 use crate::model::Place;
 use crate::source::{LineColumn, Span};
 
+pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use json::Json;
 #[cfg(feature = "cli")]
 pub use text::Text;

@@ -1,0 +1,278 @@
+//! What tells a finding from others when the file is edited around it: baselines and CI services match findings with it.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+use crate::diagnostic::{At, Diagnostic};
+use crate::format::Description;
+use crate::format::ini::LineKind;
+use crate::model::{Field, ModulePart, Part, Place};
+use crate::source::Span;
+
+/// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
+/// whoever stored fingerprints would take all findings for new ones otherwise.
+pub const FINGERPRINT_NAME: &str = "objdict/v1";
+
+/// The most bytes of a line that count. An XDD may be one line, and a change far away is no change of the finding.
+const MAX_LINE: usize = 400;
+
+/// The bytes on each side of a label that count in a longer line.
+const CONTEXT: usize = 80;
+
+/// A hash of what a finding is about, but not of where it stands: of the rule, the place in the model and the remark, and of
+/// its number among equal ones. Where the finding is about the text itself, the section and the text of the line count for
+/// the place, without blanks. Lines that move, list members that are numbered anew and another wording change nothing.
+///
+/// The name of the file is not part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Fingerprint(u64);
+
+impl Fingerprint {
+    /// This fingerprint in a file, for outputs in which those of all files must differ.
+    #[must_use]
+    pub fn in_file(self, path: &str) -> Self {
+        let mut hash = Fnv::new();
+        hash.field(path.as_bytes());
+        hash.field(&self.0.to_be_bytes());
+        Self(hash.0)
+    }
+
+    /// The fingerprint of the `number`th finding that is equal otherwise, counted from 0.
+    fn repeated(self, number: u32) -> Self {
+        if number == 0 {
+            return self;
+        }
+        let mut hash = Fnv(self.0);
+        hash.field(&number.to_be_bytes());
+        Self(hash.0)
+    }
+}
+
+/// 16 hex digits.
+impl fmt::Display for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
+impl std::str::FromStr for Fingerprint {
+    type Err = std::num::ParseIntError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        u64::from_str_radix(text, 16).map(Self)
+    }
+}
+
+impl Serialize for Fingerprint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// The fingerprint of a finding that has no equal before it; see [`fingerprints`].
+pub fn fingerprint(description: &Description, finding: &Diagnostic) -> Fingerprint {
+    base(description, &Sections::new(description), finding)
+}
+
+/// The fingerprints of findings, in their order. Equal ones are numbered, so give all findings of a file, and filter later.
+pub fn fingerprints<'a>(
+    description: &Description,
+    findings: impl IntoIterator<Item = &'a Diagnostic>,
+) -> Vec<Fingerprint> {
+    let mut findings = findings.into_iter().peekable();
+    if findings.peek().is_none() {
+        return Vec::new();
+    }
+    let sections = Sections::new(description);
+    let mut seen: HashMap<Fingerprint, u32> = HashMap::new();
+    findings
+        .map(|finding| {
+            let base = base(description, &sections, finding);
+            let number = seen.entry(base).or_default();
+            let fingerprint = base.repeated(*number);
+            *number = number.saturating_add(1);
+            fingerprint
+        })
+        .collect()
+}
+
+fn base(description: &Description, sections: &Sections, finding: &Diagnostic) -> Fingerprint {
+    let mut hash = Fnv::new();
+    hash.field(finding.rule.id.as_bytes());
+    if description.number() > 0 {
+        hash.field(&(description.number() as u64).to_be_bytes());
+    }
+    if let Some(label) = finding.labels.first() {
+        match &label.at {
+            At::Place(place) => at_place(description, place, &mut hash),
+            At::Span(span) => at_line(description, sections, *span, &mut hash),
+        }
+        hash.field(label.text.as_bytes());
+    }
+    Fingerprint(hash.0)
+}
+
+/// The address; of a member of a list its text, because members are numbered anew when one comes or goes.
+fn at_place(description: &Description, place: &Place, hash: &mut Fnv) {
+    let is_list = matches!(
+        place.part,
+        Part::List(_) | Part::Links(_) | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends)
+    );
+    match (&place.field, description.locate(place)) {
+        (Some(Field::Item(_)), Some(span)) if is_list => {
+            hash.field(place.part.to_string().as_bytes());
+            hash.text(span.of(description.source().text()));
+        }
+        _ => hash.field(place.to_string().as_bytes()),
+    }
+}
+
+/// The section and the line, or what stands around the span where the line is long.
+fn at_line(description: &Description, sections: &Sections, span: Span, hash: &mut Fnv) {
+    let source = description.source();
+    let text = source.text();
+    let line = source.lines().line_span(text, source.lines().line_of(span.start));
+    hash.field(sections.at(text, span.start).as_bytes());
+    if line.len() as usize <= MAX_LINE {
+        hash.text(line.of(text));
+    } else {
+        let from = (span.start as usize).saturating_sub(CONTEXT).max(line.start as usize);
+        let to = (span.end as usize).min(span.start as usize + MAX_LINE).saturating_add(CONTEXT);
+        let to = to.min(line.end as usize);
+        let mut boundaries = (from..=to.max(from)).filter(|&at| text.is_char_boundary(at));
+        let from = boundaries.next().unwrap_or(from);
+        hash.text(text.get(from..boundaries.next_back().unwrap_or(from)).unwrap_or_default());
+    }
+}
+
+/// The headers of an INI file, in order; none of XML.
+struct Sections(Vec<Span>);
+
+impl Sections {
+    fn new(description: &Description) -> Self {
+        let lines = description.document().into_iter().flat_map(|document| document.lines());
+        Self(
+            lines
+                .filter_map(|line| match line.kind {
+                    LineKind::Section { name } => Some(name),
+                    _ => None,
+                })
+                .collect(),
+        )
+    }
+
+    /// The name of the section that an offset stands in.
+    fn at<'t>(&self, text: &'t str, offset: u32) -> &'t str {
+        let behind = self.0.partition_point(|name| name.start <= offset);
+        behind.checked_sub(1).map_or("", |number| self.0[number].of(text))
+    }
+}
+
+/// FNV-1a with 64 bits: the same on every machine and in every version, and that is all that is asked of it.
+struct Fnv(u64);
+
+impl Fnv {
+    const fn new() -> Self {
+        Self(0xCBF2_9CE4_8422_2325)
+    }
+
+    fn byte(&mut self, byte: u8) {
+        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
+    }
+
+    /// Bytes, and a mark behind them that no text has.
+    fn field(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.byte(byte));
+        self.byte(0xFF);
+    }
+
+    /// A text without its blanks.
+    fn text(&mut self, text: &str) {
+        text.bytes().filter(|byte| !byte.is_ascii_whitespace()).for_each(|byte| self.byte(byte));
+        self.byte(0xFF);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::format::{self, Format};
+    use crate::source::SourceFile;
+
+    const BROKEN: &str = include_str!("../../fixtures/broken/octal.eds");
+
+    /// Rule, message and fingerprint of each finding.
+    fn prints(text: &str) -> Vec<(&'static str, String, Fingerprint)> {
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let findings = crate::check(&description);
+        let prints = fingerprints(&description, &findings);
+        findings.iter().zip(prints).map(|(f, print)| (f.rule.id, f.message.clone(), print)).collect()
+    }
+
+    #[test]
+    fn the_hash_is_fnv_1a() {
+        let mut hash = Fnv::new();
+        b"foobar".iter().for_each(|&byte| hash.byte(byte));
+        assert_eq!(hash.0, 0x8594_4171_F739_67E8);
+    }
+
+    #[test]
+    fn moved_lines_and_blanks_change_nothing() {
+        let text = BROKEN.replace("\r\n", "\n");
+        let before = prints(&text);
+        assert!(before.len() > 3, "{before:?}");
+        let moved = text.replacen('[', ";\n;\n[", 1).replace("\n[", "\n\n[");
+        assert_eq!(prints(&moved), before);
+        let junk = |line: &str| prints(&format!("[Comments]\n{line}\n")).last().map(|(.., print)| *print);
+        assert_eq!(junk("no key at all"), junk("  no key  at all "));
+        assert_ne!(junk("no key at all"), junk("nor here"));
+    }
+
+    #[test]
+    fn equal_findings_are_told_apart() {
+        let text = "[2000]\njunk\njunk\n[2001]\njunk\n";
+        let all = prints(text);
+        let distinct: HashSet<Fingerprint> = all.iter().map(|(.., print)| *print).collect();
+        assert_eq!(distinct.len(), all.len(), "{all:?}");
+        let fewer = prints("[2000]\njunk\n[2001]\njunk\n");
+        let gone = all.iter().filter(|item| !fewer.contains(item)).count();
+        assert_eq!(gone, 1, "the rest are the same:\n{all:?}\n{fewer:?}");
+    }
+
+    #[test]
+    fn list_members_are_known_by_their_text() {
+        let list = |members: &str| {
+            let text = format!("[OptionalObjects]\nSupportedObjects=2\n{members}\n[1000]\nParameterName=A\n");
+            let all = prints(&text);
+            let mut wanted = all.into_iter().filter(|(rule, ..)| *rule == "cia306/listed-object-missing");
+            wanted.next().map(|(.., print)| print)
+        };
+        let first = list("1=0x1000\n2=0x3FFF");
+        assert!(first.is_some());
+        assert_eq!(first, list("1=0x3FFF\n2=0x1000"));
+    }
+
+    #[test]
+    fn a_change_far_away_in_a_long_line_changes_nothing() {
+        let print = |front: usize| {
+            let text = format!("{}junk{}", "a".repeat(front), "b".repeat(2000));
+            let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+            let at = Span::new(front as u32, front as u32 + 4);
+            let finding = Diagnostic::new(crate::registry::rules()[0], at, "m");
+            fingerprint(&description, &finding)
+        };
+        assert_eq!(print(1000), print(1500));
+    }
+
+    #[test]
+    fn the_text_of_a_fingerprint_is_read_again() {
+        let print = Fingerprint(0x12AB);
+        assert_eq!(print.to_string(), "00000000000012ab");
+        assert_eq!(print.to_string().parse(), Ok(print));
+        assert_ne!(print.in_file("a.eds"), print.in_file("b.eds"));
+    }
+}
