@@ -1,6 +1,7 @@
 //! The command line.
 
 use std::borrow::Cow;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
@@ -47,8 +48,10 @@ pub(super) enum Command {
 /// Exits with 1 when there is a finding of severity warning or error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct CheckArgs {
-    /// Files to check; `-` is the standard input
-    #[arg(required = true, value_name = "FILE")]
+    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
+    ///
+    /// In folders all descriptions are checked, but for what is hidden or named in a `.gitignore`.
+    #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
     /// How to write the findings
     #[arg(long, value_enum, default_value = "text")]
@@ -56,6 +59,9 @@ pub(super) struct CheckArgs {
     /// The mildest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
     pub deny: Deny,
+    /// The number of files that are checked at the same time; without it, as many as there are processors
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
     #[command(flatten)]
     pub input: InputArgs,
 }

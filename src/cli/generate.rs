@@ -116,7 +116,7 @@ fn report_errors(input: &Input, findings: Findings) -> Result<(), Failure> {
     let mut text = Vec::new();
     if let Input::Description(description) = input {
         let mut report = Text::new(&mut text, false);
-        report.file(description, &errors)?;
+        report.file((&**description).into(), &errors)?;
         report.finish()?;
     } else {
         for error in &errors {

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 
 use super::Failure;
 use crate::download::Configuration;
-use crate::format::identify::{ContentKind, identify};
+use crate::format::identify::{ContentKind, Identification, identify};
 use crate::format::json::Kind;
 use crate::format::{self, Description, Format, concise, json};
 use crate::model::{Device, NodeList};
@@ -143,6 +143,14 @@ pub(super) enum Input {
     NodeList(NodeList),
 }
 
+/// What a file is that is to be checked.
+pub(super) enum Candidate {
+    /// A description with its text.
+    Description(Box<Description>),
+    /// Something else: what it is called, and why it cannot be checked.
+    Foreign(String, Failure),
+}
+
 impl InputArgs {
     /// What is in a file, and as what kind it was read; `-` is the standard input.
     pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
@@ -204,23 +212,41 @@ impl InputArgs {
         }
     }
 
-    /// A description with its text; what has none cannot be checked.
-    pub(super) fn description(&self, path: &Path) -> Result<Description, Failure> {
-        match self.read(path)? {
-            (_, Input::Description(description)) => Ok(*description),
-            (kind, _) => {
+    /// A file that is to be checked.
+    pub(super) fn candidate(&self, path: &Path) -> Result<Candidate, Failure> {
+        let bytes = self.size.bytes(path)?;
+        let kind = match self.found(path, &bytes) {
+            Ok(kind) => kind,
+            Err(found) => {
+                let technology = found.technology.as_ref().map(|name| format!(" ({name})"));
+                let called = format!("{}{}", found.kind.name(), technology.unwrap_or_default());
+                return Ok(Candidate::Foreign(called, foreign(path, &found)));
+            }
+        };
+        match kind.format() {
+            Some(format) => {
+                let description = format::read(self.source(path, bytes)?, format);
+                Ok(Candidate::Description(Box::new(description)))
+            }
+            None => {
                 let name = name_of(path);
                 let message = format!(
                     "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
                     kind.name()
                 );
-                Err(Failure::new(message).help(format!("`objdict show {name}` shows what is in it")))
+                let help = format!("`objdict show {name}` shows what is in it");
+                Ok(Candidate::Foreign(kind.name().to_owned(), Failure::new(message).help(help)))
             }
         }
     }
 
     /// What a file is: what the user says, else what its content shows, else its name, else an EDS.
     fn kind(&self, path: &Path, bytes: &[u8]) -> Result<FileKind, Failure> {
+        self.found(path, bytes).map_err(|found| foreign(path, &found))
+    }
+
+    /// As [`kind`](Self::kind); what no command reads, as it was identified.
+    fn found(&self, path: &Path, bytes: &[u8]) -> Result<FileKind, Identification> {
         if let Some(kind) = self.from {
             return Ok(kind);
         }
@@ -228,13 +254,7 @@ impl InputArgs {
         match FileKind::of_content(found.kind) {
             Some(kind) => Ok(kind),
             None if found.kind == ContentKind::Unknown => Ok(FileKind::of(path).unwrap_or(FileKind::Eds)),
-            None => {
-                let failure = Failure::new(format_args!("`{}` {}", name_of(path), found.verdict()));
-                Err(match found.advice() {
-                    Some(advice) => failure.help(advice),
-                    None => failure,
-                })
-            }
+            None => Err(found),
         }
     }
 
@@ -276,6 +296,15 @@ impl SizeArgs {
 /// What reports call a file.
 pub(super) fn name_of(path: &Path) -> String {
     if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
+}
+
+/// Why a file cannot be read that is something else.
+fn foreign(path: &Path, found: &Identification) -> Failure {
+    let failure = Failure::new(format_args!("`{}` {}", name_of(path), found.verdict()));
+    match found.advice() {
+        Some(advice) => failure.help(advice),
+        None => failure,
+    }
 }
 
 fn directory(path: &Path) -> Failure {

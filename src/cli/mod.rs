@@ -4,10 +4,12 @@
 mod args;
 mod check;
 mod convert;
+mod files;
 mod generate;
 mod identify;
 mod input;
 mod output;
+mod parallel;
 mod rules;
 mod save;
 mod show;

@@ -12,6 +12,7 @@ pub const MAX_PER_RULE: u32 = 1000;
 pub struct Findings {
     kept: Vec<Diagnostic>,
     seen: BTreeMap<&'static str, u32>,
+    suppressed: u32,
 }
 
 impl Findings {
@@ -31,7 +32,7 @@ impl Findings {
 
     /// The findings with a change made to each; those that become nothing are not counted either.
     pub(crate) fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
-        let Self { kept, mut seen } = self;
+        let Self { kept, mut seen, suppressed } = self;
         let change = |diagnostic: Diagnostic| {
             let rule = diagnostic.rule.id;
             let changed = change(diagnostic);
@@ -41,7 +42,7 @@ impl Findings {
             changed
         };
         let kept = kept.into_iter().filter_map(change).collect();
-        Self { kept, seen }
+        Self { kept, seen, suppressed }
     }
 
     /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
@@ -52,6 +53,7 @@ impl Findings {
     /// Takes all findings of `other`; those that it only counted are counted here too.
     pub fn append(&mut self, other: Findings) {
         let omitted: Vec<(&'static str, u32)> = other.omitted().collect();
+        let suppressed = other.suppressed;
         for diagnostic in other.kept {
             self.push(diagnostic);
         }
@@ -60,6 +62,7 @@ impl Findings {
             let seen = self.seen.entry(rule).or_default();
             *seen = seen.saturating_add(count);
         }
+        self.suppressed = self.suppressed.saturating_add(suppressed);
     }
 
     /// The findings that were kept.
@@ -95,6 +98,11 @@ impl Findings {
     /// Whether there is a finding of severity error.
     pub fn has_errors(&self) -> bool {
         self.worst() == Some(Severity::Error)
+    }
+
+    /// Number of findings that the file, the configuration or a baseline says not to report.
+    pub fn suppressed(&self) -> u32 {
+        self.suppressed
     }
 
     /// The rules that found more than was kept, each with the number left out.

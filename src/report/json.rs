@@ -4,9 +4,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::{Location, Report, Tally};
+use super::{Location, Report, Subject, Tally};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::format::Description;
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -84,14 +83,14 @@ impl<W: Write> Json<W> {
 }
 
 impl<W: Write> Report for Json<W> {
-    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()> {
+    fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
-        let file = description.source().name();
+        let file = subject.source().name();
         for finding in findings {
             self.start()?;
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
-            serde_json::to_writer(&mut self.out, &record(file, description, finding))?;
+            serde_json::to_writer(&mut self.out, &record(file, subject, finding))?;
         }
         for (rule, count) in findings.omitted() {
             self.omitted.push(Omitted { file: file.to_owned(), rule, count });
@@ -112,8 +111,8 @@ impl<W: Write> Report for Json<W> {
     }
 }
 
-fn record<'a>(file: &'a str, description: &Description, finding: &'a Diagnostic) -> Finding<'a> {
-    let mut positions = Location::all(description, finding).into_iter().map(|location| Position {
+fn record<'a>(file: &'a str, subject: Subject<'_>, finding: &'a Diagnostic) -> Finding<'a> {
+    let mut positions = Location::all(subject, finding).into_iter().map(|location| Position {
         line: location.start.line,
         column: location.start.column,
         end_line: location.end.line,
@@ -144,7 +143,7 @@ mod tests {
         let mut report = Json::new(&mut out);
         for (name, text) in texts {
             let description = format::read(SourceFile::from_text(*name, *text), Format::Eds);
-            report.file(&description, &description.text_findings()).unwrap();
+            report.file((&description).into(), &description.text_findings()).unwrap();
         }
         report.finish().unwrap();
         serde_json::from_slice(&out).unwrap()

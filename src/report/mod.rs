@@ -3,6 +3,7 @@
 
 mod fingerprint;
 mod json;
+mod subject;
 #[cfg(feature = "cli")]
 mod text;
 
@@ -11,12 +12,12 @@ use std::io;
 
 use crate::diagnostic::At;
 use crate::diagnostic::{Diagnostic, Findings, Label, Severity};
-use crate::format::Description;
 use crate::model::Place;
 use crate::source::{LineColumn, Span};
 
 pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use json::Json;
+pub use subject::Subject;
 #[cfg(feature = "cli")]
 pub use text::Text;
 
@@ -26,7 +27,7 @@ pub trait Report {
     ///
     /// # Errors
     /// When the output cannot be written.
-    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()>;
+    fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
 
     /// Ends the report. No file follows.
     ///
@@ -51,10 +52,10 @@ pub struct Location<'a> {
 }
 
 impl<'a> Location<'a> {
-    /// The location of a label in the text of its description.
-    pub fn new(description: &Description, label: &'a Label) -> Self {
-        let span = description.span_of(&label.at);
-        let source = description.source();
+    /// The location of a label in the text that its finding is about.
+    pub fn new(subject: Subject<'_>, label: &'a Label) -> Self {
+        let span = subject.span_of(&label.at);
+        let source = subject.source();
         let place = match &label.at {
             At::Place(place) => Some(place),
             At::Span(_) => None,
@@ -69,8 +70,8 @@ impl<'a> Location<'a> {
     }
 
     /// The locations of a finding: where it is, then the related ones.
-    pub fn all(description: &Description, finding: &'a Diagnostic) -> Vec<Self> {
-        finding.labels.iter().map(|label| Self::new(description, label)).collect()
+    pub fn all(subject: Subject<'_>, finding: &'a Diagnostic) -> Vec<Self> {
+        finding.labels.iter().map(|label| Self::new(subject, label)).collect()
     }
 }
 
@@ -89,6 +90,8 @@ pub struct Tally {
     pub notes: usize,
     /// Findings that were only counted, because their rule had too many in one file.
     pub omitted: usize,
+    /// Findings that the file, the configuration or a baseline says not to report.
+    pub suppressed: usize,
 }
 
 impl Tally {
@@ -104,6 +107,7 @@ impl Tally {
             }
         }
         self.omitted += findings.omitted().map(|(_, count)| count as usize).sum::<usize>();
+        self.suppressed += findings.suppressed() as usize;
     }
 
     /// Number of findings that were kept and are at least this grave.

@@ -8,9 +8,8 @@ use std::io::{self, Write};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
 use self::excerpt::Excerpts;
-use super::{Report, Tally, visible};
+use super::{Report, Subject, Tally, visible};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::format::Description;
 
 /// Columns that a message may take before it goes on in the next line.
 const WIDTH: usize = 100;
@@ -41,16 +40,16 @@ impl<W: Write> Text<W> {
 }
 
 impl<W: Write> Report for Text<W> {
-    fn file(&mut self, description: &Description, findings: &Findings) -> io::Result<()> {
+    fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
         if findings.is_empty() {
             return Ok(());
         }
-        let excerpts = Excerpts::new(description.source());
+        let excerpts = Excerpts::new(subject.source());
         let mut text = String::new();
         for finding in findings {
             text.clear();
-            let finding = Rendered::new(description, &excerpts, finding);
+            let finding = Rendered::new(subject, &excerpts, finding);
             self.handler.render_report(&mut text, &finding).map_err(io::Error::other)?;
             self.out.write_all(text.as_bytes())?;
             self.out.write_all(b"\n")?;
@@ -79,11 +78,11 @@ struct Rendered<'a> {
 }
 
 impl<'a> Rendered<'a> {
-    fn new(description: &Description, excerpts: &'a Excerpts<'a>, finding: &'a Diagnostic) -> Self {
+    fn new(subject: Subject<'_>, excerpts: &'a Excerpts<'a>, finding: &'a Diagnostic) -> Self {
         let mut labels = Vec::with_capacity(finding.labels.len());
         for (position, label) in finding.labels.iter().enumerate() {
             let text = Some(label.text.to_string()).filter(|text| !text.is_empty());
-            let span = excerpts.cut(description.span_of(&label.at));
+            let span = excerpts.cut(subject.span_of(&label.at));
             labels.push(match position {
                 0 => LabeledSpan::new_primary_with_span(text, span),
                 _ => LabeledSpan::new_with_span(text, span),
@@ -161,7 +160,7 @@ mod tests {
         findings.push(finding);
         let mut out = Vec::new();
         let mut report = Text::new(&mut out, false);
-        report.file(&description, &findings).unwrap();
+        report.file((&description).into(), &findings).unwrap();
         report.finish().unwrap();
         String::from_utf8(out).unwrap()
     }
@@ -198,7 +197,7 @@ mod tests {
         }
         let mut out = Vec::new();
         let mut report = Text::new(&mut out, false);
-        report.file(&description, &findings).unwrap();
+        report.file((&description).into(), &findings).unwrap();
         report.finish().unwrap();
         let shown = String::from_utf8(out).unwrap();
         assert!(shown.contains("a.eds: 3 more findings of test/test are not shown"));
