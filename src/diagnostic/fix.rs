@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::model::{Field, ObjectList, Part, Place};
-use crate::source::Span;
+use crate::source::{Encoding, Span};
 
 /// How a finding is mended: changes that belong together. The format of the description turns them into edits of its
 /// text; where it cannot, the finding has no fix in that file.
@@ -42,6 +42,8 @@ pub enum Change {
     Add(Part, Vec<(Field, String)>),
     /// Gives a list of objects these members, numbered from 1, with their count; in the list's place, or as a new one.
     List(ObjectList, Vec<u16>),
+    /// Writes the text in another encoding, which has all its characters.
+    Encode(Encoding),
 }
 
 impl Fix {

@@ -5,9 +5,9 @@ use std::sync::OnceLock;
 use super::ini::Document;
 use super::xml::Tree;
 use super::{Format, Syntax, carried, eds, ini, xdd};
-use crate::diagnostic::{At, Findings};
+use crate::diagnostic::{At, Change, Findings, Fix};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
-use crate::source::{EditError, SourceFile, Span};
+use crate::source::{EditError, Encoding, SourceFile, Span};
 
 /// A description that was read: the device, the text that it came from, and what the reader found.
 #[derive(Debug)]
@@ -193,6 +193,44 @@ impl Description {
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
         super::write(&device, format, &super::WriteOptions::default()).bytes
+    }
+
+    /// The edits of the text that a fix makes, in its order: what stands in each span becomes the text beside it. `None`
+    /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
+    /// another encoding is no edit of it either.
+    pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
+        if self.source().is_read_only() {
+            return None;
+        }
+        let edits = match &self.text {
+            Text::Ini(document, locator) => {
+                let locator = locator.get_or_init(|| eds::Locator::new(document));
+                eds::edits(document, locator, &self.device, &fix.changes)
+            }
+            Text::Xml(tree, locator) => {
+                let locator = locator.get_or_init(|| xdd::Locator::new(tree, self.number));
+                xdd::edits(tree, locator, &fix.changes)
+            }
+        }?;
+        let text = self.source().text();
+        let is_change = |(span, new): &&(Span, String)| span.of(text) != new;
+        let is_sound = |(span, new): &(Span, String)| {
+            text.get(span.start as usize..span.end as usize).is_some() && self.source().encode(new).is_ok()
+        };
+        let changes = edits.iter().any(|edit| is_change(&edit));
+        (changes && edits.iter().all(is_sound)).then_some(edits)
+    }
+
+    /// The encoding that a fix writes the text in, where it does and the text can be written so.
+    pub fn encoding_of(&self, fix: &Fix) -> Option<Encoding> {
+        let [Change::Encode(encoding)] = fix.changes[..] else { return None };
+        let can_be_written = !self.source().is_read_only() && encoding.encode(self.source().text()).is_ok();
+        (can_be_written && encoding != self.source().encoding()).then_some(encoding)
+    }
+
+    /// Whether a fix can be made in this file.
+    pub fn can_mend(&self, fix: &Fix) -> bool {
+        self.encoding_of(fix).is_some() || self.edits(fix).is_some()
     }
 
     /// What the reader of the format found: in the spelling and structure of the text.

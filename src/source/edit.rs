@@ -58,6 +58,25 @@ impl<'a> Edits<'a> {
         self.changes.push(Change { span, text: text.into() });
     }
 
+    /// The changes in the order of the text; those at one offset are one.
+    ///
+    /// # Errors
+    /// When two changes overlap.
+    pub fn into_list(mut self) -> Result<Vec<(Span, String)>, EditError> {
+        self.changes.sort_by_key(|change| (change.span.start, change.span.end));
+        let mut list: Vec<(Span, String)> = Vec::with_capacity(self.changes.len());
+        for Change { span, text } in self.changes {
+            match list.last_mut() {
+                Some((last, _)) if span.start < last.end => return Err(EditError::Overlap(span)),
+                Some((last, before)) if last.is_empty() && span.is_empty() && *last == span => {
+                    before.push_str(&text);
+                }
+                _ => list.push((span, text)),
+            }
+        }
+        Ok(list)
+    }
+
     /// The edited text.
     ///
     /// # Errors
@@ -108,6 +127,17 @@ mod tests {
         edits.replace(Span::empty(1), "2");
         edits.replace(Span::new(1, 2), "");
         assert_eq!(edits.text(), Ok("a12z".to_owned()));
+    }
+
+    #[test]
+    fn changes_at_one_offset_are_one() {
+        let source = SourceFile::from_text("test", "abc");
+        let mut edits = Edits::new(&source);
+        edits.replace(Span::new(1, 2), "");
+        edits.replace(Span::empty(1), "1");
+        edits.replace(Span::empty(1), "2");
+        let list = [(Span::empty(1), "12".to_owned()), (Span::new(1, 2), String::new())];
+        assert_eq!(edits.into_list(), Ok(list.to_vec()));
     }
 
     #[test]

@@ -3,10 +3,11 @@
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
+use super::order::Rank;
 use super::section::SectionName;
-use crate::format::ini::{Document, LineKind, Lines};
+use crate::format::ini::{Document, LineKind, Lines, Section};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 
@@ -19,6 +20,8 @@ pub(crate) struct Locator {
     /// The keys of the sections that were asked for, by where their header line starts. A long list with many findings
     /// would be read from its start for each of them.
     keys: Mutex<HashMap<u32, Keys>>,
+    /// The place of each section in the canonical order, for those who add some.
+    outline: OnceLock<Vec<(Rank, u32)>>,
 }
 
 /// Hash of each key of a section in lower case, and where its line starts, in order of the hashes.
@@ -35,7 +38,7 @@ impl Locator {
             }
         }
         headers.sort_unstable();
-        Self { state, headers, keys: Mutex::default() }
+        Self { state, headers, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
     /// The span of a place: the value of its key where that is not empty, else the key; the name of its section where
@@ -61,6 +64,33 @@ impl Locator {
             }
         }
         header.or_else(|| self.stand_in(document, &place.part))
+    }
+
+    /// The sections in the order of the text: where each would stand, and where its header line starts.
+    pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
+        let text = document.text();
+        self.outline.get_or_init(|| {
+            let headers = document.lines().filter_map(|line| match line.kind {
+                LineKind::Section { name } => {
+                    Some((Rank::of(&SectionName::parse(name.of(text)).part), line.span.start))
+                }
+                _ => None,
+            });
+            headers.collect()
+        })
+    }
+
+    /// The sections of a part, in their order; more than one where it stands twice.
+    pub(crate) fn sections(&self, document: &Document, part: &Part) -> Vec<Section> {
+        let text = document.text();
+        let hash = hash(&self.state, part);
+        let from = self.headers.partition_point(|(other, _)| *other < hash);
+        let headers = self.headers[from..].iter().take_while(|(other, _)| *other == hash);
+        let sections = headers.filter_map(|&(_, start)| document.section_at(start));
+        let is_of_part = |section: &Section| {
+            section.header.is_some_and(|header| SectionName::parse(header.name.of(text)).part == *part)
+        };
+        sections.filter(is_of_part).collect()
     }
 
     /// The value of a key, or the key where it has none, in the section whose header line starts at `header`.

@@ -5,6 +5,8 @@ pub(crate) mod file_name;
 pub(crate) mod findings;
 mod keys;
 mod locate;
+mod mend;
+mod order;
 mod quirks;
 mod read;
 mod section;
@@ -12,6 +14,7 @@ mod write;
 
 pub(crate) use configure::{to_dcf, to_eds};
 pub(crate) use locate::Locator;
+pub(crate) use mend::edits;
 pub(crate) use quirks::spelling;
 pub(crate) use read::read;
 pub(crate) use section::SectionName;

@@ -71,6 +71,39 @@ impl Document {
         self.source.encode(&text).unwrap_or_else(|_| self.source.to_bytes())
     }
 
+    /// How new lines end: like the first one, or with CR LF where it has no end.
+    pub fn line_end(&self) -> &'static str {
+        match self.lines().next().map(|line| Span::new(line.span.end, line.next).of(self.text())) {
+            Some("\n") => "\n",
+            Some("\r") => "\r",
+            _ => "\r\n",
+        }
+    }
+
+    /// The section whose header line starts at `offset`.
+    pub fn section_at(&self, offset: u32) -> Option<Section> {
+        let mut lines = Lines::from(self.text(), offset);
+        let first = lines.next()?;
+        let LineKind::Section { name } = first.kind else { return None };
+        let mut section = Section { header: Some(Header { name, line: first.span }), ..Section::default() };
+        for line in lines {
+            match line.kind {
+                LineKind::Section { .. } => break,
+                LineKind::Entry { key, value } => section.entries.push(Entry { key, value }),
+                LineKind::Comment => section.comments.push(line.span),
+                LineKind::Blank | LineKind::Junk => {}
+            }
+        }
+        Some(section)
+    }
+
+    /// The line that holds `offset`.
+    pub fn line_at(&self, offset: u32) -> Option<Line> {
+        let source = self.source();
+        let start = source.lines().line_span(source.text(), source.lines().line_of(offset)).start;
+        Lines::from(source.text(), start).next()
+    }
+
     /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry. One section
     /// at a time is in memory, and its list is used again for the next.
     pub fn visit(&self, mut visit: impl FnMut(&Section), mut other: impl FnMut(&Line)) {

@@ -16,13 +16,7 @@ pub struct Editor<'a> {
 impl<'a> Editor<'a> {
     /// No changes yet. New lines end like the first line of the document, or with CR LF where it has none.
     pub fn new(document: &'a Document) -> Self {
-        let text = document.text();
-        let first = document.lines().next();
-        let line_end = match first.map(|line| Span::new(line.span.end, line.next).of(text)) {
-            Some("\n") => "\n",
-            Some("\r") => "\r",
-            _ => "\r\n",
-        };
+        let line_end = document.line_end();
         Self { document, line_end, edits: Edits::new(document.source()), many_lines: None }
     }
 
@@ -108,9 +102,7 @@ impl<'a> Editor<'a> {
     }
 
     fn line_at(&self, offset: u32) -> Option<Line> {
-        let source = self.document.source();
-        let start = source.lines().line_span(source.text(), source.lines().line_of(offset)).start;
-        super::Lines::from(source.text(), start).next()
+        self.document.line_at(offset)
     }
 
     /// The edited text.

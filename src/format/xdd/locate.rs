@@ -7,6 +7,7 @@ mod facts;
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 
+pub(super) use self::entry::attribute_name;
 use super::layout::Layout;
 use crate::format::xml::{Attribute, Element, ElementId, Tree};
 use crate::model::{Field, Part, Place};
@@ -57,6 +58,11 @@ impl Locator {
             Part::Section(name) => section(&layout, name, field),
             part => facts::locate(&layout, part, field),
         }
+    }
+
+    /// The container that it is for.
+    pub(super) fn layout<'a>(&self, tree: &'a Tree) -> Option<Layout<'a>> {
+        Layout::of(tree, self.number)
     }
 
     /// The element with an id.

@@ -7,6 +7,7 @@ mod layout;
 mod leftovers;
 mod locate;
 mod markup;
+mod mend;
 mod read;
 pub(crate) mod schema;
 #[macro_use]
@@ -19,6 +20,7 @@ mod write;
 pub(crate) use self::configure::{to_xdc, to_xdd};
 pub(crate) use self::layout::containers;
 pub(crate) use self::locate::Locator;
+pub(crate) use self::mend::edits;
 pub(crate) use self::read::read;
 pub use self::version::XddVersion;
 pub(crate) use self::write::{XddWriteOptions, write};

@@ -33,6 +33,11 @@ impl<'a> Editor<'a> {
         Self { tree, edits, line_end, opened, not_xml: None }
     }
 
+    /// Puts `text` in the place of `span`.
+    pub fn replace(&mut self, span: Span, text: impl Into<String>) {
+        self.edits.replace(span, text);
+    }
+
     /// Gives an attribute a value: where it stands, else behind the last attribute. `name` is as it is written, with its
     /// prefix; two calls for one attribute that is not there add it twice.
     pub fn set_attribute(&mut self, element: Element<'a>, name: &str, value: &str) {
@@ -133,6 +138,14 @@ impl<'a> Editor<'a> {
     /// encoding.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         self.complete()?.to_bytes()
+    }
+
+    /// The changes as spans with their new texts, in the order of the document.
+    ///
+    /// # Errors
+    /// When two changes overlap, or a new text has a character that XML cannot hold.
+    pub fn into_list(self) -> Result<Vec<(Span, String)>, EditError> {
+        self.complete()?.into_list()
     }
 
     /// All changes, those of opened elements among them.

@@ -18,14 +18,8 @@ impl Locator {
         sub: Option<u8>,
         field: Option<&Field>,
     ) -> Option<Span> {
-        let object = tree.element(*self.objects.get(&index)?);
-        let is_sub = |child: &Element<'_>| EntryAttributes::of(*child).sub_index() == sub;
-        let element = match sub {
-            None => object,
-            Some(_) => match object.children_named(SUB).find(is_sub) {
-                Some(element) => element,
-                None => return Some(object.tag_span()),
-            },
+        let Some(element) = self.element(tree, index, sub) else {
+            return self.element(tree, index, None).map(Element::tag_span);
         };
         let Some(field) = field else { return Some(element.tag_span()) };
         let attribute = element.attribute(&attribute_name(field)).map(value_of);
@@ -33,8 +27,25 @@ impl Locator {
         attribute.or_else(parameter).or(Some(element.tag_span()))
     }
 
+    /// The element of an object or sub-object.
+    pub(in crate::format::xdd) fn element<'a>(
+        &self,
+        tree: &'a Tree,
+        index: u16,
+        sub: Option<u8>,
+    ) -> Option<Element<'a>> {
+        let object = tree.element(*self.objects.get(&index)?);
+        let is_sub = |child: &Element<'_>| EntryAttributes::of(*child).sub_index() == sub;
+        if sub.is_none() { Some(object) } else { object.children_named(SUB).find(is_sub) }
+    }
+
     /// Where the parameter of an element says a field.
-    fn in_parameter(&self, tree: &Tree, element: Element<'_>, field: &Field) -> Option<Span> {
+    pub(in crate::format::xdd) fn in_parameter(
+        &self,
+        tree: &Tree,
+        element: Element<'_>,
+        field: &Field,
+    ) -> Option<Span> {
         let id = element.attribute("uniqueIDRef")?;
         let parameter = self.by_id(tree, id.value().trim_ascii())?;
         let value = |path: &[&str]| below(parameter, path)?.attribute("value").map(value_of);
@@ -57,7 +68,7 @@ fn is_type(element: &Element<'_>) -> bool {
 }
 
 /// The attribute of a field.
-fn attribute_name(field: &Field) -> Cow<'_, str> {
+pub(in crate::format::xdd) fn attribute_name(field: &Field) -> Cow<'_, str> {
     Cow::Borrowed(match field {
         Field::ParameterName => "name",
         Field::ObjectType => "objectType",
