@@ -96,6 +96,8 @@ pub(super) enum AnswerFormat {
 pub(super) enum ReportFormat {
     /// For people: the lines with marks under them
     Text,
+    /// A line each: file:line:column: severity rule: message
+    Concise,
     /// For programs: one JSON document (docs/json.md)
     Json,
 }

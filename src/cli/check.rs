@@ -2,21 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use super::args::{CheckArgs, ReportFormat};
+use super::args::CheckArgs;
 use super::files::{File, gather};
 use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
-use super::{Failure, Outcome, tell};
+use super::{Failure, Outcome, report, tell};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
-use crate::report::{Json, Report, Tally, Text, plural};
+use crate::report::{Report, Tally, plural};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let (files, failures) = gather(&args.files);
-    let mut reporter = Reporter::new(args, out);
+    let mut reporter = Reporter::new(args, out)?;
     for failure in failures {
-        reporter.fail(&failure);
+        reporter.fail(&failure)?;
     }
     let worker = Worker { args };
     in_order(&files, args.jobs, |file| worker.check(file), |checked| reporter.take(checked))?;
@@ -76,19 +76,16 @@ struct Reporter<'a> {
 }
 
 impl<'a> Reporter<'a> {
-    fn new(args: &CheckArgs, out: &'a mut Output) -> Self {
-        let colour = out.colour();
-        let report: Box<dyn Report> = match args.format {
-            ReportFormat::Text => Box::new(Text::new(out, colour)),
-            ReportFormat::Json => Box::new(Json::new(out)),
-        };
+    fn new(args: &CheckArgs, out: &'a mut Output) -> Result<Self, Failure> {
+        let report = report::new(args, out)?;
         let deny = args.deny.into();
-        Self { report, tally: Tally::default(), deny, has_failed: false, skipped: BTreeMap::new() }
+        Ok(Self { report, tally: Tally::default(), deny, has_failed: false, skipped: BTreeMap::new() })
     }
 
-    fn fail(&mut self, failure: &Failure) {
+    fn fail(&mut self, failure: &Failure) -> Result<(), Failure> {
         failure.print();
         self.has_failed = true;
+        Ok(self.report.unread(&failure.message)?)
     }
 
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
@@ -105,12 +102,18 @@ impl<'a> Reporter<'a> {
                 }
             }
             Checked::Skipped(kind) => *self.skipped.entry(kind).or_default() += 1,
-            Checked::Failed(failure) => self.fail(&failure),
+            Checked::Failed(failure) => self.fail(&failure)?,
         }
         Ok(())
     }
 
     fn finish(mut self) -> Result<Outcome, Failure> {
+        let outcome = match self.tally.at_least(self.deny) {
+            _ if self.has_failed => Outcome::Failed,
+            0 => Outcome::Clean,
+            _ => Outcome::Findings,
+        };
+        self.report.exit_code(outcome.code());
         self.report.finish()?;
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {
@@ -121,10 +124,6 @@ impl<'a> Reporter<'a> {
                 plural(skipped, "file"),
             ));
         }
-        Ok(match self.tally.at_least(self.deny) {
-            _ if self.has_failed => Outcome::Failed,
-            0 => Outcome::Clean,
-            _ => Outcome::Findings,
-        })
+        Ok(outcome)
     }
 }

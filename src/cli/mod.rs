@@ -10,6 +10,7 @@ mod identify;
 mod input;
 mod output;
 mod parallel;
+mod report;
 mod rules;
 mod save;
 mod show;
@@ -65,13 +66,20 @@ enum Outcome {
     Failed,
 }
 
+impl Outcome {
+    /// The exit code.
+    const fn code(self) -> u8 {
+        match self {
+            Self::Clean => 0,
+            Self::Findings => 1,
+            Self::Failed => 2,
+        }
+    }
+}
+
 impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
-        Self::from(match outcome {
-            Outcome::Clean => 0,
-            Outcome::Findings => 1,
-            Outcome::Failed => 2,
-        })
+        Self::from(outcome.code())
     }
 }
 

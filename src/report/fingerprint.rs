@@ -5,6 +5,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
+use super::Subject;
 use crate::diagnostic::{At, Diagnostic};
 use crate::format::Description;
 use crate::format::ini::LineKind;
@@ -72,24 +73,26 @@ impl Serialize for Fingerprint {
 }
 
 /// The fingerprint of a finding that has no equal before it; see [`fingerprints`].
-pub fn fingerprint(description: &Description, finding: &Diagnostic) -> Fingerprint {
-    base(description, &Sections::new(description), finding)
+pub fn fingerprint<'a>(subject: impl Into<Subject<'a>>, finding: &Diagnostic) -> Fingerprint {
+    let subject = subject.into();
+    base(subject, &Sections::new(subject), finding)
 }
 
 /// The fingerprints of findings, in their order. Equal ones are numbered, so give all findings of a file, and filter later.
-pub fn fingerprints<'a>(
-    description: &Description,
+pub fn fingerprints<'a, 's>(
+    subject: impl Into<Subject<'s>>,
     findings: impl IntoIterator<Item = &'a Diagnostic>,
 ) -> Vec<Fingerprint> {
     let mut findings = findings.into_iter().peekable();
     if findings.peek().is_none() {
         return Vec::new();
     }
-    let sections = Sections::new(description);
+    let subject = subject.into();
+    let sections = Sections::new(subject);
     let mut seen: HashMap<Fingerprint, u32> = HashMap::new();
     findings
         .map(|finding| {
-            let base = base(description, &sections, finding);
+            let base = base(subject, &sections, finding);
             let number = seen.entry(base).or_default();
             let fingerprint = base.repeated(*number);
             *number = number.saturating_add(1);
@@ -98,16 +101,16 @@ pub fn fingerprints<'a>(
         .collect()
 }
 
-fn base(description: &Description, sections: &Sections, finding: &Diagnostic) -> Fingerprint {
+fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fingerprint {
     let mut hash = Fnv::new();
     hash.field(finding.rule.id.as_bytes());
-    if description.number() > 0 {
-        hash.field(&(description.number() as u64).to_be_bytes());
+    if let Some(number) = subject.description().map(Description::number).filter(|number| *number > 0) {
+        hash.field(&(number as u64).to_be_bytes());
     }
     if let Some(label) = finding.labels.first() {
         match &label.at {
-            At::Place(place) => at_place(description, place, &mut hash),
-            At::Span(span) => at_line(description, sections, *span, &mut hash),
+            At::Place(place) => at_place(subject, place, &mut hash),
+            At::Span(span) => at_line(subject, sections, *span, &mut hash),
         }
         hash.field(label.text.as_bytes());
     }
@@ -115,23 +118,23 @@ fn base(description: &Description, sections: &Sections, finding: &Diagnostic) ->
 }
 
 /// The address; of a member of a list its text, because members are numbered anew when one comes or goes.
-fn at_place(description: &Description, place: &Place, hash: &mut Fnv) {
+fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
     let is_list = matches!(
         place.part,
         Part::List(_) | Part::Links(_) | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends)
     );
-    match (&place.field, description.locate(place)) {
+    match (&place.field, subject.description().and_then(|description| description.locate(place))) {
         (Some(Field::Item(_)), Some(span)) if is_list => {
             hash.field(place.part.to_string().as_bytes());
-            hash.text(span.of(description.source().text()));
+            hash.text(span.of(subject.source().text()));
         }
         _ => hash.field(place.to_string().as_bytes()),
     }
 }
 
 /// The section and the line, or what stands around the span where the line is long.
-fn at_line(description: &Description, sections: &Sections, span: Span, hash: &mut Fnv) {
-    let source = description.source();
+fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv) {
+    let source = subject.source();
     let text = source.text();
     let line = source.lines().line_span(text, source.lines().line_of(span.start));
     hash.field(sections.at(text, span.start).as_bytes());
@@ -151,8 +154,9 @@ fn at_line(description: &Description, sections: &Sections, span: Span, hash: &mu
 struct Sections(Vec<Span>);
 
 impl Sections {
-    fn new(description: &Description) -> Self {
-        let lines = description.document().into_iter().flat_map(|document| document.lines());
+    fn new(subject: Subject<'_>) -> Self {
+        let document = subject.description().and_then(Description::document);
+        let lines = document.into_iter().flat_map(|document| document.lines());
         Self(
             lines
                 .filter_map(|line| match line.kind {

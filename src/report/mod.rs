@@ -1,6 +1,7 @@
 //! Findings as output: one file a format. A report is given one checked file after the other and writes as it goes, so
 //! the findings of a thousand files are never in memory at once.
 
+mod concise;
 mod fingerprint;
 mod json;
 mod subject;
@@ -15,6 +16,7 @@ use crate::diagnostic::{Diagnostic, Findings, Label, Severity};
 use crate::model::Place;
 use crate::source::{LineColumn, Span};
 
+pub use concise::Concise;
 pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use json::Json;
 pub use subject::Subject;
@@ -28,6 +30,21 @@ pub trait Report {
     /// # Errors
     /// When the output cannot be written.
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
+
+    /// Takes a file that could not be read: the message names it. Most formats have no place for it, so whoever calls this
+    /// tells it elsewhere too.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn unread(&mut self, message: &str) -> io::Result<()> {
+        let _ = message;
+        Ok(())
+    }
+
+    /// Takes the exit code of the process, before the report ends.
+    fn exit_code(&mut self, code: u8) {
+        let _ = code;
+    }
 
     /// Ends the report. No file follows.
     ///
@@ -67,6 +84,12 @@ impl<'a> Location<'a> {
             place,
             text: &label.text,
         }
+    }
+
+    /// Line and column of a finding; the start of the text for one that has no place.
+    pub fn start_of(subject: Subject<'_>, finding: &Diagnostic) -> LineColumn {
+        let start = finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start);
+        subject.source().line_column(start)
     }
 
     /// The locations of a finding: where it is, then the related ones.
@@ -146,7 +169,6 @@ pub(crate) fn plural(count: usize, word: &str) -> String {
     if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
 }
 
-#[cfg(feature = "cli")]
 /// A character, or U+FFFD for one that steers the terminal or the direction of the text.
 pub(crate) fn visible(character: char) -> char {
     match character {
@@ -157,6 +179,11 @@ pub(crate) fn visible(character: char) -> char {
         _ if character.is_control() => char::REPLACEMENT_CHARACTER,
         _ => character,
     }
+}
+
+/// A text as one line without what steers the terminal: it may quote anything that stands in a file.
+pub(crate) fn one_line(text: &str) -> String {
+    text.chars().map(|character| if character == '\t' { ' ' } else { visible(character) }).collect()
 }
 
 #[cfg(test)]
