@@ -11,10 +11,13 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS};
+use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS, Tool};
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description};
+use objdict::lint::Options;
+use objdict::profile::Profile;
 use objdict::registry;
 use objdict::source::{SourceFile, SourceOptions, Span};
 
@@ -58,6 +61,18 @@ fn open(path: &Path) -> Description {
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// What a fixture is checked with: the profile beside it, and all tools where it is about them.
+fn options(path: &Path) -> Options {
+    let mut options = Options::default();
+    if let Ok(text) = fs::read_to_string(path.with_file_name("profile.toml")) {
+        options.profiles.push(Arc::new(Profile::from_toml(&text).unwrap()));
+    }
+    if path.starts_with(root().join("fixtures/rules/portability")) {
+        options.tools.extend(Tool::ALL);
+    }
+    options
+}
+
 /// A file with what is found in it.
 enum Examined {
     Description(Box<Description>, Findings),
@@ -71,7 +86,7 @@ impl Examined {
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
         if !is_damaged {
             let description = open(path);
-            let findings = objdict::check(&description);
+            let findings = objdict::check_with(&description, &options(path));
             return Self::Description(Box::new(description), findings);
         }
         let source = SourceFile::open(path, &SourceOptions::default()).unwrap();
@@ -154,7 +169,7 @@ fn every_rule_has_fixtures_and_every_fixture_a_rule() {
             assert!(!devices(folder, prefix).is_empty(), "{id} has no `{prefix}` fixture");
         }
         for file in sorted(folder) {
-            let known = ["bad", "good"].iter().any(|prefix| name(&file).starts_with(prefix));
+            let known = ["bad", "good", "profile.toml"].iter().any(|prefix| name(&file).starts_with(prefix));
             assert!(known, "{}: no test reads it", file.display());
         }
     }

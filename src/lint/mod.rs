@@ -1,7 +1,7 @@
 //! The linter: rules about the model. A rule knows no files and no formats; it looks at a [`Device`] and speaks of
 //! [`Place`](crate::model::Place)s.
 
-mod expected;
+mod demands;
 mod facts;
 mod index_set;
 mod options;
@@ -12,7 +12,6 @@ mod stated;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
-pub(crate) use expected::{Expected, expected, has_shape_of};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
 pub use options::Options;
@@ -28,11 +27,41 @@ pub fn check(device: &Device, options: &Options) -> Findings {
             Check::Device(check) => check(device, &mut findings),
             Check::Facts(check) => check(&facts, &mut findings),
             Check::Pdo(check) => facts.pdos.iter().for_each(|pdo| check(&facts, pdo, &mut findings)),
-            Check::Object(_) | Check::Entry(_) => {}
+            Check::Applied(_)
+            | Check::Against(_)
+            | Check::Expected(_)
+            | Check::Object(_)
+            | Check::Entry(_) => {}
         }
     }
+    check_demands(&facts, &mut findings);
     check_objects(device, &mut findings);
     findings
+}
+
+/// One walk over what documents demand, for all rules of their groups.
+fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
+    let applied = demands::applied(facts.device, facts.options);
+    for one in &applied {
+        let rules = RULES.iter().filter(|rule| rule.info.group() == one.profile.group);
+        let rules: Vec<&Rule> = rules.copied().collect();
+        for rule in &rules {
+            if let Check::Applied(check) = rule.check {
+                check(&rule.info, facts, one, findings);
+            }
+        }
+        for against in demands::against(facts.device, one) {
+            for rule in &rules {
+                match rule.check {
+                    Check::Against(check) => check(&rule.info, &against, findings),
+                    Check::Expected(check) => {
+                        against.entries().for_each(|at| check(&rule.info, &at, findings))
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
 }
 
 /// One walk over the objects for all rules that look at one object or one entry at a time.

@@ -1,6 +1,7 @@
 //! What a rule about the model is made of.
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::lint::demands::{Against, Applied, Expected};
 use crate::lint::{Facts, PdoFacts, stated};
 use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
 
@@ -28,6 +29,12 @@ pub(crate) enum Check {
     Facts(fn(&Facts<'_>, &mut Findings)),
     /// Each PDO that the description has an object for.
     Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
+    /// Each logical device that the document of the rule's group holds for.
+    Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// Each object that the document says something of.
+    Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
+    /// Each described entry that the document says something of, of objects that have the shape that it gives them.
+    Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
 }
 
 /// An entry with where it is.

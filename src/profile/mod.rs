@@ -1,79 +1,85 @@
-//! What the standards demand of objects, as data: rules and generators ask here and know no table themselves.
+//! What documents demand of objects, as data: one TOML file a document (`data/`), and a house's own profiles in the same
+//! form. Rules, generators and the command ask here and know no table themselves.
+//!
+//! `docs/profiles.md` describes the form.
 
-pub mod cia301;
+mod condition;
+mod facts;
+mod load;
+mod standard;
 
-use crate::model::{Access, DataType, ObjectType};
+pub use condition::{Condition, ConditionError};
+pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
+pub use load::ProfileError;
+pub(crate) use standard::{for_all, of_number};
+pub use standard::{named, obsolete, standard};
 
-/// What a standard says of an object, or of a range of alike ones.
-#[derive(Debug)]
-pub struct ObjectFacts {
-    /// First index.
-    pub first: u16,
-    /// Last index; the first one for a single object.
-    pub last: u16,
-    /// Name in the standard.
-    pub name: &'static str,
-    /// The object type, then others that real devices have and that do no harm.
-    pub object_types: &'static [ObjectType],
-    /// Whether every device has the object.
-    pub mandatory: bool,
-    /// The sub-indexes that it may have, in ascending order.
-    pub entries: &'static [EntryFacts],
+use crate::model::Device;
+
+/// The index at which the objects of a profile begin; each further logical device of a module lies behind the others.
+const FIRST_INDEX: u16 = 0x6000;
+/// Indexes that a logical device has (CiA 301 §7.4.1).
+const BLOCK: u16 = 0x800;
+/// So many logical devices a module may have.
+pub const MAX_BLOCKS: u8 = 8;
+
+/// What a document demands of a device.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// The group of the rules that hold a device against it: `cia401`; `house` for a profile that was loaded.
+    pub group: &'static str,
+    /// The document as people call it: `CiA 401`.
+    pub document: String,
+    /// What it is about.
+    pub title: String,
+    /// The edition.
+    pub version: Option<String>,
+    /// The device profile number: the low word of 1000h of a device that follows it. Without it, the document is for
+    /// devices of any profile.
+    pub number: Option<u16>,
+    /// Whether a module may have several logical devices of it, 800h indexes apart (CiA 301 §7.4.1).
+    pub repeats: bool,
+    /// The objects, in ascending order of their indexes.
+    pub objects: Vec<ObjectFacts>,
 }
 
-/// What a standard says of a sub-index, or of a range of alike ones.
-#[derive(Clone, Copy, Debug)]
-pub struct EntryFacts {
-    /// First sub-index.
-    pub first: u8,
-    /// Last sub-index; the first one for a single entry.
-    pub last: u8,
-    /// Name in the standard.
-    pub name: &'static str,
-    /// The data types that the standard's editions know; empty where any may be.
-    pub data_types: &'static [DataType],
-    /// The access types that the standard's editions allow; empty where any may be. See
-    /// [`EntryFacts::accepts_access`].
-    pub access: &'static [Access],
-    /// Whether the entry is there whenever the object is.
-    pub mandatory: bool,
-    /// Whether a PDO may carry it.
-    pub mappable: bool,
-    /// Smallest and largest value that the standard allows; `None` for all of the data type.
-    pub range: Option<(u64, u64)>,
-}
-
-impl ObjectFacts {
-    /// The object type that the standard gives it.
-    pub fn object_type(&self) -> ObjectType {
-        self.object_types.first().copied().unwrap_or(ObjectType::Var)
+impl Profile {
+    /// What it says of an object of the first logical device; `None` for one that it does not define.
+    pub fn object(&self, index: u16) -> Option<&ObjectFacts> {
+        let at = self.objects.partition_point(|facts| facts.last < index);
+        self.objects.get(at).filter(|facts| facts.first <= index)
     }
 
-    /// What it says of a sub-index; `None` for one that the object does not have.
-    pub fn entry(&self, sub: u8) -> Option<&'static EntryFacts> {
-        self.entries.iter().find(|entry| (entry.first..=entry.last).contains(&sub))
-    }
-
-    /// The highest sub-index that it may have.
-    pub fn highest_sub(&self) -> u8 {
-        self.entries.last().map_or(0, |entry| entry.last)
+    /// What it says of an object that a logical device has at `index`, counted from 0. Communication objects belong to
+    /// the first.
+    pub fn object_in(&self, block: u8, index: u16) -> Option<&ObjectFacts> {
+        match block {
+            0 => self.object(index),
+            _ if index < FIRST_INDEX => None,
+            _ => index
+                .checked_sub(BLOCK * u16::from(block))
+                .filter(|&index| index >= FIRST_INDEX)
+                .and_then(|index| self.object(index)),
+        }
     }
 }
 
-impl EntryFacts {
-    /// Whether an entry may have this data type.
-    pub fn accepts_type(&self, data_type: DataType) -> bool {
-        self.data_types.is_empty() || self.data_types.contains(&data_type)
-    }
+/// The index that an object of the first logical device has in another one, counted from 0.
+pub const fn index_in(block: u8, index: u16) -> u16 {
+    if index < FIRST_INDEX { index } else { index.saturating_add(BLOCK.saturating_mul(block as u16)) }
+}
 
-    /// Whether an entry may have this access type. `ro` and `const` stand for each other, for the editions of CiA 301
-    /// exchanged them; `rwr` and `rww` say more than `rw` and are no other access.
-    pub fn accepts_access(&self, access: Access) -> bool {
-        let stands_for = |allowed: Access| match allowed {
-            Access::Ro | Access::Const => matches!(access, Access::Ro | Access::Const),
-            Access::Rw => matches!(access, Access::Rw | Access::Rwr | Access::Rww),
-            _ => access == allowed,
-        };
-        self.access.is_empty() || self.access.iter().any(|&allowed| stands_for(allowed))
+/// Where the device type of a logical device stands: 1000h or, when that says that there are several (FFFFh in its low
+/// word), 67FFh and each 800h behind it (CiA 301 §7.5.2.1).
+pub fn device_type_index(device: &Device, block: u8) -> u16 {
+    match device.profile() {
+        Some(0xFFFF) => index_in(block, 0x67FF),
+        _ => 0x1000,
     }
+}
+
+/// The device profile number that a logical device states.
+pub fn number_of(device: &Device, block: u8) -> Option<u16> {
+    let value = device.object(device_type_index(device, block))?.value(0)?.as_integer()?;
+    u16::try_from(value & 0xFFFF).ok()
 }

@@ -124,4 +124,16 @@ rules! {
         wrong_object_list,
         wrong_pdo_count,
     }
+    house {
+        misplaced_object,
+        missing_object,
+        missing_sub_index,
+        undefined_sub_index,
+        wrong_access,
+        wrong_data_type,
+        wrong_default,
+        wrong_mapping,
+        wrong_object_type,
+        wrong_value,
+    }
 }

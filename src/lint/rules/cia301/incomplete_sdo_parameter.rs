@@ -1,7 +1,7 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::lint::demands::Against;
 use crate::lint::rule;
-use crate::model::{Device, Object, Place};
-use crate::profile::cia301;
+use crate::model::Place;
 
 rule! {
     /// an SDO parameter lacks a sub-index
@@ -20,19 +20,19 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/incomplete-sdo-parameter", Error, Object(check)
+    "cia301/incomplete-sdo-parameter", Error, Against(check)
 }
 
-fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let (index, object) = (at.index, at.object);
     if !(0x1200..=0x12FF).contains(&index) || object.orphan || !object.object_type().has_subs() {
         return;
     }
-    let Some(facts) = cia301::object(index) else { return };
-    let needed = facts.entries.iter().filter(|entry| entry.mandatory && entry.first > 0);
+    let needed = at.facts.entries.iter().filter(|entry| entry.is_mandatory() && entry.first > 0);
     for entry in needed.filter(|entry| !object.has(entry.first)) {
-        let (sub, name) = (entry.first, entry.name);
-        let message = format!("{index:04X}h ({}) has no sub-index {sub} ({name})", facts.name);
-        let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+        let (sub, name) = (entry.first, &entry.name);
+        let message = format!("{at} has no sub-index {sub} ({name})");
+        let finding = Diagnostic::new(rule, Place::object(index), message);
         findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
     }
 }

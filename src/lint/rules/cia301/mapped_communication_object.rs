@@ -1,7 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{expected, rule, with_others};
-use crate::model::{Access, DataType, Device, Field, Object};
-use crate::profile::cia301;
+use crate::lint::{demands, rule};
 
 rule! {
     /// a communication object that no PDO may carry is marked as mappable
@@ -20,20 +17,5 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2
-    "cia301/mapped-communication-object", Warning, Object(check)
-}
-
-fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
-    let marked = expected(index, object).filter(|at| at.entry.is_mappable() && !at.facts.mappable);
-    // constants and texts are never mappable, which is a rule of its own
-    let marked = marked.filter(|at| {
-        let length = at.entry.data_type.and_then(DataType::bit_length);
-        at.entry.access != Some(Access::Const) && length.is_some()
-    });
-    let mut places = marked.map(|at| at.place().field(Field::PdoMapping));
-    let Some(first) = places.next() else { return };
-    let name = cia301::object(index).map_or("", |facts| facts.name);
-    let message = format!("{index:04X}h ({name}) is marked as mappable, CiA 301 lets no PDO carry it");
-    let finding = Diagnostic::new(&RULE.info, first, message).help("write `PDOMapping=0`");
-    findings.push(with_others(finding, places.map(|place| (place, "here too".to_owned()))));
+    "cia301/mapped-communication-object", Warning, Against(demands::wrong_mapping), fix Unsafe
 }

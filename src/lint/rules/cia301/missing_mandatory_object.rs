@@ -1,7 +1,8 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
-use crate::model::{Device, ObjectList, Part, Place};
-use crate::profile::cia301;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::lint::demands::Applied;
+use crate::lint::{Facts, rule};
+use crate::model::{ObjectList, Part, Place};
+use crate::profile::Need;
 
 rule! {
     /// an object that every device has is missing
@@ -20,16 +21,17 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1
-    "cia301/missing-mandatory-object", Error, Device(check)
+    "cia301/missing-mandatory-object", Error, Applied(check)
 }
 
-fn check(device: &Device, findings: &mut Findings) {
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
     // a file that has nothing of a device is no device with missing objects
     if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
         return;
     }
-    for facts in cia301::mandatory() {
-        let (index, name) = (facts.first, facts.name);
+    for facts in applied.profile.objects.iter().filter(|facts| facts.need == Need::Mandatory) {
+        let (index, name) = (facts.first, &facts.name);
         // what is listed and not described has a rule of its own
         if device.objects.contains_key(&index) || device.lists.iter().any(|(_, listed)| listed == index) {
             continue;
@@ -40,6 +42,6 @@ fn check(device: &Device, findings: &mut Findings) {
         };
         let message = format!("the mandatory object {index:04X}h ({name}) is missing");
         let help = format!("add `[{index:04X}]` and name `0x{index:04X}` in `MandatoryObjects`");
-        findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
+        findings.push(Diagnostic::new(rule, place, message).help(help));
     }
 }

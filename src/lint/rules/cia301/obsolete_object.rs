@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::rule;
 use crate::model::{Device, Object, Place};
-use crate::profile::cia301;
+use crate::profile;
 
 rule! {
     /// an object of an old edition of CiA 301
@@ -24,7 +24,7 @@ rule! {
 }
 
 fn check(_: &Device, index: u16, _: &Object, findings: &mut Findings) {
-    if let Some(purpose) = cia301::obsolete(index) {
+    if let Some(purpose) = profile::obsolete(index) {
         let message = format!("{index:04X}h ({purpose}) is obsolete since version 4 of CiA 301");
         let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
         findings.push(finding.help("leave it out where no old tool needs it"));

@@ -1,7 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{has_shape_of, rule};
-use crate::model::{Device, Field, Object, Place};
-use crate::profile::cia301;
+use crate::lint::{demands, rule};
 
 rule! {
     /// a communication object has a sub-index that CiA 301 does not define
@@ -20,27 +17,5 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2
-    "cia301/undefined-sub-index", Error, Object(check)
-}
-
-fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
-    let Some(facts) = cia301::object(index) else { return };
-    // a VAR with sub-indexes is the matter of another rule
-    if !has_shape_of(object, facts) || !object.object_type().has_subs() {
-        return;
-    }
-    let highest = facts.highest_sub();
-    for (sub, _) in object.subs.iter().filter(|&(sub, _)| sub != 0xFF && facts.entry(sub).is_none()) {
-        let message = format!("{index:04X}h ({}) has no sub-index {sub}, only up to {highest}", facts.name);
-        let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-        findings.push(finding.help("describe what is your own from 2000h on"));
-    }
-    if let Some(compact) = object.compact.as_ref().filter(|compact| compact.count > highest) {
-        let message = format!(
-            "`CompactSubObj` gives {index:04X}h ({}) {} sub-indexes, CiA 301 {highest}",
-            facts.name, compact.count
-        );
-        let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::CompactSubObj), message);
-        findings.push(finding.help(format!("write at most {highest}")));
-    }
+    "cia301/undefined-sub-index", Error, Against(demands::undefined_sub_index)
 }

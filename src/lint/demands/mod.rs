@@ -1,0 +1,160 @@
+//! What is described beside what documents demand of it: one walk for the rules of all documents. A rule holds the
+//! device against the document of its own group (`cia401/…` against CiA 401, `house/…` against profiles that were
+//! loaded), so the rules of a group are a page each, and the looking is here.
+
+mod entries;
+mod missing;
+mod objects;
+
+use std::sync::Arc;
+
+use super::{Options, stated};
+use crate::model::{Device, Entry, Object, Place};
+use crate::profile::{self, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
+
+pub(crate) use entries::{wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_value};
+pub(crate) use missing::{missing_entry, missing_object};
+pub(crate) use objects::{misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type};
+
+/// A document that holds for a logical device.
+#[derive(Clone, Copy)]
+pub(crate) struct Applied<'a> {
+    pub profile: &'a Profile,
+    /// The logical device, counted from 0.
+    pub block: u8,
+}
+
+/// An object of the device beside what a document says of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Against<'a> {
+    pub device: &'a Device,
+    pub applied: Applied<'a>,
+    pub index: u16,
+    pub object: &'a Object,
+    pub facts: &'a ObjectFacts,
+}
+
+/// A described entry beside what a document says of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Expected<'a> {
+    pub against: Against<'a>,
+    /// The sub-index; `None` for the object's own section.
+    pub sub: Option<u8>,
+    pub entry: &'a Entry,
+    pub facts: &'a EntryFacts,
+}
+
+/// The documents that hold for a device: those for all devices, that of its device type, and those that were asked for.
+pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Applied<'a>> {
+    let mut applied = Vec::new();
+    let number = profile::number_of(device, 0);
+    let of_number = |block: u8, number: Option<u16>| {
+        let profile = number.filter(|&number| number != 0).and_then(profile::of_number);
+        profile.map(|profile| Applied { profile, block })
+    };
+    applied.extend(profile::for_all().map(|profile| Applied { profile, block: 0 }));
+    applied.extend(of_number(0, number));
+    for profile in options.profiles.iter().map(Arc::as_ref) {
+        if !applied.iter().any(|one| one.profile == profile) {
+            applied.push(Applied { profile, block: 0 });
+        }
+    }
+    let is_multiple = device.profile() == Some(0xFFFF);
+    for block in 1..MAX_BLOCKS {
+        if is_multiple {
+            applied.extend(of_number(block, profile::number_of(device, block)));
+            continue;
+        }
+        // several axes of one profile, though the device type does not say so
+        let repeated = applied.iter().filter(|one| one.block == 0 && one.profile.repeats);
+        let repeated = repeated.filter(|one| has_block(device, one.profile, block)).copied();
+        let repeated: Vec<_> = repeated.map(|one| Applied { block, ..one }).collect();
+        applied.extend(repeated);
+    }
+    applied
+}
+
+/// Whether the device has an object that the document gives a further logical device.
+fn has_block(device: &Device, profile: &Profile, block: u8) -> bool {
+    let (first, last) = (profile::index_in(block, 0x6000), profile::index_in(block, 0x67FE));
+    device.objects.range(first..=last).any(|(&index, _)| profile.object_in(block, index).is_some())
+}
+
+/// The objects of the device that a document says something of.
+pub(crate) fn against<'a>(device: &'a Device, applied: &Applied<'a>) -> impl Iterator<Item = Against<'a>> {
+    let applied = *applied;
+    device.objects.iter().filter_map(move |(&index, object)| {
+        let facts = applied.profile.object_in(applied.block, index)?;
+        Some(Against { device, applied, index, object, facts })
+    })
+}
+
+impl Applied<'_> {
+    /// Its name in messages.
+    pub(crate) fn document(&self) -> &str {
+        &self.profile.document
+    }
+}
+
+impl<'a> Against<'a> {
+    /// The described entries that the document says something of; what the sub-indexes of a compactly stored object share
+    /// counts as one entry. None where the object has not the shape that the document gives it.
+    pub(crate) fn entries(self) -> impl Iterator<Item = Expected<'a>> {
+        let object = self.object;
+        let has_header = object.object_type().has_subs() && object.compact.is_none();
+        let shared = u8::from(object.compact.is_some());
+        let entries = self.has_its_shape().then(|| object.described()).into_iter().flatten();
+        entries.filter(move |(sub, _)| sub.is_some() || !has_header).filter_map(move |(sub, entry)| {
+            let facts = self.facts.entry(sub.unwrap_or(shared))?;
+            Some(Expected { against: self, sub, entry, facts })
+        })
+    }
+
+    /// Whether the object has the shape that its facts speak of: sub-indexes, or a single value. What is said of one that
+    /// has not is the matter of the rules about object types.
+    pub(crate) fn has_its_shape(&self) -> bool {
+        let (object, facts) = (self.object, self.facts);
+        let is_alike =
+            !facts.states_type() || object.object_type().has_subs() == facts.object_type().has_subs();
+        !object.orphan && is_alike
+    }
+
+    /// The object type, when nothing is in doubt.
+    fn stated_type(&self) -> Option<crate::model::ObjectType> {
+        stated::object_type(self.object)
+    }
+}
+
+/// `1017h (Producer heartbeat time)`.
+impl std::fmt::Display for Against<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:04X}h ({})", self.index, self.facts.name)
+    }
+}
+
+impl Expected<'_> {
+    pub(crate) fn place(&self) -> Place {
+        let index = self.against.index;
+        self.sub.map_or(Place::object(index), |sub| Place::entry(index, sub))
+    }
+
+    /// The document's name in messages.
+    pub(crate) fn document(&self) -> &str {
+        self.against.applied.document()
+    }
+
+    /// Whether it is sub-index 0 of an object with sub-indexes: a number of entries, and the matter of rules of its own.
+    fn counts(&self) -> bool {
+        self.sub == Some(0) && self.against.object.object_type().has_subs()
+    }
+}
+
+/// `1018h sub-index 1`.
+impl std::fmt::Display for Expected<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.sub {
+            Some(sub) => write!(f, "{:04X}h sub-index {sub}", self.against.index),
+            None => write!(f, "{:04X}h", self.against.index),
+        }
+    }
+}

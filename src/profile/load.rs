@@ -1,0 +1,543 @@
+//! Profiles from TOML. The form is the same for the documents that come with the program and for those of a house;
+//! `docs/profiles.md` describes it.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use serde::Deserialize;
+use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
+use toml::Spanned;
+
+use super::{BitField, Condition, EntryFacts, Mapping, Need, ObjectFacts, Profile};
+use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
+use crate::source::Span;
+
+/// Why a text is no profile.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct ProfileError {
+    /// What is wrong.
+    pub message: String,
+    /// Where, in bytes of the text.
+    pub span: Option<Span>,
+}
+
+impl Profile {
+    /// The profile that a TOML text describes, for rules of the group `house`.
+    ///
+    /// # Errors
+    /// When the text is no TOML, has a key that profiles do not have, or a value that is none of its key.
+    pub fn from_toml(text: &str) -> Result<Self, ProfileError> {
+        Self::read(text, "house")
+    }
+
+    /// The profile that a TOML text describes, for rules of a group.
+    pub(super) fn read(text: &str, group: &'static str) -> Result<Self, ProfileError> {
+        let file: ProfileFile = toml::from_str(text).map_err(|error| ProfileError {
+            message: error.message().to_owned(),
+            span: error.span().map(span),
+        })?;
+        let mut objects = Vec::with_capacity(file.object.len());
+        for object in file.object {
+            let at = span(object.span());
+            let facts =
+                object.into_inner().facts().map_err(|message| ProfileError { message, span: Some(at) })?;
+            objects.push((facts, at));
+        }
+        objects.sort_by_key(|(facts, _)| facts.first);
+        let twice = objects.windows(2).find(|pair| pair[0].0.last >= pair[1].0.first);
+        if let Some((facts, at)) = twice.map(|pair| &pair[1]) {
+            let message = format!("{:04X}h is described twice", facts.first);
+            return Err(ProfileError { message, span: Some(*at) });
+        }
+        Ok(Self {
+            group,
+            document: file.document,
+            title: file.title,
+            version: file.version,
+            number: file.number,
+            repeats: file.repeats,
+            objects: objects.into_iter().map(|(facts, _)| facts).collect(),
+        })
+    }
+}
+
+/// A range of bytes as toml gives it; an offset beyond 4 GB is cut, the text is refused long before.
+fn span(range: std::ops::Range<usize>) -> Span {
+    let offset = |offset: usize| u32::try_from(offset).unwrap_or(u32::MAX);
+    Span::new(offset(range.start), offset(range.end))
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct ProfileFile {
+    document: String,
+    title: String,
+    version: Option<String>,
+    number: Option<u16>,
+    #[serde(default)]
+    repeats: bool,
+    #[serde(default)]
+    object: Vec<Spanned<ObjectTable>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct ObjectTable {
+    index: u16,
+    last: Option<u16>,
+    name: String,
+    #[serde(default, deserialize_with = "object_types")]
+    object_type: Vec<ObjectType>,
+    need: Option<NeedText>,
+    only: Option<ConditionText>,
+    source: Option<String>,
+    entries: Option<Vec<EntryTable>>,
+    // of the value of a VAR
+    #[serde(default, deserialize_with = "data_types")]
+    data_type: Vec<DataType>,
+    #[serde(default, deserialize_with = "access_types")]
+    access: Vec<Access>,
+    #[serde(default, deserialize_with = "mapping")]
+    mapping: Option<Mapping>,
+    #[serde(default)]
+    values: Ranges,
+    default: Option<toml::Value>,
+    #[serde(default)]
+    bits: Vec<BitTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct EntryTable {
+    sub: u8,
+    last: Option<u8>,
+    #[serde(default)]
+    name: String,
+    need: Option<NeedText>,
+    #[serde(default, deserialize_with = "data_types")]
+    data_type: Vec<DataType>,
+    #[serde(default, deserialize_with = "access_types")]
+    access: Vec<Access>,
+    #[serde(default, deserialize_with = "mapping")]
+    mapping: Option<Mapping>,
+    #[serde(default)]
+    values: Ranges,
+    default: Option<toml::Value>,
+    #[serde(default)]
+    bits: Vec<BitTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct BitTable {
+    at: BitRange,
+    name: String,
+    #[serde(default)]
+    values: Meanings,
+}
+
+impl ObjectTable {
+    fn facts(self) -> Result<ObjectFacts, String> {
+        let last = self.last.unwrap_or(self.index);
+        if last < self.index {
+            return Err(format!("`last` {last:04X}h is below `index` {:04X}h", self.index));
+        }
+        let mut object_types = self.object_type;
+        let has_value = !self.data_type.is_empty() || !self.access.is_empty() || self.mapping.is_some();
+        let has_value =
+            has_value || !self.values.0.is_empty() || self.default.is_some() || !self.bits.is_empty();
+        let entries = match self.entries {
+            Some(_) if has_value => {
+                return Err("an object with `entries` has data type, access and values there".to_owned());
+            }
+            Some(entries) => entries,
+            None if has_value => {
+                if object_types.is_empty() {
+                    object_types.push(ObjectType::Var);
+                }
+                vec![EntryTable {
+                    sub: 0,
+                    last: None,
+                    name: String::new(),
+                    need: Some(NeedText(Need::Mandatory)),
+                    data_type: self.data_type,
+                    access: self.access,
+                    mapping: self.mapping,
+                    values: self.values,
+                    default: self.default,
+                    bits: self.bits,
+                }]
+            }
+            None => Vec::new(),
+        };
+        let entries = entries.into_iter().map(EntryTable::facts).collect::<Result<Vec<_>, _>>()?;
+        if let Some(pair) = entries.windows(2).find(|pair| pair[0].last >= pair[1].first) {
+            return Err(format!("sub-index {} comes behind {}", pair[1].first, pair[0].last));
+        }
+        Ok(ObjectFacts {
+            first: self.index,
+            last,
+            name: self.name,
+            object_types,
+            need: self.need.map(|need| need.0).unwrap_or_default(),
+            only: self.only.map(|only| only.0),
+            entries,
+            source: self.source,
+        })
+    }
+}
+
+impl EntryTable {
+    fn facts(self) -> Result<EntryFacts, String> {
+        let last = self.last.unwrap_or(self.sub);
+        if last < self.sub {
+            return Err(format!("`last` {last} is below `sub` {}", self.sub));
+        }
+        let data_type = self.data_type.first().copied();
+        let default = self.default.map(|figure| value(&figure, data_type)).transpose()?;
+        let bits = self.bits.into_iter();
+        let bits = bits.map(|bits| BitField {
+            first: *bits.at.0.start(),
+            last: *bits.at.0.end(),
+            name: bits.name,
+            values: bits.values.0,
+        });
+        Ok(EntryFacts {
+            first: self.sub,
+            last,
+            name: self.name,
+            data_types: self.data_type,
+            access: self.access,
+            need: self.need.map(|need| need.0).unwrap_or_default(),
+            mapping: self.mapping,
+            values: self.values.0,
+            default,
+            bits: bits.collect(),
+        })
+    }
+}
+
+/// A default value of a data type; without one, a whole number.
+fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, String> {
+    let wrong = || {
+        let of = data_type.map_or_else(|| "a number".to_owned(), |data_type| data_type.to_string());
+        let figure = match figure {
+            toml::Value::String(text) => text.clone(),
+            toml::Value::Integer(number) => number.to_string(),
+            toml::Value::Float(number) => number.to_string(),
+            other => other.type_str().to_owned(),
+        };
+        format!("`{figure}` as default is no value of type {of}")
+    };
+    let integer_type = data_type.unwrap_or(DataType::INTEGER64);
+    let value = match figure {
+        toml::Value::Integer(number) => match integer_type.kind() {
+            TypeKind::Real32 => Some(Value::Real32(*number as f32)),
+            TypeKind::Real64 => Some(Value::Real64(*number as f64)),
+            _ => Value::from_integer(i128::from(*number), integer_type),
+        },
+        toml::Value::Boolean(flag) => Some(Value::Boolean(*flag)),
+        toml::Value::Float(number) => match integer_type.kind() {
+            TypeKind::Real32 => Some(Value::Real32(*number as f32)),
+            TypeKind::Real64 => Some(Value::Real64(*number)),
+            _ => None,
+        },
+        toml::Value::String(text) => match text.strip_prefix("$NODEID") {
+            Some("") => Some(Value::NodeId(0)),
+            Some(offset) => offset.strip_prefix('+').and_then(number).map(Value::NodeId),
+            None => Some(Value::Text(text.as_str().into())),
+        },
+        _ => None,
+    };
+    value.filter(|value| value.is_of(data_type)).ok_or_else(wrong)
+}
+
+/// A number in decimal or, behind `0x`, in hexadecimal.
+fn number(text: &str) -> Option<u64> {
+    match text.strip_prefix("0x") {
+        Some(digits) => u64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
+}
+
+/// One item or a list of them.
+struct OneOrMany<T>(Vec<T>);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Items<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Items<T> {
+            type Value = OneOrMany<T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a name or a list of names")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                T::deserialize(de::value::StrDeserializer::new(text)).map(|item| OneOrMany(vec![item]))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let mut all = Vec::new();
+                while let Some(item) = items.next_element()? {
+                    all.push(item);
+                }
+                Ok(OneOrMany(all))
+            }
+        }
+        deserializer.deserialize_any(Items(std::marker::PhantomData))
+    }
+}
+
+/// A word that names something.
+struct Named<T>(T);
+
+/// What words of profiles name.
+trait Word: Sized {
+    const EXPECTED: &'static str;
+    fn of(word: &str) -> Option<Self>;
+}
+
+impl Word for ObjectType {
+    const EXPECTED: &'static str = "`VAR`, `ARRAY`, `RECORD` or `DOMAIN`";
+    fn of(word: &str) -> Option<Self> {
+        let types = [Self::Var, Self::Array, Self::Record, Self::Domain, Self::DefType, Self::DefStruct];
+        types.into_iter().find(|object_type| object_type.name() == word)
+    }
+}
+
+impl Word for DataType {
+    const EXPECTED: &'static str = "a data type of CiA 301 such as `UNSIGNED8`";
+    fn of(word: &str) -> Option<Self> {
+        Self::from_name(word)
+    }
+}
+
+impl Word for Access {
+    const EXPECTED: &'static str = "`ro`, `wo`, `rw`, `rwr`, `rww` or `const`";
+    fn of(word: &str) -> Option<Self> {
+        Self::from_name(word)
+    }
+}
+
+impl Word for Mapping {
+    const EXPECTED: &'static str = "`no`, `tpdo`, `rpdo` or `any`";
+    fn of(word: &str) -> Option<Self> {
+        [Self::No, Self::Tpdo, Self::Rpdo, Self::Any].into_iter().find(|mapping| mapping.name() == word)
+    }
+}
+
+impl<'de, T: Word> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        let unknown = || de::Error::custom(format_args!("`{word}` is unknown, expected {}", T::EXPECTED));
+        T::of(&word).map(Self).ok_or_else(unknown)
+    }
+}
+
+fn words<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Result<Vec<T>, D::Error> {
+    let words = OneOrMany::<Named<T>>::deserialize(deserializer)?;
+    Ok(words.0.into_iter().map(|word| word.0).collect())
+}
+
+fn object_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<ObjectType>, D::Error> {
+    words(deserializer)
+}
+
+fn data_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<DataType>, D::Error> {
+    words(deserializer)
+}
+
+fn access_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Access>, D::Error> {
+    words(deserializer)
+}
+
+fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Mapping>, D::Error> {
+    Named::deserialize(deserializer).map(|word| Some(word.0))
+}
+
+/// `"mandatory"`, `"optional"`, or the condition on which it is mandatory.
+struct NeedText(Need);
+
+impl<'de> Deserialize<'de> for NeedText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Ok(Self(match text.as_str() {
+            "mandatory" => Need::Mandatory,
+            "optional" => Need::Optional,
+            condition => match condition.strip_prefix("if ") {
+                Some(condition) => Need::When(condition.parse().map_err(de::Error::custom)?),
+                None => {
+                    let message = "expected `mandatory`, `optional` or `if` with a condition";
+                    return Err(de::Error::custom(message));
+                }
+            },
+        }))
+    }
+}
+
+/// A condition.
+struct ConditionText(Condition);
+
+impl<'de> Deserialize<'de> for ConditionText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        text.strip_prefix("if ").unwrap_or(&text).parse().map(Self).map_err(de::Error::custom)
+    }
+}
+
+/// Numbers and pairs of the smallest and the largest number.
+#[derive(Default)]
+struct Ranges(Vec<RangeInclusive<i128>>);
+
+impl<'de> Deserialize<'de> for Ranges {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let ranges: Vec<NumberOrPair> = Vec::deserialize(deserializer)?;
+        Ok(Self(ranges.into_iter().map(|range| range.0).collect()))
+    }
+}
+
+/// Bits from the lowest to the highest.
+struct BitRange(RangeInclusive<u8>);
+
+impl<'de> Deserialize<'de> for BitRange {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let range = NumberOrPair::deserialize(deserializer)?.0;
+        let bit = |number: &i128| u8::try_from(*number).ok().filter(|bit| *bit < 64);
+        match (bit(range.start()), bit(range.end())) {
+            (Some(first), Some(last)) => Ok(Self(first..=last)),
+            _ => Err(de::Error::custom("bits are counted from 0 to 63")),
+        }
+    }
+}
+
+/// `5` or `[1, 5]`.
+struct NumberOrPair(RangeInclusive<i128>);
+
+impl<'de> Deserialize<'de> for NumberOrPair {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers;
+        impl<'de> Visitor<'de> for Numbers {
+            type Value = NumberOrPair;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, or the smallest and the largest one such as `[1, 5]`")
+            }
+
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Self::Value, E> {
+                let number = i128::from(number);
+                Ok(NumberOrPair(number..=number))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let first: Option<i64> = items.next_element()?;
+                let last: Option<i64> = items.next_element()?;
+                match (first, last, items.next_element::<i64>()?) {
+                    (Some(first), Some(last), None) if first <= last => {
+                        Ok(NumberOrPair(i128::from(first)..=i128::from(last)))
+                    }
+                    _ => Err(de::Error::custom(
+                        "expected the smallest and the largest number such as `[1, 5]`",
+                    )),
+                }
+            }
+        }
+        deserializer.deserialize_any(Numbers)
+    }
+}
+
+/// What the values of bits mean: `{ 0 = "…", "1..3" = "…" }`.
+#[derive(Default)]
+struct Meanings(Vec<(RangeInclusive<u64>, String)>);
+
+impl<'de> Deserialize<'de> for Meanings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Table;
+        impl<'de> Visitor<'de> for Table {
+            type Value = Meanings;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a table of values and their meanings such as `{ 0 = \"off\", 1 = \"on\" }`")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let mut all = Vec::new();
+                while let Some((key, meaning)) = items.next_entry::<String, String>()? {
+                    let (first, last) = key.split_once("..").unwrap_or((&key, &key));
+                    match (number(first), number(last)) {
+                        (Some(first), Some(last)) => all.push((first..=last, meaning)),
+                        _ => return Err(de::Error::custom(format_args!("`{key}` is no number"))),
+                    }
+                }
+                Ok(Meanings(all))
+            }
+        }
+        deserializer.deserialize_map(Table)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "document = \"Q\"\ntitle = \"drives\"\n";
+
+    #[test]
+    fn a_profile_is_read() {
+        let text = r#"
+[[object]]
+index = 0x2100
+name = "Torque"
+need = "if 2000h"
+data-type = ["INTEGER16", "INTEGER32"]
+access = "rw"
+mapping = "rpdo"
+values = [0, [100, 200]]
+default = -1
+
+[[object]]
+index = 0x2000
+last = 0x200F
+name = "Phase"
+object-type = "RECORD"
+need = "mandatory"
+entries = [
+    { sub = 0, data-type = "UNSIGNED8", access = "const", values = [[1, 3]] },
+    { sub = 1, last = 3, name = "State", bits = [{ at = [0, 1], name = "mode", values = { 0 = "off", "1..3" = "on" } }] },
+]
+"#;
+        let profile = Profile::from_toml(&format!("{HEAD}{text}")).unwrap();
+        assert_eq!(profile.group, "house");
+        let phase = profile.object(0x2007).unwrap();
+        assert_eq!((phase.need.clone(), phase.object_type()), (Need::Mandatory, ObjectType::Record));
+        assert_eq!(phase.entry(2).unwrap().bits[0].meaning(0b110), Some("on"));
+        assert_eq!(phase.entry(4), None);
+        let torque = profile.object(0x2100).unwrap().entry(0).unwrap();
+        assert_eq!(torque.default, Some(Value::Signed(-1)));
+        assert!(torque.accepts_value(150) && !torque.accepts_value(50));
+    }
+
+    #[test]
+    fn an_error_says_where() {
+        let error = |object: &str| {
+            let text = format!("{HEAD}[[object]]\nindex = 0x2000\nname = \"x\"\n{object}\n");
+            let error = Profile::from_toml(&text).unwrap_err();
+            let shown = error.span.map_or("", |span| span.of(&text)).to_owned();
+            (error.message, shown)
+        };
+        let (message, at) = error("data-type = \"UNSIGNED9\"");
+        assert!(message.starts_with("`UNSIGNED9` is unknown, expected a data type"), "{message}");
+        assert_eq!(at, "\"UNSIGNED9\"");
+        let (message, at) = error("need = \"if 2001h and\"");
+        assert_eq!(message, "expected an index such as `6040h` at the end of the condition");
+        assert_eq!(at, "\"if 2001h and\"");
+        let (message, at) = error("colour = 1");
+        assert!(message.contains("unknown field `colour`"), "{message}");
+        assert_eq!(at, "colour");
+        let (message, _) = error("data-type = \"UNSIGNED8\"\ndefault = 300");
+        assert_eq!(message, "`300` as default is no value of type UNSIGNED8");
+        let (message, _) = error("[[object]]\nindex = 0x2000\nname = \"y\"");
+        assert_eq!(message, "2000h is described twice");
+    }
+}
