@@ -55,7 +55,7 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
                 match rule.check {
                     Check::Against(check) => check(&rule.info, &against, findings),
                     Check::Expected(check) => {
-                        against.entries().for_each(|at| check(&rule.info, &at, findings))
+                        against.entries().for_each(|at| check(&rule.info, &at, findings));
                     }
                     _ => {}
                 }

@@ -3,7 +3,7 @@
 use super::{Against, Applied};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::lint::Facts;
-use crate::model::{Device, Place};
+use crate::model::{Device, ObjectType, Place};
 use crate::profile::{Need, index_in};
 
 /// Objects that the document demands are missing.
@@ -56,7 +56,7 @@ fn why(need: &Need, device: &Device, block: u8) -> Option<String> {
 
 /// Sub-indexes that the document demands are missing.
 pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    let is_structured = at.stated_type().is_some_and(|object_type| object_type.has_subs());
+    let is_structured = at.stated_type().is_some_and(ObjectType::has_subs);
     if !is_structured || !at.has_its_shape() || at.device.is_modular() {
         return;
     }
