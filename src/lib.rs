@@ -159,6 +159,7 @@ pub mod download;
 pub mod format;
 pub mod generate;
 pub mod lint;
+mod mend;
 pub mod model;
 pub mod profile;
 pub mod registry;
@@ -166,6 +167,7 @@ pub mod report;
 pub mod source;
 
 pub use check::{check, check_with};
+pub use mend::{Mended, Repair, mend};
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

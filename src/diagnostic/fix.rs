@@ -44,6 +44,27 @@ pub enum Change {
     List(ObjectList, Vec<u16>),
     /// Writes the text in another encoding, which has all its characters.
     Encode(Encoding),
+    /// Puts a comment on a line of its own, above the line in which a span starts.
+    Comment(Span, String),
+    /// Takes the line away that holds the start of a span.
+    RemoveLine(Span),
+    /// Takes the section away whose header holds the start of a span.
+    RemoveSection(Span),
+    /// Mends what is wrong alike in many lines, in all of them.
+    Tidy(Tidy),
+}
+
+/// What can be wrong in every line of a file; only the reader of the format knows where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tidy {
+    /// Line ends of several kinds: those that most lines have.
+    LineEnds,
+    /// Comments with another mark than the format's.
+    Comments,
+    /// Blanks around keys.
+    Keys,
+    /// Characters that ISO 646 does not have: what stands for them there, where something does.
+    Iso646,
 }
 
 impl Fix {

@@ -2,6 +2,7 @@
 
 mod edit;
 mod encoding;
+mod iso646;
 mod line_index;
 mod span;
 
@@ -11,6 +12,7 @@ use std::{fs, io};
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
+pub(crate) use iso646::stand_in;
 pub use line_index::{LineColumn, LineIndex};
 pub use span::Span;
 

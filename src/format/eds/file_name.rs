@@ -1,6 +1,6 @@
 //! The rule that needs the name under which a file was opened, which the model does not know.
 
-use crate::diagnostic::{Diagnostic, Findings, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, Fix, text_rule};
 use crate::format::Format;
 use crate::model::{Device, Field, Part, Place};
 
@@ -21,7 +21,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.4
-    FILE_NAME = "cia306/file-name", Note
+    FILE_NAME = "cia306/file-name", Note, fix Safe
 }
 
 /// Compares `FileName` with the name that a file was opened by. A name without an ending that we know is nobody's file.
@@ -33,9 +33,9 @@ pub(crate) fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
     }
     let place = Place::of(Part::FileInfo).field(Field::FileName);
     let message = format!("the file is called `{actual}`, not `{stated}`");
-    findings.push(
-        Diagnostic::new(&FILE_NAME, place, message).help(format!("write `{}={actual}`", Field::FileName)),
-    );
+    let title = format!("write `{}={actual}`", Field::FileName);
+    let fix = Fix::safe(title.clone()).set(place.clone(), actual);
+    findings.push(Diagnostic::new(&FILE_NAME, place, message).help(title).fix(fix));
 }
 
 /// The name behind the last separator of either kind: files go from one system to the other.

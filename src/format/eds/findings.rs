@@ -1,13 +1,14 @@
 //! The rules about spelling and structure that only the text of an EDS or DCF can show.
 
-use super::file_name::FILE_NAME;
-use super::read::Item;
-use crate::diagnostic::{Diagnostic, RuleInfo, Severity, counted, text_rule};
-use crate::model::{ObjectType, Place};
-use crate::source::Span;
+mod raise;
 
+use super::file_name::FILE_NAME;
 pub(crate) use super::quirks::quirks;
-use super::section::{SectionName, Spelling};
+use crate::diagnostic::{RuleInfo, text_rule};
+pub(super) use raise::{
+    Twin, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, quoted_name,
+    section_spelling, stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
+};
 
 /// Every rule of this module.
 pub(crate) static RULES: &[&RuleInfo] = &[
@@ -52,7 +53,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.2
-    DUPLICATE_SECTION = "cia306/duplicate-section", Error
+    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Unsafe
 }
 
 text_rule! {
@@ -72,7 +73,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.2
-    DUPLICATE_KEY = "cia306/duplicate-key", Error
+    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Unsafe
 }
 
 text_rule! {
@@ -112,7 +113,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.2
-    UNKNOWN_KEY = "cia306/unknown-key", Note
+    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Unsafe
 }
 
 text_rule! {
@@ -132,7 +133,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    SECTION_SPELLING = "cia306/section-spelling", Warning
+    SECTION_SPELLING = "cia306/section-spelling", Warning, fix Safe
 }
 
 text_rule! {
@@ -152,7 +153,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §5.4
-    COMMISSIONING_SPELLING = "cia306/commissioning-spelling", Warning
+    COMMISSIONING_SPELLING = "cia306/commissioning-spelling", Warning, fix Safe
 }
 
 text_rule! {
@@ -192,7 +193,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    WRONG_COUNT = "cia306/wrong-count", Error
+    WRONG_COUNT = "cia306/wrong-count", Error, fix Safe
 }
 
 text_rule! {
@@ -212,7 +213,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    LIST_NUMBERING = "cia306/list-numbering", Error
+    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe
 }
 
 text_rule! {
@@ -252,7 +253,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    OCTAL_NUMBER = "cia306/octal-number", Warning
+    OCTAL_NUMBER = "cia306/octal-number", Warning, fix Safe
 }
 
 text_rule! {
@@ -272,7 +273,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    LEADING_ZERO = "cia306/leading-zero", Note
+    LEADING_ZERO = "cia306/leading-zero", Note, fix Safe
 }
 
 text_rule! {
@@ -292,7 +293,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    NODE_ID_LAST = "cia306/node-id-last", Warning
+    NODE_ID_LAST = "cia306/node-id-last", Warning, fix Safe
 }
 
 text_rule! {
@@ -312,7 +313,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    FORMULA_SPELLING = "cia306/formula-spelling", Note
+    FORMULA_SPELLING = "cia306/formula-spelling", Note, fix Safe
 }
 
 text_rule! {
@@ -332,7 +333,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.2
-    TRAILING_COMMENT = "cia306/trailing-comment", Warning
+    TRAILING_COMMENT = "cia306/trailing-comment", Warning, fix Safe
 }
 
 text_rule! {
@@ -352,7 +353,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    NUMBER_SUFFIX = "cia306/number-suffix", Warning
+    NUMBER_SUFFIX = "cia306/number-suffix", Warning, fix Safe
 }
 
 text_rule! {
@@ -372,7 +373,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3 is silent
-    REAL_AS_BITS = "cia306/real-as-bits", Note
+    REAL_AS_BITS = "cia306/real-as-bits", Note, fix Unsafe
 }
 
 text_rule! {
@@ -392,7 +393,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3 is silent
-    TWOS_COMPLEMENT = "cia306/twos-complement", Note
+    TWOS_COMPLEMENT = "cia306/twos-complement", Note, fix Safe
 }
 
 text_rule! {
@@ -412,7 +413,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    QUOTED_STRING = "cia306/quoted-string", Warning
+    QUOTED_STRING = "cia306/quoted-string", Warning, fix Unsafe
 }
 
 text_rule! {
@@ -432,7 +433,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    BOOLEAN_WORD = "cia306/boolean-word", Warning
+    BOOLEAN_WORD = "cia306/boolean-word", Warning, fix Safe
 }
 
 text_rule! {
@@ -452,137 +453,5 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3
-    DECORATED_BYTES = "cia306/decorated-bytes", Warning
-}
-
-/// `item` repeats `first`.
-pub(super) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
-    let same = item.value == first.value;
-    let message = if same {
-        format!("`{}` stands twice with the same value", item.name)
-    } else {
-        format!(
-            "`{}` stands twice, with `{}` and `{}`; the first one is read",
-            item.name, first.value, item.value
-        )
-    };
-    Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
-        .severity(if same { Severity::Warning } else { Severity::Error })
-        .label(first.name_at, "first here")
-        .help("keep one of the two lines")
-}
-
-/// A section was there before; `first` is its place in the model.
-pub(super) fn duplicate_section(name: &str, at: Span, first: Place, is_list: bool) -> Diagnostic {
-    let read = if is_list { "both are read" } else { "the first one is read" };
-    Diagnostic::new(&DUPLICATE_SECTION, at, format!("section `[{name}]` stands twice; {read}"))
-        .label(first, "first here")
-        .help("keep one of the two sections")
-}
-
-pub(super) fn unknown_section(name: &str, at: Span) -> Diagnostic {
-    let hint = looks_like_object(name);
-    let finding = Diagnostic::new(
-        if hint { &SECTION_SPELLING } else { &UNKNOWN_SECTION },
-        at,
-        if hint {
-            format!("`[{name}]` looks like an object, but is none")
-        } else {
-            format!("the standard has no section `[{name}]`; it is kept")
-        },
-    );
-    if hint {
-        finding
-            .severity(Severity::Error)
-            .help("an index has up to four hex digits, a sub-index up to FFh: `[1018sub1]`")
-    } else {
-        finding.help("check the spelling; some tools refuse unknown sections")
-    }
-}
-
-/// Whether someone meant an object: hex digits, perhaps behind `0x`, alone or with `sub` behind them.
-fn looks_like_object(name: &str) -> bool {
-    let name = name.strip_prefix("0x").unwrap_or(name);
-    let digits = name.bytes().take_while(u8::is_ascii_hexdigit).count();
-    let rest = name[digits..].trim_ascii_start();
-    let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
-    digits > 0
-        && is_number
-        && (rest.is_empty() || rest.get(..3).is_some_and(|word| word.eq_ignore_ascii_case("sub")))
-}
-
-pub(super) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
-    let message = match item.key {
-        Some(_) => format!("`{}` does not belong into `[{section}]`; it is kept", item.name),
-        None => format!("the standard has no key `{}` in `[{section}]`; it is kept", item.name),
-    };
-    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
-        .help("check the spelling; some tools refuse unknown keys")
-}
-
-/// What a name's spelling shows.
-pub(super) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
-    let (rule, message) = match parsed.spelling {
-        Spelling::Standard => return None,
-        Spelling::CorrectCommissioning => {
-            (&COMMISSIONING_SPELLING, format!("the standard spells `[{name}]` with one m"))
-        }
-        Spelling::LeadingZero => (&SECTION_SPELLING, format!("`[{name}]` has a leading zero")),
-        Spelling::Decorated => (&SECTION_SPELLING, format!("`[{name}]` is not the name of an object")),
-    };
-    let grave = parsed.spelling == Spelling::Decorated;
-    let finding =
-        Diagnostic::new(rule, at, message).severity(if grave { Severity::Error } else { Severity::Warning });
-    Some(finding.help(format!("write `[{parsed}]`")))
-}
-
-/// The count `item`, or a missing one, of `actual` numbered keys.
-pub(super) fn wrong_count(item: Option<&Item<'_>>, key: &str, section_at: Span, actual: usize) -> Diagnostic {
-    let entries = counted(actual, "entry follows", "entries follow");
-    let (at, message) = match item {
-        Some(item) if !item.value.is_empty() => {
-            (item.value_at, format!("`{key}` is `{}`, but {entries}", item.value))
-        }
-        Some(item) => (item.name_at, format!("`{key}` is empty, but {entries}")),
-        None => (section_at, format!("`{key}` is missing")),
-    };
-    Diagnostic::new(&WRONG_COUNT, at, message).help(format!("write `{key}={actual}`"))
-}
-
-/// The keys of a list do not count from 1; `item` is the first that is wrong.
-pub(super) fn list_numbering(item: &Item<'_>, expected: u32) -> Diagnostic {
-    Diagnostic::new(
-        &LIST_NUMBERING,
-        item.name_at,
-        format!("`{}` stands where `{expected}` should", item.name),
-    )
-    .help("number the entries 1, 2, 3 … in decimal, without leading zeros")
-}
-
-pub(super) fn invalid_list_entry(item: &Item<'_>) -> Diagnostic {
-    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, format!("`{}` is no index", item.value))
-        .help("write an index from 0x1 to 0xFFFF")
-}
-
-/// An `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` without a compact object.
-pub(super) fn stray_compact_section(name: &str, at: Span, object_type: Option<ObjectType>) -> Diagnostic {
-    let message = match object_type {
-        Some(_) => format!("`[{name}]` belongs to an object without `CompactSubObj`"),
-        None => format!("`[{name}]` belongs to no object"),
-    };
-    Diagnostic::new(&STRAY_COMPACT_SECTION, at, message)
-        .help("give the object `CompactSubObj`, or write the values into its sub-indexes")
-}
-
-/// A number in such a section that the compact object does not have.
-pub(super) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnostic {
-    let message = format!("`{}` is no sub-index of an object with `CompactSubObj={count}`", item.name);
-    Diagnostic::new(&STRAY_COMPACT_SECTION, item.name_at, message)
-        .help(format!("use the numbers 1 to {count}"))
-}
-
-/// A name or the like in quotes.
-pub(super) fn quoted_name(item: &Item<'_>) -> Diagnostic {
-    let message = format!("`{}` stands in quotes, which become a part of the text", item.value);
-    Diagnostic::new(&QUOTED_STRING, item.value_at, message).help("remove the quotes")
+    DECORATED_BYTES = "cia306/decorated-bytes", Warning, fix Safe
 }

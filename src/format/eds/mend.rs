@@ -10,7 +10,7 @@ use super::Locator;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::diagnostic::Change;
-use crate::format::ini::{Document, LineKind, Lines, Section};
+use crate::format::ini::{self, Document, LineKind, Lines, Section};
 use crate::format::literal::{self, Quirks};
 use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::source::{Edits, Span};
@@ -64,10 +64,28 @@ impl<'a> Rewriter<'a> {
             Change::Remove(Place { part, field: None }) => return self.remove_part(part),
             Change::Add(part, fields) => return self.add(part, fields),
             Change::List(list, indexes) => return self.list(*list, indexes),
+            Change::Comment(span, text) => return self.comment(*span, text),
+            Change::RemoveLine(span) => {
+                let line = self.document.line_at(span.start)?;
+                self.edits.replace(Span::new(line.span.start, line.next), "");
+            }
+            Change::RemoveSection(span) => {
+                let header = self.document.line_at(span.start)?.span.start;
+                return self.remove_section(&self.document.section_at(header)?);
+            }
+            Change::Tidy(what) => return ini::tidy(self.document, *what, &mut self.edits),
             // no edit of the text
             Change::Encode(_) => return None,
         }
         Some(())
+    }
+
+    /// Puts a comment above the line that holds the start of a span.
+    fn comment(&mut self, span: Span, text: &str) -> Option<()> {
+        let at = self.document.line_at(span.start)?.span.start;
+        let is_line = !text.contains(['\n', '\r']);
+        let line = format!("; {}{}", text.trim_ascii(), self.document.line_end());
+        is_line.then(|| self.edits.replace(Span::empty(at), line))
     }
 
     fn set(&mut self, place: &Place, value: &str) -> Option<()> {

@@ -5,27 +5,74 @@ use super::findings::{
     QUOTED_STRING, REAL_AS_BITS, TRAILING_COMMENT, TWOS_COMPLEMENT,
 };
 use super::read::Item;
-use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
-use crate::format::literal::{Quirk, Quirks};
+use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, RuleInfo};
+use crate::format::literal::{self, Quirk, Quirks};
+use crate::model::Value;
 
-/// The findings of a value's spelling.
-pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, findings: &mut Findings) {
-    spelling(item.value, item.value_at, quirks, findings);
+/// The findings of a value's spelling in a line; `value` is what it was read as.
+pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, findings: &mut Findings) {
+    if quirks.is_empty() {
+        return;
+    }
+    for (quirk, rule, help) in found(quirks) {
+        let mut finding = finding(item.value, item.value_at.into(), quirk, rule, help);
+        finding.fix = literal::respell(item.value, quirk, value).map(|text| {
+            let fix = fix_of(quirk, &text).replace(item.value_at, text);
+            match literal::trailing_comment(item.value).filter(|_| quirk == Quirk::TrailingComment) {
+                Some(comment) => fix.with(Change::Comment(item.name_at, comment.to_owned())),
+                None => fix,
+            }
+        });
+        findings.push(finding);
+    }
 }
 
-/// The findings of the spelling of `value`, which stands at `at`.
-pub(crate) fn spelling(value: &str, at: impl Into<At>, quirks: Quirks, findings: &mut Findings) {
+/// The findings of the spelling of `text`, which stands at `at` in XML; `value` is what it was read as.
+pub(crate) fn spelling(
+    text: &str,
+    at: impl Into<At>,
+    quirks: Quirks,
+    value: Option<&Value>,
+    findings: &mut Findings,
+) {
     if quirks.is_empty() {
         return;
     }
     let at = at.into();
-    for (quirk, rule, help) in SPELLINGS {
-        // who turns a formula around spells it anew
-        let explained = quirk == Quirk::FormulaSpelling && quirks.has(Quirk::NodeIdLast);
-        if quirks.has(quirk) && !explained {
-            let finding = Diagnostic::new(rule, at.clone(), format!("`{value}` {}", rule_text(quirk)));
-            findings.push(finding.help(help));
+    for (quirk, rule, help) in found(quirks) {
+        let mut finding = finding(text, at.clone(), quirk, rule, help);
+        // a comment has no place beside an attribute
+        if let At::Span(span) = at
+            && quirk != Quirk::TrailingComment
+        {
+            let respelled = literal::respell(text, quirk, value);
+            let plain = respelled.filter(|text| !text.contains(['&', '<', '>', '"', '\'']));
+            finding.fix = plain.map(|text| fix_of(quirk, &text).replace(span, text));
         }
+        findings.push(finding);
+    }
+}
+
+/// The rules that quirks break, each with its advice.
+fn found(quirks: Quirks) -> impl Iterator<Item = (Quirk, &'static RuleInfo, &'static str)> {
+    SPELLINGS.into_iter().filter(move |(quirk, ..)| {
+        // who turns a formula around spells it anew
+        let explained = *quirk == Quirk::FormulaSpelling && quirks.has(Quirk::NodeIdLast);
+        quirks.has(*quirk) && !explained
+    })
+}
+
+fn finding(text: &str, at: At, quirk: Quirk, rule: &'static RuleInfo, help: &'static str) -> Diagnostic {
+    Diagnostic::new(rule, at, format!("`{text}` {}", rule_text(quirk))).help(help)
+}
+
+/// A fix without its change. Lely's tools want quotes around strings and REAL numbers as bits.
+fn fix_of(quirk: Quirk, text: &str) -> Fix {
+    match quirk {
+        Quirk::Quoted => Fix::risky("remove the quotes"),
+        Quirk::RealAsBits => Fix::risky(format!("write `{text}`")),
+        Quirk::TrailingComment => Fix::safe("put the comment on a line of its own"),
+        _ => Fix::safe(format!("write `{text}`")),
     }
 }
 

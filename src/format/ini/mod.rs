@@ -4,7 +4,9 @@ mod document;
 mod edit;
 pub(crate) mod findings;
 mod scan;
+mod tidy;
 
 pub use document::{Document, Entry, Header, Section};
 pub use edit::Editor;
 pub use scan::{Line, LineKind, Lines};
+pub(crate) use tidy::tidy;

@@ -2,6 +2,8 @@
 
 mod parse;
 mod print;
+mod respell;
 
 pub use parse::{Quirk, Quirks, integer, strip_comment, value};
 pub use print::{RealSpelling, Spelling, print};
+pub(crate) use respell::{respell, trailing_comment};

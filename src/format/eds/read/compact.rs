@@ -91,8 +91,8 @@ fn compact_value(
     }
     let mut quirks = Quirks::default();
     let value = literal::value(item.value, data_type, &mut quirks);
-    if value.is_ok() {
-        findings::quirks(item, quirks, items.findings);
+    if let Ok(value) = &value {
+        findings::quirks(item, quirks, Some(value), items.findings);
     }
     value.map_err(|reason| misfits.push(item.to_field(), item.value, reason)).ok()
 }

@@ -135,7 +135,7 @@ impl<'a> Items<'a> {
         let number = literal::integer(item.value, range.0, range.1, &mut quirks);
         match number {
             Ok(number) => {
-                findings::quirks(item, quirks, self.findings);
+                findings::quirks(item, quirks, None, self.findings);
                 T::try_from(number).ok()
             }
             Err(reason) => {
@@ -175,7 +175,7 @@ impl<'a> Items<'a> {
         let mut quirks = Quirks::default();
         let word = find(literal::strip_comment(item.value, &mut quirks));
         match word {
-            Some(_) => findings::quirks(item, quirks, self.findings),
+            Some(_) => findings::quirks(item, quirks, None, self.findings),
             None => misfits.push(item.to_field(), item.value, Reason::UnknownWord),
         }
         word

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use super::{Item, Items, Reader};
+use crate::diagnostic::Fix;
 use crate::format::eds::findings;
 use crate::format::eds::section::section_name;
 use crate::format::ini;
@@ -39,7 +40,7 @@ pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Ext
     numbered(items, counter, extra, |items, item, extra| {
         let mut quirks = Quirks::default();
         let index = literal::integer(item.value, 1, u64::from(u16::MAX), &mut quirks);
-        findings::quirks(item, quirks, items.findings);
+        findings::quirks(item, quirks, None, items.findings);
         let index = index.ok().and_then(|index| u16::try_from(index).ok());
         if index.is_none() {
             items.findings.push(findings::invalid_list_entry(item));
@@ -58,7 +59,8 @@ pub(super) fn numbered<'a, T>(
 ) -> Vec<T> {
     let mut count = None;
     let mut expected = 1;
-    let mut reported = false;
+    // the entries behind the first wrong one are wrong for the same cause
+    let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
     let mut entries = 0;
     let mut list = Vec::new();
     items.each(|items, item| {
@@ -69,15 +71,18 @@ pub(super) fn numbered<'a, T>(
         if !item.name.bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
             return items.unknown(item, extra);
         }
-        if item.number() != Some(expected) && !reported {
-            // the entries behind the first wrong one are wrong for the same cause
-            items.findings.push(findings::list_numbering(item, expected));
-            reported = true;
+        if item.number() != Some(expected) {
+            let first = || (*item, expected, Fix::safe("number the entries 1, 2, 3 …"));
+            let (first, number, fix) = wrong.take().unwrap_or_else(first);
+            wrong = Some((first, number, fix.replace(item.name_at, expected.to_string())));
         }
         expected += 1;
         entries += 1;
         list.extend(read(items, item, extra));
     });
+    if let Some((item, expected, fix)) = wrong {
+        items.findings.push(findings::list_numbering(&item, expected, fix));
+    }
     check_count(items, count, &counter.name(), entries);
     list
 }
@@ -90,9 +95,14 @@ pub(super) fn check_count(items: &mut Items<'_>, count: Option<Item<'_>>, key: &
         None => None,
     };
     if let Some(item) = &count {
-        findings::quirks(item, quirks, items.findings);
+        findings::quirks(item, quirks, None, items.findings);
     }
     if stated.and_then(|stated| usize::try_from(stated).ok()) != Some(actual) {
-        items.findings.push(findings::wrong_count(count.as_ref(), key, items.section_at(), actual));
+        items.findings.push(findings::wrong_count(
+            count.as_ref(),
+            key,
+            (items.section_name(), items.section_at()),
+            actual,
+        ));
     }
 }

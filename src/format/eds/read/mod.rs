@@ -13,7 +13,7 @@ use std::hash::{BuildHasher, RandomState};
 
 use self::compact::PendingCompact;
 pub(crate) use self::items::{Item, Items};
-use super::findings;
+use super::findings::{self, Twin};
 use super::section::SectionName;
 use crate::diagnostic::Findings;
 use crate::format::carried;
@@ -82,7 +82,8 @@ impl<'a> Reader<'a> {
         let is_list = matches!(part, Part::List(_));
         if !self.seen.insert(part.clone()) {
             let (name, at) = self.header_of(section);
-            self.findings.push(findings::duplicate_section(name, at, Place::of(part.clone()), is_list));
+            let twin = if is_list { Twin::Joined } else { Twin::Other };
+            self.findings.push(findings::duplicate_section(name, at, Place::of(part.clone()), twin));
             if !is_list {
                 return;
             }
@@ -137,7 +138,7 @@ impl<'a> Reader<'a> {
             self.findings.push(findings::unknown_section(name, at));
         } else {
             let first = Place::of(Part::Section(lower.into()));
-            self.findings.push(findings::duplicate_section(name, at, first, true));
+            self.findings.push(findings::duplicate_section(name, at, first, Twin::Joined));
         }
         let mut entries = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);

@@ -1,7 +1,7 @@
 //! The sections of objects and sub-indexes.
 
 use super::{Item, Items, Reader};
-use crate::format::eds::findings;
+use crate::format::eds::findings::{self, Twin};
 use crate::format::ini;
 use crate::format::literal::{self, Quirks};
 use crate::model::{
@@ -32,11 +32,12 @@ impl Reader<'_> {
     pub(super) fn object(&mut self, index: u16, section: &ini::Section) {
         let read =
             read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Object);
-        let is_new = self.device.object(index).is_none_or(|object| object.orphan);
-        if is_new {
-            read.into_object(self.device.objects.entry(index).or_default());
-        } else {
-            self.duplicate_object(section, Place::object(index));
+        match self.device.object(index).filter(|object| !object.orphan) {
+            None => read.into_object(self.device.objects.entry(index).or_default()),
+            Some(first) => {
+                let is_equal = read.says_the_same_as(first);
+                self.duplicate_object(section, Place::object(index), is_equal);
+            }
         }
     }
 
@@ -45,10 +46,14 @@ impl Reader<'_> {
         let read =
             read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Entry);
         let object = self.object_mut(index);
-        if object.subs.get(sub).is_none() {
-            object.subs.insert(sub, read.entry);
-        } else {
-            self.duplicate_object(section, Place::entry(index, sub));
+        match object.subs.get(sub) {
+            None => {
+                object.subs.insert(sub, read.entry);
+            }
+            Some(first) => {
+                let is_equal = *first == read.entry;
+                self.duplicate_object(section, Place::entry(index, sub), is_equal);
+            }
         }
     }
 
@@ -57,9 +62,10 @@ impl Reader<'_> {
         self.device.objects.entry(index).or_insert_with(|| Object { orphan: true, ..Object::default() })
     }
 
-    fn duplicate_object(&mut self, section: &ini::Section, first: Place) {
+    fn duplicate_object(&mut self, section: &ini::Section, first: Place, is_equal: bool) {
         let (name, at) = self.header_of(section);
-        self.findings.push(findings::duplicate_section(name, at, first, false));
+        let twin = if is_equal { Twin::Equal } else { Twin::Other };
+        self.findings.push(findings::duplicate_section(name, at, first, twin));
     }
 }
 
@@ -70,6 +76,12 @@ impl ObjectSection {
         object.main = self.entry;
         object.sub_number = self.sub_number;
         object.compact = self.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
+    }
+
+    /// Whether an object has all that this section says, and no more.
+    fn says_the_same_as(&self, object: &Object) -> bool {
+        let compact = object.compact.as_ref().map(|compact| compact.count);
+        self.entry == object.main && self.sub_number == object.sub_number && self.compact_count == compact
     }
 
     pub(super) fn into_extension(self) -> Extension {
@@ -216,7 +228,7 @@ fn read_value(item: Option<Item<'_>>, entry: &mut Entry, items: &mut Items<'_>) 
     let value = literal::value(item.value, data_type, &mut quirks);
     match value {
         Ok(value) => {
-            findings::quirks(&item, quirks, items.findings);
+            findings::quirks(&item, quirks, Some(&value), items.findings);
             Some(value)
         }
         Err(reason) => {

@@ -7,6 +7,7 @@ use ini::{EscapePolicy, Ini, LineSeparator, Properties, SectionEntry, WriteOptio
 use crate::format::WriteOptions;
 use crate::format::eds::section::{SectionName, section_name};
 use crate::model::{Extra, ExtraSection, Field, Misfits, Part};
+use crate::source::stand_in;
 
 /// The sections of a description, in order.
 pub(super) struct Sheet<'a> {
@@ -211,7 +212,7 @@ impl<'a> Sheet<'a> {
             match c {
                 c if is_control(c) => written.push(' '),
                 c if self.options.can_write(c) => written.push(c),
-                c => written.push_str(stand_in(c)),
+                c => written.push_str(stand_in(c).unwrap_or("?")),
             }
         }
         written.into()
@@ -224,40 +225,4 @@ const BLANKS: [char; 2] = [' ', '\t'];
 /// Whether some reader would end the line at this character, or the text.
 fn is_control(c: char) -> bool {
     (c < ' ' && c != '\t') || matches!(c, '\u{7F}' | '\u{85}' | '\u{2028}' | '\u{2029}')
-}
-
-/// ISO 646 for a character that an encoding lacks.
-const fn stand_in(c: char) -> &'static str {
-    match c {
-        'ä' => "ae",
-        'ö' => "oe",
-        'ü' => "ue",
-        'Ä' => "Ae",
-        'Ö' => "Oe",
-        'Ü' => "Ue",
-        'ß' => "ss",
-        'à' | 'á' | 'â' | 'ã' | 'å' => "a",
-        'ç' => "c",
-        'è' | 'é' | 'ê' | 'ë' => "e",
-        'ì' | 'í' | 'î' | 'ï' => "i",
-        'ñ' => "n",
-        'ò' | 'ó' | 'ô' | 'õ' => "o",
-        'ù' | 'ú' | 'û' => "u",
-        'µ' | 'μ' => "u",
-        '°' => "deg",
-        'Ω' => "Ohm",
-        '²' => "2",
-        '³' => "3",
-        '±' => "+-",
-        '×' => "x",
-        '–' | '—' | '‑' | '−' => "-",
-        '‘' | '’' => "'",
-        '“' | '”' | '„' => "\"",
-        '…' => "...",
-        '®' => "(R)",
-        '©' => "(C)",
-        '™' => "(TM)",
-        '\u{A0}' => " ",
-        _ => "?",
-    }
 }

@@ -173,7 +173,13 @@ impl Values<'_> {
         }
         match read {
             Ok(value) => {
-                eds::spelling(text, self.place.clone().field(slot.field()), quirks, self.findings);
+                eds::spelling(
+                    text,
+                    self.place.clone().field(slot.field()),
+                    quirks,
+                    Some(&value),
+                    self.findings,
+                );
                 self.set(slot, value);
             }
             Err(reason) => self.entry.misfits.push(slot.field(), text, reason),

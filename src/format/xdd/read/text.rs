@@ -63,7 +63,7 @@ impl<'a> Text<'a> {
         let mut quirks = Quirks::default();
         match literal::integer(text, low, high, &mut quirks) {
             Ok(number) => {
-                eds::spelling(text, self.at, quirks, findings);
+                eds::spelling(text, self.at, quirks, None, findings);
                 T::try_from(number).ok()
             }
             Err(reason) => {
@@ -118,8 +118,8 @@ impl<'a> Text<'a> {
         let text = value_text(&self.text, data_type)?;
         let mut quirks = Quirks::default();
         let value = literal::value(text, data_type, &mut quirks);
-        if value.is_ok() {
-            eds::spelling(text, self.at, quirks, findings);
+        if let Ok(value) = &value {
+            eds::spelling(text, self.at, quirks, Some(value), findings);
         }
         Some(value)
     }
