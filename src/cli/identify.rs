@@ -10,7 +10,6 @@ use super::input::name_of;
 use super::output::Output;
 use super::{Failure, Outcome};
 use crate::format::identify::{Identification, identify};
-use crate::report::visible;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
@@ -60,8 +59,7 @@ pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Fail
 }
 
 fn text(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
-    let line: String = format!("{}: {found}", name_of(path)).chars().map(visible).collect();
-    writeln!(out, "{line}")?;
+    writeln!(out, "{}", super::shown(&format!("{}: {found}", name_of(path)).replace('\n', "\u{FFFD}")))?;
     if let Some(advice) = found.advice().filter(|_| !found.kind.is_canopen()) {
         writeln!(out, "  help: {advice}")?;
     }

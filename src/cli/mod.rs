@@ -112,9 +112,13 @@ impl Failure {
 
 /// Writes to the standard error what may quote anything that stands in a file.
 fn tell(text: &str) {
-    let shown: String = text.chars().map(|c| if c == '\n' { c } else { visible(c) }).collect();
     // nobody is left to read it when this fails
-    let _ = std::io::stderr().write_all(shown.as_bytes());
+    let _ = std::io::stderr().write_all(shown(text).as_bytes());
+}
+
+/// Lines without the characters that steer a terminal.
+fn shown(text: &str) -> String {
+    text.chars().map(|c| if c == '\n' { c } else { visible(c) }).collect()
 }
 
 impl From<std::io::Error> for Failure {

@@ -265,10 +265,7 @@ const fn room(format: Format) -> Room {
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format {
         Format::Eds | Format::Dcf => eds::write(device, options),
-        Format::Xdd | Format::Xdc => {
-            let options = xdd::XddWriteOptions { version: options.xdd_version };
-            xdd::write(device, format.kind(), &options).into_bytes()
-        }
+        Format::Xdd | Format::Xdc => xdd::write(device, options.xdd_version).into_bytes(),
     }
 }
 

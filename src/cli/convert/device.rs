@@ -45,7 +45,7 @@ pub(super) fn of_description(
     let mut expected = device.clone();
     let bytes = match to.kind() {
         DeviceKind::Node => {
-            let node = node(args, device)?;
+            let node = node(args, job, device)?;
             let bytes = description.to_node(&file_name, &node);
             expected.kind = DeviceKind::Node;
             expected.commissioning = Some(node);
@@ -79,7 +79,7 @@ pub(super) fn of_device(
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), carry)),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
-            node_device.commissioning = Some(node(args, &node_device)?);
+            node_device.commissioning = Some(node(args, job, &node_device)?);
             node_device.kind = DeviceKind::Node;
             Ok(anew(args, job, node_device, carry))
         }
@@ -104,7 +104,7 @@ fn base_name(path: &Path) -> String {
 }
 
 /// The node of the output: that of the device, with what the arguments change.
-fn node(args: &ConvertArgs, device: &Device) -> Result<Commissioning, Failure> {
+fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Commissioning, Failure> {
     let mut node = device.commissioning.clone().unwrap_or_default();
     node.node_id = args.node_id.or(node.node_id);
     node.baud_rate = args.bit_rate.or(node.baud_rate);
@@ -118,7 +118,8 @@ fn node(args: &ConvertArgs, device: &Device) -> Result<Commissioning, Failure> {
     if node.baud_rate.is_none() {
         let rate = usual_bit_rate(device);
         node.baud_rate = Some(rate);
-        print_note(&format!("the DCF states {rate} kbit/s; say another bit rate with `--bit-rate`"));
+        let kind = job.to.name();
+        print_note(&format!("the {kind} states {rate} kbit/s; say another bit rate with `--bit-rate`"));
     }
     Ok(node)
 }

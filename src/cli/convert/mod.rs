@@ -16,8 +16,8 @@ use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
+use crate::download::Configuration;
 use crate::format::{Fate, concise, json};
-use crate::report::visible;
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -70,7 +70,17 @@ fn convert_one(
             let description = args.input.selected(&job.input, *description)?;
             finish(job, from, device::of_description(args, job, &description, from)?, report, out)
         }
-        input => finish(job, from, convert(args, job, input)?, report, out),
+        Input::Device(device) => {
+            finish(job, from, device::of_device(args, job, &device, !args.no_carry)?, report, out)
+        }
+        Input::Configuration(configuration) => {
+            finish(job, from, of_configuration(job, &configuration)?, report, out)
+        }
+        Input::NodeList(_) => {
+            let failure = Failure::new("a node list holds no device");
+            let file = job.input.display();
+            Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
+        }
     }
 }
 
@@ -99,9 +109,7 @@ fn finish(
         };
         let (file, written, size) = (name_of(&job.input), job.output.display(), bytes.len());
         writeln!(out, "{file} ({}) to {written} ({}), {size} bytes{note}", from.name(), to.name())?;
-        let told: String =
-            losses::text(&losses).chars().map(|c| if c == '\n' { c } else { visible(c) }).collect();
-        out.write_all(told.as_bytes())?;
+        out.write_all(super::shown(&losses::text(&losses)).as_bytes())?;
     }
     report.add(job, from, losses);
     Ok(())
@@ -111,25 +119,16 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// Makes what was asked for of a file that is no description.
-fn convert(args: &ConvertArgs, job: &Job, input: Input) -> Result<Converted, Failure> {
-    match (input, job.to) {
-        (Input::Description(description), _) => {
-            device::of_device(args, job, description.device(), !args.no_carry)
+/// What is made of a concise DCF.
+fn of_configuration(job: &Job, configuration: &Configuration) -> Result<Converted, Failure> {
+    match job.to {
+        FileKind::Json => Ok(Converted::whole(json::write_configuration(configuration).into_bytes())),
+        FileKind::Cdcf => concise::write(configuration).map(Converted::whole).map_err(Failure::new),
+        to => {
+            let name = to.name();
+            let message =
+                format!("a concise DCF holds values and no description, so no {name} can be made of it");
+            Err(Failure::new(message).help("it can become `.json`"))
         }
-        (Input::Device(device), _) => device::of_device(args, job, &device, !args.no_carry),
-        (Input::Configuration(configuration), FileKind::Json) => {
-            Ok(Converted::whole(json::write_configuration(&configuration).into_bytes()))
-        }
-        (Input::Configuration(configuration), FileKind::Cdcf) => {
-            concise::write(&configuration).map(Converted::whole).map_err(Failure::new)
-        }
-        (Input::Configuration(_), to) => Err(Failure::new(format_args!(
-            "a concise DCF holds values and no description, so no {} can be made of it",
-            to.name()
-        ))
-        .help("it can become `.json`")),
-        (Input::NodeList(_), _) => Err(Failure::new("a node list holds no device")
-            .help(format!("`objdict show {}` names the files of its nodes", job.input.display()))),
     }
 }

@@ -23,4 +23,4 @@ pub(crate) use self::locate::Locator;
 pub(crate) use self::mend::edits;
 pub(crate) use self::read::read;
 pub use self::version::XddVersion;
-pub(crate) use self::write::{XddWriteOptions, write};
+pub(crate) use self::write::write;

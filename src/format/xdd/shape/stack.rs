@@ -1,7 +1,6 @@
 //! What description files say to the generators of CANopenNode: properties of parameters, as CANopenEditor spells them.
 
-use super::Text;
-use crate::model::{Property, SrdoAccess, StackOptions};
+use crate::model::{Property, StackOptions};
 
 /// Takes the properties that CANopenEditor gives a meaning out of a list. What is no value of its property, and what
 /// stands again, stays in the list.
@@ -11,83 +10,35 @@ pub(crate) fn take_stack_options(options: &mut Option<Box<StackOptions>>, proper
     *options = Some(taken).filter(|taken| **taken != StackOptions::default());
 }
 
+/// Takes a setting whose value is spelled as it would be written again.
 fn take(options: &mut StackOptions, name: &str, value: &str) -> bool {
-    match name {
-        "CO_disabled" => set(&mut options.disabled, value),
-        "CO_countLabel" => set(&mut options.count_label, value),
-        "CO_storageGroup" => set(&mut options.storage_group, value),
-        "CO_extensionIO" => set(&mut options.io_extension, value),
-        "CO_flagsPDO" => set(&mut options.detects_change, value),
-        "CO_accessSRDO" => set(&mut options.srdo_access, value),
-        "CO_stringLengthMin" => set(&mut options.min_string_length, value),
-        _ => false,
-    }
-}
-
-/// Takes a value that is spelled as it would be written again.
-fn set<T: Text>(field: &mut Option<T>, value: &str) -> bool {
-    if field.is_some() {
-        return false;
-    }
-    *field = T::parse(value).filter(|parsed| parsed.print() == value);
-    field.is_some()
+    let mut alone = StackOptions::default();
+    let is_whole = alone.set(name, value) && alone.settings().all(|(_, written)| written == value);
+    is_whole && options.set(name, value)
 }
 
 /// The properties that [`take_stack_options`] took, in the order of CANopenEditor. They stand before others.
 pub(crate) fn stack_properties(options: &StackOptions) -> Vec<Property> {
-    let StackOptions {
-        storage_group,
-        count_label,
-        disabled,
-        srdo_access,
-        min_string_length,
-        detects_change,
-        io_extension,
-    } = options;
-    let mut properties = Vec::new();
-    add(&mut properties, "CO_disabled", disabled);
-    add(&mut properties, "CO_countLabel", count_label);
-    add(&mut properties, "CO_storageGroup", storage_group);
-    add(&mut properties, "CO_extensionIO", io_extension);
-    add(&mut properties, "CO_flagsPDO", detects_change);
-    add(&mut properties, "CO_accessSRDO", srdo_access);
-    add(&mut properties, "CO_stringLengthMin", min_string_length);
-    properties
-}
-
-fn add<T: Text>(properties: &mut Vec<Property>, name: &str, field: &Option<T>) {
-    properties
-        .extend(field.as_ref().map(|value| Property { name: name.into(), value: value.print().into() }));
+    let property = |(name, value): (&str, String)| Property { name: name.into(), value: value.into() };
+    options.settings().map(property).collect()
 }
 
 /// Takes an attribute of a `CANopenObject` or `CANopenSubObject` by which older versions of CANopenEditor said the same;
 /// `false` when it is none of those, or no value of it.
 pub(crate) fn stack_attribute(options: &mut StackOptions, name: &str, value: &str) -> bool {
-    match name {
+    let property = match name {
         // the one name is misspelled in the files
-        "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" => {
-            set(&mut options.storage_group, value)
-        }
-        "edseditor_extension_notifyonchange" | "edseditor_extenstion_notifyonchange" => {
-            set(&mut options.detects_change, value)
-        }
-        _ => false,
-    }
-}
-
-impl Text for SrdoAccess {
-    fn parse(text: &str) -> Option<Self> {
-        Self::from_name(text)
-    }
-
-    fn print(&self) -> std::borrow::Cow<'_, str> {
-        self.name().into()
-    }
+        "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" => "CO_storageGroup",
+        "edseditor_extension_notifyonchange" | "edseditor_extenstion_notifyonchange" => "CO_flagsPDO",
+        _ => return false,
+    };
+    take(options, property, value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::SrdoAccess;
 
     fn property((name, value): (&str, &str)) -> Property {
         Property { name: name.into(), value: value.into() }

@@ -13,23 +13,15 @@ use super::defaults;
 use super::markup::{Body, Markup};
 use super::shape::{ProfileClass, write_header};
 use super::version::XddVersion;
-use crate::model::{Date, Device, DeviceKind, Field, FileInfo};
+use crate::model::{Date, Device, Field, FileInfo};
 
-/// How an XDD or XDC is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct XddWriteOptions {
-    /// The version of CiA 311.
-    pub(crate) version: XddVersion,
-}
-
-/// The canonical text of a device as a description of this kind, in UTF-8. An XDD of a configured node leaves out what was
-/// configured.
-pub(crate) fn write(device: &Device, kind: DeviceKind, options: &XddWriteOptions) -> String {
+/// The canonical text of a device in a version of CiA 311, in UTF-8. What is configured for a node is written; of a device
+/// without it ([`Device::unconfigured`]) the text is an XDD.
+pub(crate) fn write(device: &Device, version: XddVersion) -> String {
     let device = device.expanded();
-    let configured = kind == DeviceKind::Node || device.kind == DeviceKind::Type;
-    let parameters = EntryParameters::of(&device, configured);
-    let writer = Writer { device: &device, configured, parameters: &parameters };
-    let mut out = Markup::new(options.version);
+    let parameters = EntryParameters::of(&device);
+    let writer = Writer { device: &device, parameters: &parameters };
+    let mut out = Markup::new(version);
     out.open_container();
     writer.profile(ProfileClass::Device, &mut out);
     writer.profile(ProfileClass::Network, &mut out);
@@ -40,8 +32,6 @@ pub(crate) fn write(device: &Device, kind: DeviceKind, options: &XddWriteOptions
 /// A device being written.
 struct Writer<'a> {
     device: &'a Device,
-    /// Whether values of a node are written.
-    configured: bool,
     parameters: &'a EntryParameters,
 }
 

@@ -55,7 +55,7 @@ impl Writer<'_> {
     fn network_management(&self, info: &DeviceInfo, out: &mut Markup) {
         let mut general = general_features(info);
         let master = master_features(info);
-        let node = self.device.commissioning.as_ref().filter(|_| self.configured);
+        let node = self.device.commissioning.as_ref();
         if general.is_empty() && master.is_empty() && node.is_none() {
             return;
         }

@@ -67,12 +67,9 @@ impl Writer<'_> {
         let access = entry.access.map(|access| attribute_access(access).to_owned());
         put("accessType", access.or_else(|| misfit(&Field::AccessType)));
         put("defaultValue", value(entry.default.as_ref(), Field::DefaultValue));
-        if self.configured {
-            put("actualValue", value(entry.configured_value(), Field::ParameterValue));
-            let denotation =
-                entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
-            put("denotation", denotation.map(str::to_owned));
-        }
+        put("actualValue", value(entry.configured_value(), Field::ParameterValue));
+        let denotation = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
+        put("denotation", denotation.map(str::to_owned));
         let mapping = entry.pdo_mapping.map(|mapping| mapping_word(mapping).to_owned());
         put("PDOmapping", mapping.or_else(|| misfit(&Field::PdoMapping)));
         let flags = entry.flags.map(|flags| match flags.0 {

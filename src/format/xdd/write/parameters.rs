@@ -24,12 +24,12 @@ pub(super) struct EntryParameters {
 }
 
 impl EntryParameters {
-    /// Makes them. `configured` tells whether they have what was configured for a node.
-    pub(super) fn of(device: &Device, configured: bool) -> Self {
+    /// Makes them.
+    pub(super) fn of(device: &Device) -> Self {
         let mut made = Self::default();
         let mut ids = Ids::of(device);
         for (&index, object) in &device.objects {
-            let main = Maker { index, sub: None, entry: &object.main, configured };
+            let main = Maker { index, sub: None, entry: &object.main };
             if object.object_type().has_subs() {
                 let parameter = made.structure(&main, object, &mut ids);
                 made.add(&main, parameter, &mut ids);
@@ -37,7 +37,7 @@ impl EntryParameters {
                 made.add(&main, main.parameter(), &mut ids);
             }
             for (sub, entry) in object.subs.iter() {
-                let maker = Maker { index, sub: Some(sub), entry, configured };
+                let maker = Maker { index, sub: Some(sub), entry };
                 made.add(&maker, maker.parameter(), &mut ids);
             }
         }
@@ -85,7 +85,6 @@ struct Maker<'a> {
     index: u16,
     sub: Option<u8>,
     entry: &'a Entry,
-    configured: bool,
 }
 
 impl Maker<'_> {
@@ -107,14 +106,11 @@ impl Maker<'_> {
         if parameter.allowed_values.is_none() {
             parameter.allowed_values = self.allowed_values();
         }
-        if self.configured {
-            let actual = || self.value(entry.configured_value(), &Field::ParameterValue);
-            parameter.actual_value = parameter.actual_value.take().or_else(actual);
-            let denotation =
-                entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
-            if let Some(denotation) = denotation.filter(|_| parameter.denotation.is_empty()) {
-                parameter.denotation = Labels::name(defaults::LANGUAGE, denotation);
-            }
+        let actual = || self.value(entry.configured_value(), &Field::ParameterValue);
+        parameter.actual_value = parameter.actual_value.take().or_else(actual);
+        let denotation = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
+        if let Some(denotation) = denotation.filter(|_| parameter.denotation.is_empty()) {
+            parameter.denotation = Labels::name(defaults::LANGUAGE, denotation);
         }
         self.finish(&mut parameter);
         Some(parameter)
@@ -125,12 +121,7 @@ impl Maker<'_> {
         if self.entry.extra.get(REFERENCE).is_some() {
             return None;
         }
-        let mut parameter = self.entry.parameter.as_deref().cloned().unwrap_or_default();
-        if !self.configured {
-            parameter.actual_value = None;
-            parameter.denotation = Labels::default();
-        }
-        Some(parameter)
+        Some(self.entry.parameter.as_deref().cloned().unwrap_or_default())
     }
 
     /// Whether there is something to say that has no other place.
