@@ -9,6 +9,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
+use super::profiles::ProfileArgs;
 use super::show::Address;
 use crate::diagnostic::Severity;
 use crate::format::literal::RealSpelling;
@@ -62,6 +63,8 @@ pub(super) struct CheckArgs {
     /// The number of files that are checked at the same time; without it, as many as there are processors
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
+    #[command(flatten)]
+    pub profiles: ProfileArgs,
     #[command(flatten)]
     pub input: InputArgs,
 }

@@ -10,15 +10,18 @@ use super::parallel::in_order;
 use super::{Failure, Outcome, report, tell};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
+use crate::lint::Options;
 use crate::report::{Report, Tally, plural};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut options = Options::default();
+    options.profiles = args.profiles.load()?;
     let (files, failures) = gather(&args.files);
     let mut reporter = Reporter::new(args, out)?;
     for failure in failures {
         reporter.fail(&failure)?;
     }
-    let worker = Worker { args };
+    let worker = Worker { args, options: &options };
     in_order(&files, args.jobs, |file| worker.check(file), |checked| reporter.take(checked))?;
     reporter.finish()
 }
@@ -36,6 +39,7 @@ enum Checked {
 /// Checks one file. Nothing is shared but what everybody only reads.
 struct Worker<'a> {
     args: &'a CheckArgs,
+    options: &'a Options,
 }
 
 impl Worker<'_> {
@@ -49,14 +53,14 @@ impl Worker<'_> {
 
     fn check_devices(&self, description: Description) -> Checked {
         let count = description.device_count();
-        let mut findings = vec![crate::check(&description)];
+        let mut findings = vec![crate::check_with(&description, self.options)];
         if count == 1 {
             return Checked::Description(Box::new(description), findings);
         }
         let mut next = Some(description);
         for number in 1..count {
             next = next.and_then(|description| description.select(number));
-            findings.extend(next.as_ref().map(crate::check));
+            findings.extend(next.as_ref().map(|description| crate::check_with(description, self.options)));
         }
         match next.and_then(|description| description.select(0)) {
             Some(first) => Checked::Description(Box::new(first), findings),

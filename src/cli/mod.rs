@@ -10,6 +10,7 @@ mod identify;
 mod input;
 mod output;
 mod parallel;
+mod profiles;
 mod report;
 mod rules;
 mod save;
@@ -88,11 +89,13 @@ impl From<Outcome> for ExitCode {
 struct Failure {
     message: String,
     help: Option<String>,
+    /// The lines of a text that it is about, with the message: told in the place of message and help.
+    excerpt: Option<String>,
 }
 
 impl Failure {
     fn new(message: impl fmt::Display) -> Self {
-        Self { message: message.to_string(), help: None }
+        Self { message: message.to_string(), help: None, excerpt: None }
     }
 
     fn help(mut self, help: impl Into<String>) -> Self {
@@ -100,8 +103,16 @@ impl Failure {
         self
     }
 
+    fn excerpt(mut self, excerpt: String) -> Self {
+        self.excerpt = Some(excerpt);
+        self
+    }
+
     /// Tells it on the standard error.
     fn print(&self) {
+        if let Some(excerpt) = &self.excerpt {
+            return tell(excerpt);
+        }
         let mut text = format!("error: {}\n", self.message);
         if let Some(help) = &self.help {
             text.push_str(&format!("  help: {help}\n"));

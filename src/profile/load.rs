@@ -20,6 +20,8 @@ pub struct ProfileError {
     pub message: String,
     /// Where, in bytes of the text.
     pub span: Option<Span>,
+    /// What was probably meant, or how it is done.
+    pub help: Option<String>,
 }
 
 impl Profile {
@@ -36,19 +38,23 @@ impl Profile {
         let file: ProfileFile = toml::from_str(text).map_err(|error| ProfileError {
             message: error.message().to_owned(),
             span: error.span().map(span),
+            help: None,
         })?;
         let mut objects = Vec::with_capacity(file.object.len());
         for object in file.object {
             let at = span(object.span());
-            let facts =
-                object.into_inner().facts().map_err(|message| ProfileError { message, span: Some(at) })?;
+            let facts = object.into_inner().facts().map_err(|message| ProfileError {
+                message,
+                span: Some(at),
+                help: None,
+            })?;
             objects.push((facts, at));
         }
         objects.sort_by_key(|(facts, _)| facts.first);
         let twice = objects.windows(2).find(|pair| pair[0].0.last >= pair[1].0.first);
         if let Some((facts, at)) = twice.map(|pair| &pair[1]) {
             let message = format!("{:04X}h is described twice", facts.first);
-            return Err(ProfileError { message, span: Some(*at) });
+            return Err(ProfileError { message, span: Some(*at), help: None });
         }
         Ok(Self {
             group,

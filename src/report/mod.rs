@@ -22,6 +22,8 @@ pub use json::Json;
 pub use subject::Subject;
 #[cfg(feature = "cli")]
 pub use text::Text;
+#[cfg(feature = "cli")]
+pub(crate) use text::problem;
 
 /// Writes what was found in files.
 pub trait Report {

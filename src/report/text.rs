@@ -1,6 +1,7 @@
 //! Findings for people: the offending lines with marks under them, drawn by miette.
 
 mod excerpt;
+mod problem;
 
 use std::fmt;
 use std::io::{self, Write};
@@ -8,6 +9,7 @@ use std::io::{self, Write};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
 use self::excerpt::Excerpts;
+pub(crate) use self::problem::problem;
 use super::{Report, Subject, Tally, visible};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 
