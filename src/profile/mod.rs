@@ -4,6 +4,7 @@
 //! `docs/profiles.md` describes the form.
 
 mod condition;
+pub mod default_mapping;
 mod facts;
 mod load;
 mod standard;
