@@ -18,7 +18,7 @@ fn sessions() {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
-    for page in ["README.md", "docs/cli.md", "docs/json.md", "docs/formats.md"] {
+    for page in ["README.md", "docs/ci.md", "docs/cli.md", "docs/json.md", "docs/formats.md"] {
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();

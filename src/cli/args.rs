@@ -57,6 +57,9 @@ pub(super) struct CheckArgs {
     /// How to write the findings
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
+    /// Count the findings of each rule; `=only` instead of showing them. With the formats text, concise and json
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
+    pub statistics: Option<Counting>,
     /// The mildest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
     pub deny: Deny,
@@ -103,6 +106,23 @@ pub(super) enum ReportFormat {
     Concise,
     /// For programs: one JSON document (docs/json.md)
     Json,
+    /// SARIF 2.1.0, for code scanning services and editors
+    Sarif,
+    /// Annotations of GitHub workflows
+    Github,
+    /// A code quality report of GitLab
+    Gitlab,
+    /// JUnit XML, for what shows the results of tests
+    Junit,
+}
+
+/// Whether the findings are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Counting {
+    /// Behind the findings
+    Also,
+    /// Instead of the findings
+    Only,
 }
 
 /// Show the dictionary as a table, or one object or entry of it in detail

@@ -1,18 +1,40 @@
 //! The reports that `check` writes.
 
-use super::Failure;
-use super::args::{CheckArgs, ReportFormat};
-use super::output::Output;
-use crate::report::{Concise, Json, Report, Text};
+use std::path::PathBuf;
 
-/// The report that was asked for.
+use super::Failure;
+use super::args::{CheckArgs, Counting, ReportFormat};
+use super::output::Output;
+use crate::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, Text};
+
+/// The report that was asked for. Services get paths as they are seen from the current folder.
 pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn Report + 'a>, Failure> {
+    let detail = detail(args)?;
+    let base = std::env::current_dir().unwrap_or_else(|_| PathBuf::new());
     Ok(match args.format {
         ReportFormat::Text => {
             let colour = out.colour();
-            Box::new(Text::new(out, colour))
+            Box::new(Text::new(out, colour).detail(detail))
         }
-        ReportFormat::Concise => Box::new(Concise::new(out)),
-        ReportFormat::Json => Box::new(Json::new(out)),
+        ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),
+        ReportFormat::Json => Box::new(Json::new(out).detail(detail)),
+        ReportFormat::Sarif => Box::new(Sarif::new(out).base(&base)),
+        ReportFormat::Github => Box::new(Github::new(out).base(&base)),
+        ReportFormat::Gitlab => Box::new(Gitlab::new(out).base(&base)),
+        ReportFormat::Junit => Box::new(Junit::new(out).base(&base).deny(args.deny.into())),
     })
+}
+
+/// What is shown; only formats of our own have room for statistics.
+fn detail(args: &CheckArgs) -> Result<Detail, Failure> {
+    use ReportFormat::{Concise, Github, Gitlab, Json, Junit, Sarif, Text};
+    match (args.statistics, args.format) {
+        (None, _) => Ok(Detail::Findings),
+        (Some(Counting::Also), Text | Concise | Json) => Ok(Detail::Both),
+        (Some(Counting::Only), Text | Concise | Json) => Ok(Detail::Statistics),
+        (Some(_), Sarif | Github | Gitlab | Junit) => {
+            let failure = Failure::new("this format has no room for statistics");
+            Err(failure.help("`--statistics` goes with `--format text`, `concise` and `json`"))
+        }
+    }
 }

@@ -44,7 +44,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 id: rule.id,
                 severity: rule.severity,
                 summary: rule.summary(),
-                docs: page(rule),
+                docs: rule.page(),
             };
             let document = Document { version: VERSION, rules: rules.into_iter().map(rule).collect() };
             serde_json::to_writer_pretty(&mut *out, &document).map_err(std::io::Error::from)?;
@@ -58,13 +58,8 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
 pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let Some(rule) = find(&args.rule) else { return Err(unknown(&args.rule)) };
     writeln!(out, "# {} ({})\n", rule.id, rule.severity)?;
-    out.write_all(page(rule).as_bytes())?;
+    out.write_all(rule.page().as_bytes())?;
     Ok(Outcome::Clean)
-}
-
-/// The page without the blank that a doc comment puts before each line.
-fn page(rule: &RuleInfo) -> String {
-    rule.docs.lines().fold(String::new(), |page, line| page + line.strip_prefix(' ').unwrap_or(line) + "\n")
 }
 
 /// The rule of an id, or of a name where only one group has it.

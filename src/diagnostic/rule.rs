@@ -35,6 +35,19 @@ impl RuleInfo {
         self.docs.split_once("## Source").map_or("", |(_, source)| source).trim()
     }
 
+    /// The page as Markdown, without the blank that a doc comment puts before each line.
+    pub fn page(&self) -> String {
+        let lines = self.docs.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
+        lines.fold(String::new(), |page, line| page + line + "\n")
+    }
+
+    /// The text under a heading of the page, such as `## What it checks`; empty where the page has it not.
+    pub fn section(&self, heading: &str) -> String {
+        let page = self.page();
+        let behind = page.split_once(&format!("\n{heading}\n")).map_or("", |(_, behind)| behind);
+        behind.split("\n## ").next().unwrap_or_default().trim().to_owned()
+    }
+
     /// The first line of the page: the defect in one sentence.
     pub fn summary(&self) -> &'static str {
         self.docs.lines().next().unwrap_or_default().trim()

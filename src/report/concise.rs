@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Location, Report, Subject, Tally, one_line};
+use super::{Detail, Location, Report, Statistics, Subject, Tally, one_line};
 use crate::diagnostic::Findings;
 
 /// Findings as a line each, and a sum at the end.
@@ -10,18 +10,33 @@ use crate::diagnostic::Findings;
 pub struct Concise<W> {
     out: W,
     tally: Tally,
+    detail: Detail,
+    statistics: Statistics,
 }
 
 impl<W: Write> Concise<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
-        Self { out, tally: Tally::default() }
+        Self { out, tally: Tally::default(), detail: Detail::default(), statistics: Statistics::default() }
+    }
+
+    /// With statistics, behind the findings or without them.
+    #[must_use]
+    pub fn detail(mut self, detail: Detail) -> Self {
+        self.detail = detail;
+        self
     }
 }
 
 impl<W: Write> Report for Concise<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
+        if self.detail.has_statistics() {
+            self.statistics.add(subject, findings);
+        }
+        if !self.detail.has_findings() {
+            return Ok(());
+        }
         let name = one_line(subject.source().name());
         for finding in findings {
             let start = Location::start_of(subject, finding);
@@ -36,6 +51,7 @@ impl<W: Write> Report for Concise<W> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
+        self.statistics.write(&mut self.out)?;
         if self.tally.files > 0 {
             writeln!(self.out, "{}", self.tally)?;
         }

@@ -4,8 +4,9 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::{Location, Report, Subject, Tally};
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprints};
+use crate::diagnostic::{Diagnostic, Findings, Safety, Severity};
+use crate::source::Span;
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -15,6 +16,8 @@ const VERSION: u32 = 1;
 pub struct Json<W> {
     out: W,
     tally: Tally,
+    detail: Detail,
+    statistics: Statistics,
     omitted: Vec<Omitted>,
     is_empty: bool,
 }
@@ -31,6 +34,27 @@ struct Finding<'a> {
     help: Option<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
+    fingerprint: Fingerprint,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fix: Option<Fix<'a>>,
+}
+
+#[derive(Serialize)]
+struct Fix<'a> {
+    title: &'a str,
+    safety: Safety,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    encoding: Option<String>,
+    edits: Vec<Edit>,
+}
+
+#[derive(Serialize)]
+struct Edit {
+    line: u32,
+    column: u32,
+    end_line: u32,
+    end_column: u32,
+    text: String,
 }
 
 #[derive(Serialize)]
@@ -70,7 +94,21 @@ struct Summary {
 impl<W: Write> Json<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
-        Self { out, tally: Tally::default(), omitted: Vec::new(), is_empty: true }
+        Self {
+            out,
+            tally: Tally::default(),
+            detail: Detail::default(),
+            statistics: Statistics::default(),
+            omitted: Vec::new(),
+            is_empty: true,
+        }
+    }
+
+    /// With statistics, beside the findings or without them.
+    #[must_use]
+    pub fn detail(mut self, detail: Detail) -> Self {
+        self.detail = detail;
+        self
     }
 
     /// The first line, before the first finding.
@@ -80,18 +118,29 @@ impl<W: Write> Json<W> {
         }
         Ok(())
     }
+
+    fn findings(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
+        let file = subject.source().name();
+        for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
+            self.start()?;
+            self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
+            self.is_empty = false;
+            serde_json::to_writer(&mut self.out, &record(file, subject, finding, fingerprint))?;
+        }
+        Ok(())
+    }
 }
 
 impl<W: Write> Report for Json<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
-        let file = subject.source().name();
-        for finding in findings {
-            self.start()?;
-            self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
-            self.is_empty = false;
-            serde_json::to_writer(&mut self.out, &record(file, subject, finding))?;
+        if self.detail.has_statistics() {
+            self.statistics.add(subject, findings);
         }
+        if self.detail.has_findings() {
+            self.findings(subject, findings)?;
+        }
+        let file = subject.source().name();
         for (rule, count) in findings.omitted() {
             self.omitted.push(Omitted { file: file.to_owned(), rule, count });
         }
@@ -99,9 +148,20 @@ impl<W: Write> Report for Json<W> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
-        self.start()?;
-        let end = if self.is_empty { "]" } else { "\n]" };
-        write!(self.out, "{end},\n\"omitted\":")?;
+        if self.detail.has_findings() {
+            self.start()?;
+            self.out.write_all(if self.is_empty { b"],\n" } else { b"\n],\n" })?;
+        } else {
+            write!(self.out, "{{\"version\":{VERSION},")?;
+        }
+        if self.detail.has_statistics() {
+            let rows: Result<Vec<String>, _> =
+                self.statistics.rows().iter().map(serde_json::to_string).collect();
+            let rows = rows?;
+            let (start, end) = if rows.is_empty() { ("", "") } else { ("\n", "\n") };
+            writeln!(self.out, "\"statistics\":[{start}{}{end}],", rows.join(",\n"))?;
+        }
+        self.out.write_all(b"\"omitted\":")?;
         serde_json::to_writer(&mut self.out, &self.omitted)?;
         self.out.write_all(b",\n\"summary\":")?;
         let Tally { files, errors, warnings, notes, .. } = self.tally;
@@ -111,7 +171,12 @@ impl<W: Write> Report for Json<W> {
     }
 }
 
-fn record<'a>(file: &'a str, subject: Subject<'_>, finding: &'a Diagnostic) -> Finding<'a> {
+fn record<'a>(
+    file: &'a str,
+    subject: Subject<'_>,
+    finding: &'a Diagnostic,
+    fingerprint: Fingerprint,
+) -> Finding<'a> {
     let mut positions = Location::all(subject, finding).into_iter().map(|location| Position {
         line: location.start.line,
         column: location.start.column,
@@ -129,7 +194,26 @@ fn record<'a>(file: &'a str, subject: Subject<'_>, finding: &'a Diagnostic) -> F
         message: &finding.message,
         help: finding.help.as_deref(),
         related: positions.map(|at| Related { message: at.text, at }).collect(),
+        fingerprint,
+        fix: fix(subject, finding),
     }
+}
+
+/// The fix of a finding, where this file can be changed so.
+fn fix<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<Fix<'a>> {
+    let (description, fix) = subject.description().zip(finding.fix.as_ref())?;
+    let encoding = description.encoding_of(fix).map(|encoding| encoding.to_string());
+    let edits = description.edits(fix);
+    if edits.is_none() && encoding.is_none() {
+        return None;
+    }
+    let edit = |(span, text): (Span, String)| {
+        let source = subject.source();
+        let (start, end) = (source.line_column(span.start), source.line_column(span.end));
+        Edit { line: start.line, column: start.column, end_line: end.line, end_column: end.column, text }
+    };
+    let edits = edits.unwrap_or_default().into_iter().map(edit).collect();
+    Some(Fix { title: &fix.title, safety: fix.safety, encoding, edits })
 }
 
 #[cfg(test)]

@@ -3,10 +3,17 @@
 
 mod concise;
 mod fingerprint;
+mod github;
+mod gitlab;
 mod json;
+mod junit;
+mod path;
+mod sarif;
+mod statistics;
 mod subject;
 #[cfg(feature = "cli")]
 mod text;
+mod utf16;
 
 use std::fmt;
 use std::io;
@@ -18,7 +25,12 @@ use crate::source::{LineColumn, Span};
 
 pub use concise::Concise;
 pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
+pub use github::Github;
+pub use gitlab::Gitlab;
 pub use json::Json;
+pub use junit::Junit;
+pub use sarif::Sarif;
+pub use statistics::{Detail, Statistic, Statistics};
 pub use subject::Subject;
 #[cfg(feature = "cli")]
 pub use text::Text;

@@ -10,7 +10,7 @@ use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
 use self::excerpt::Excerpts;
 pub(crate) use self::problem::problem;
-use super::{Report, Subject, Tally, visible};
+use super::{Detail, Report, Statistics, Subject, Tally, visible};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 
 /// Columns that a message may take before it goes on in the next line.
@@ -24,6 +24,8 @@ pub struct Text<W> {
     out: W,
     handler: GraphicalReportHandler,
     tally: Tally,
+    detail: Detail,
+    statistics: Statistics,
 }
 
 impl<W> fmt::Debug for Text<W> {
@@ -37,14 +39,30 @@ impl<W: Write> Text<W> {
     pub fn new(out: W, colour: bool) -> Self {
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let handler = GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH);
-        Self { out, handler, tally: Tally::default() }
+        Self {
+            out,
+            handler,
+            tally: Tally::default(),
+            detail: Detail::default(),
+            statistics: Statistics::default(),
+        }
+    }
+
+    /// With statistics, behind the findings or without them.
+    #[must_use]
+    pub fn detail(mut self, detail: Detail) -> Self {
+        self.detail = detail;
+        self
     }
 }
 
 impl<W: Write> Report for Text<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
-        if findings.is_empty() {
+        if self.detail.has_statistics() {
+            self.statistics.add(subject, findings);
+        }
+        if findings.is_empty() || !self.detail.has_findings() {
             return Ok(());
         }
         let excerpts = Excerpts::new(subject.source());
@@ -63,6 +81,7 @@ impl<W: Write> Report for Text<W> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
+        self.statistics.write(&mut self.out)?;
         if self.tally.files > 0 {
             writeln!(self.out, "{}", self.tally)?;
         }

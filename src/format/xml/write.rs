@@ -82,6 +82,13 @@ impl XmlWriter {
         &self.replaced
     }
 
+    /// The text so far, where the last call did not open an element; what follows continues it. So a long document need not
+    /// be in memory at once.
+    pub fn take(&mut self) -> String {
+        // an element without content is closed by changing its start tag
+        if self.is_empty { String::new() } else { std::mem::take(&mut self.text) }
+    }
+
     /// The document. Elements that are still open are closed.
     pub fn finish(mut self) -> String {
         while !self.open.is_empty() {
