@@ -99,7 +99,7 @@ const DEVICES: &[Device] = &[
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/mapped-object-not-mappable 0x1A01sub2 / DefaultValue",
         ],
-        also: &["cia301/emergency-without-cob-id 0x1003"],
+        also: &["cia301/emergency-without-cob-id 0x1003", "cia301/rtr-only-pdo 0x1801sub2 / DefaultValue"],
     },
     Device {
         name: "c2-c4-sensor-node",
@@ -124,7 +124,10 @@ const DEVICES: &[Device] = &[
     Device {
         name: "d-1800-timers",
         main: &["cia301/reserved-pdo-sub-index 0x1800sub4"],
-        also: &["cia301/fixed-node-id 0x1800sub1 / DefaultValue"],
+        also: &[
+            "cia301/timer-without-effect 0x1800sub3 / DefaultValue",
+            "cia301/fixed-node-id 0x1800sub1 / DefaultValue",
+        ],
     },
     Device { name: "d-1804-cob-id", main: &["cia301/invalid-cob-id 0x1804sub1 / DefaultValue"], also: &[] },
 ];

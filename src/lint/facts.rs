@@ -92,6 +92,12 @@ impl<'a> Facts<'a> {
         }
     }
 
+    /// The number that a sub-index holds after it was configured; a formula on the first node that the description can be
+    /// for.
+    pub(crate) fn number(&self, index: u16, sub: u8) -> Option<i128> {
+        self.device.value(index, sub)?.integer_for(*self.node_ids().start())
+    }
+
     /// Whether the device follows a device profile, as far as 1000h says.
     pub(crate) fn has_profile(&self) -> bool {
         self.device.profile().is_some_and(|profile| profile != 0)
@@ -234,6 +240,11 @@ impl CobIdUse {
         match self.service {
             Service::Sync => true,
             Service::Time => self.cob_id.bit_30() || !self.cob_id.is_valid(),
+            // many stacks write 0, the CAN-ID of NMT, into a channel that is not configured
+            Service::ServerRequest(_)
+            | Service::ServerResponse(_)
+            | Service::ClientRequest(_)
+            | Service::ClientResponse(_) => self.cob_id.is_valid() && self.cob_id != CobId::new(0),
             _ => self.cob_id.is_valid(),
         }
     }

@@ -25,6 +25,11 @@ pub(crate) fn is_structured(object: &Object) -> bool {
     !object.subs.is_empty() || object.compact.is_some() || object.sub_number.is_some_and(|number| number > 0)
 }
 
+/// Whether the device has an object: it is described, or listed, so that a missing section is reported.
+pub(crate) fn is_there(device: &Device, index: u16) -> bool {
+    device.objects.contains_key(&index) || device.lists.iter().any(|(_, listed)| listed == index)
+}
+
 /// Whether the text of a field is no value of it, so that `cia306/invalid-value` has spoken.
 pub(crate) fn is_misfit(entry: &Entry, field: &Field) -> bool {
     !entry.misfits.is_empty() && entry.misfits.get(field).is_some()

@@ -5,7 +5,7 @@ rule! {
     /// one direction of an SDO channel is valid and the other is not
     ///
     /// ## What it checks
-    /// Whether bit 31 of the two COB-IDs of an SDO server or client (1201h to 12FFh) is the same.
+    /// Whether the two COB-IDs of an SDO server or client (1201h to 12FFh) are both in use or both not. Bit 31 switches one off, and so does 0, which many stacks have in a channel that is not configured.
     ///
     /// ## Why it matters
     /// A channel exists when both are valid. One valid COB-ID takes a CAN-ID away and gives no SDO.
@@ -31,17 +31,17 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         _ => None,
     });
     for (request, response) in
-        channels.filter(|(one, other)| one.cob_id.is_valid() != other.cob_id.is_valid())
+        channels.filter(|(one, other)| one.is_in_use() != other.is_in_use())
     {
         let (valid, invalid) =
-            if request.cob_id.is_valid() { (request, response) } else { (response, request) };
+            if request.is_in_use() { (request, response) } else { (response, request) };
         let message = format!(
             "{} has a valid COB-ID `{}` in sub-index {} and none in sub-index {}",
             request.service, valid.cob_id, valid.sub, invalid.sub
         );
         let device = facts.device;
         let finding = Diagnostic::new(&RULE.info, device.value_place(valid.index, valid.sub), message)
-            .label(device.value_place(invalid.index, invalid.sub), "bit 31 says that there is none");
+            .label(device.value_place(invalid.index, invalid.sub), "says that there is none");
         findings.push(finding.help("set bit 31 in both, or clear it in both"));
     }
 }

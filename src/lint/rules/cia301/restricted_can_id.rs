@@ -5,7 +5,7 @@ rule! {
     /// a service uses a CAN-ID that belongs to another one
     ///
     /// ## What it checks
-    /// Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.
+    /// Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO, and one with the COB-ID 0 is not in use. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.
     ///
     /// ## Why it matters
     /// Another node answers an SDO under that CAN-ID, or sends its heartbeat: two nodes send the same identifier and disturb each other.
