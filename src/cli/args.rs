@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::fix::FixArgs;
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
 use super::profiles::ProfileArgs;
@@ -68,6 +69,8 @@ pub(super) struct CheckArgs {
     pub jobs: Option<NonZeroUsize>,
     #[command(flatten)]
     pub profiles: ProfileArgs,
+    #[command(flatten)]
+    pub mending: FixArgs,
     #[command(flatten)]
     pub input: InputArgs,
 }

@@ -4,7 +4,9 @@
 mod args;
 mod check;
 mod convert;
+mod diff;
 mod files;
+mod fix;
 mod generate;
 mod identify;
 mod input;

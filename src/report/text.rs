@@ -11,7 +11,8 @@ use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 use self::excerpt::Excerpts;
 pub(crate) use self::problem::problem;
 use super::{Detail, Report, Statistics, Subject, Tally, visible};
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Safety, Severity};
+use crate::format::Description;
 
 /// Columns that a message may take before it goes on in the next line.
 const WIDTH: usize = 100;
@@ -26,6 +27,8 @@ pub struct Text<W> {
     tally: Tally,
     detail: Detail,
     statistics: Statistics,
+    /// How many findings a safe fix can mend, and how many more an unsafe one.
+    fixable: [usize; 2],
 }
 
 impl<W> fmt::Debug for Text<W> {
@@ -45,6 +48,7 @@ impl<W: Write> Text<W> {
             tally: Tally::default(),
             detail: Detail::default(),
             statistics: Statistics::default(),
+            fixable: [0; 2],
         }
     }
 
@@ -56,6 +60,15 @@ impl<W: Write> Text<W> {
     }
 }
 
+impl<W> Text<W> {
+    fn count_fixes(&mut self, description: &Description, findings: &Findings) {
+        let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref());
+        for fix in fixes.filter(|fix| description.can_mend(fix)) {
+            self.fixable[usize::from(fix.safety == Safety::Unsafe)] += 1;
+        }
+    }
+}
+
 impl<W: Write> Report for Text<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
@@ -64,6 +77,9 @@ impl<W: Write> Report for Text<W> {
         }
         if findings.is_empty() || !self.detail.has_findings() {
             return Ok(());
+        }
+        if let Some(description) = subject.description() {
+            self.count_fixes(description, findings);
         }
         let excerpts = Excerpts::new(subject.source());
         let mut text = String::new();
@@ -84,6 +100,14 @@ impl<W: Write> Report for Text<W> {
         self.statistics.write(&mut self.out)?;
         if self.tally.files > 0 {
             writeln!(self.out, "{}", self.tally)?;
+        }
+        match self.fixable {
+            [0, 0] => {}
+            [safe, 0] => writeln!(self.out, "{safe} can be mended with `--fix`")?,
+            [0, others] => writeln!(self.out, "{others} can be mended with `--fix --unsafe-fixes`")?,
+            [safe, others] => {
+                writeln!(self.out, "{safe} can be mended with `--fix`, {others} more with `--unsafe-fixes`")?;
+            }
         }
         self.out.flush()
     }

@@ -18,7 +18,8 @@ pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, fin
         let mut finding = finding(item.value, item.value_at.into(), quirk, rule, help);
         finding.fix = literal::respell(item.value, quirk, value).map(|text| {
             let fix = fix_of(quirk, &text).replace(item.value_at, text);
-            match literal::trailing_comment(item.value).filter(|_| quirk == Quirk::TrailingComment) {
+            let comment = literal::trailing_comment(item.value).filter(|comment| !comment.is_empty());
+            match comment.filter(|_| quirk == Quirk::TrailingComment) {
                 Some(comment) => fix.with(Change::Comment(item.name_at, comment.to_owned())),
                 None => fix,
             }

@@ -262,5 +262,6 @@ fn comment_above(span: Span, text: &str) -> Fix {
     let is_comment = text.starts_with([';', '#']) || text.starts_with("//");
     let comment = text.trim_start_matches([';', '#', '/']).trim();
     let fix = if is_comment { Fix::safe(title) } else { Fix::risky(title) };
-    fix.replace(span, "").with(Change::Comment(span, comment.to_owned()))
+    let fix = fix.replace(span, "");
+    if comment.is_empty() { fix } else { fix.with(Change::Comment(span, comment.to_owned())) }
 }

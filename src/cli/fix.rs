@@ -1,0 +1,132 @@
+//! Findings mended by `check`: what is written, what is only shown, and what is said about it.
+
+use std::path::{Path, PathBuf};
+
+use super::output::Output;
+use super::save::save;
+use super::{Failure, diff, tell};
+use crate::diagnostic::{Findings, Safety};
+use crate::format::Description;
+use crate::report::plural;
+use crate::source::SourceFile;
+use crate::{Repair, mend};
+
+/// Whether findings are mended.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Mending")]
+pub(super) struct FixArgs {
+    /// Mend what can be mended without changing what the description means, and report what is left
+    #[arg(long)]
+    pub fix: bool,
+    /// With --fix and --diff, also mend where somebody should look at the result
+    #[arg(long)]
+    pub unsafe_fixes: bool,
+    /// Print what --fix would change, write nothing, and exit with 1 when there is something
+    #[arg(long, conflicts_with = "fix")]
+    pub diff: bool,
+}
+
+impl FixArgs {
+    /// How safe a fix must be to be made; `None` where nothing is mended.
+    pub(super) fn safety(&self) -> Option<Safety> {
+        let safety = if self.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
+        (self.fix || self.diff).then_some(safety)
+    }
+}
+
+/// A file with its findings mended, not written yet.
+pub(super) struct Amended {
+    path: PathBuf,
+    before: SourceFile,
+    after: SourceFile,
+    bytes: Vec<u8>,
+    applied: usize,
+    skipped: Vec<Repair>,
+}
+
+/// Mends all devices of a file. The description of the first one comes back, and the change where there is one.
+pub(super) fn amend(
+    path: &Path,
+    description: Description,
+    safety: Safety,
+    check: impl Fn(&Description) -> Findings,
+) -> Option<(Description, Option<Amended>)> {
+    let before = copy(description.source())?;
+    let count = description.device_count();
+    let mut next = description;
+    let (mut applied, mut skipped) = (0, Vec::new());
+    for number in 0..count {
+        let mended = mend(next.select(number)?, safety, &check);
+        applied += mended.applied.len();
+        skipped.extend(mended.skipped);
+        next = mended.description;
+    }
+    let bytes = next.print();
+    let after = copy(next.source())?;
+    let amended = Amended { path: path.to_owned(), before, after, bytes, applied, skipped };
+    let is_changed = amended.applied > 0 || !amended.skipped.is_empty();
+    Some((next.select(0)?, is_changed.then_some(amended)))
+}
+
+fn copy(source: &SourceFile) -> Option<SourceFile> {
+    let mut options = crate::source::SourceOptions::default();
+    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
+    SourceFile::from_bytes(source.name(), source.to_bytes(), &options).ok()
+}
+
+/// What was mended in all files.
+#[derive(Default)]
+pub(super) struct Mending {
+    fixed: usize,
+    files: usize,
+    skipped: usize,
+}
+
+impl Mending {
+    /// Writes a file.
+    pub(super) fn write(&mut self, amended: &Amended) -> Result<(), Failure> {
+        if amended.applied > 0 {
+            save(&amended.path, &amended.bytes)?;
+        }
+        self.count(amended);
+        Ok(())
+    }
+
+    /// Shows what would be written.
+    pub(super) fn show(&mut self, amended: &Amended, out: &mut Output) -> Result<(), Failure> {
+        if amended.applied > 0 {
+            diff::print(&amended.before, &amended.after, out)?;
+        }
+        self.count(amended);
+        Ok(())
+    }
+
+    fn count(&mut self, amended: &Amended) {
+        self.fixed += amended.applied;
+        self.files += usize::from(amended.applied > 0);
+        self.skipped += amended.skipped.len();
+    }
+
+    /// Whether a file was changed, or would be.
+    pub(super) fn is_needed(&self) -> bool {
+        self.fixed > 0
+    }
+
+    /// Tells what was done.
+    pub(super) fn finish(&self, args: &FixArgs) {
+        if args.safety().is_none() {
+            return;
+        }
+        let verb = if args.diff { "would fix" } else { "fixed" };
+        let (findings, files) = (plural(self.fixed, "finding"), plural(self.files, "file"));
+        tell(&format!("{verb} {findings} in {files}\n"));
+        if self.skipped > 0 {
+            let are = if self.skipped == 1 { "is" } else { "are" };
+            let fixes = match self.skipped {
+                1 => "1 fix".to_owned(),
+                count => format!("{count} fixes"),
+            };
+            tell(&format!("note: {fixes} {are} not made, for something else would be wrong afterwards\n"));
+        }
+    }
+}
