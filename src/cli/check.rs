@@ -20,7 +20,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     options.profiles = args.profiles.load()?;
     let (files, failures) = gather(&args.files);
     if args.mending.diff {
-        return show_changes(args, &files, &failures, out);
+        return show_changes(&Worker { args, options: &options }, &files, &failures, out);
     }
     let mut reporter = Reporter::new(args, out)?;
     for failure in failures {
@@ -33,7 +33,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
 
 /// Prints what would be mended, and reports nothing else.
 fn show_changes(
-    args: &CheckArgs,
+    worker: &Worker<'_>,
     files: &[File],
     failures: &[Failure],
     out: &mut Output,
@@ -41,10 +41,9 @@ fn show_changes(
     failures.iter().for_each(Failure::print);
     let mut has_failed = !failures.is_empty();
     let mut mending = Mending::default();
-    let worker = Worker { args };
     in_order(
         files,
-        args.jobs,
+        worker.args.jobs,
         |file| worker.check(file),
         |checked| {
             match checked {
@@ -58,7 +57,7 @@ fn show_changes(
             Ok(())
         },
     )?;
-    mending.finish(&args.mending);
+    mending.finish(&worker.args.mending);
     Ok(match mending.is_needed() {
         _ if has_failed => Outcome::Failed,
         true => Outcome::Findings,
@@ -97,7 +96,8 @@ impl Worker<'_> {
             let failure = Failure::new("the standard input cannot be mended in its place");
             return Checked::Failed(failure.help("`--diff` shows what would be changed"));
         }
-        match amend(path, description, safety, crate::check) {
+        let check = |description: &Description| crate::check_with(description, self.options);
+        match amend(path, description, safety, check) {
             Some((description, amended)) => self.check_devices(description, amended.map(Box::new)),
             None => Checked::Failed(Failure::new(format_args!("cannot mend `{}`", path.display()))),
         }
