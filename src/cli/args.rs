@@ -70,9 +70,9 @@ pub(super) struct CheckArgs {
     #[command(flatten)]
     pub profiles: ProfileArgs,
     #[command(flatten)]
-    pub mending: FixArgs,
-    #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub mending: FixArgs,
 }
 
 /// Say what files are, from their content, and how that shows
