@@ -4,7 +4,9 @@
 mod demands;
 mod facts;
 mod index_set;
+mod lists;
 mod options;
+mod respell;
 mod rule;
 mod rules;
 mod stated;
@@ -14,7 +16,9 @@ use crate::model::{Device, Object};
 
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
+pub(crate) use lists::{MAX_LIST_FIXES, list_of, with_members};
 pub use options::Options;
+pub(crate) use respell::{nearest_access, respell};
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, Service, rule};
 use crate::model::predefined;
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.33, §7.3.5
-    "cia301/default-sdo-cob-id", Error, Facts(check)
+    "cia301/default-sdo-cob-id", Error, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -40,7 +40,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 cob_id.cob_id
             );
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
-            findings.push(Diagnostic::new(&RULE.info, place, message).help(format!("write `{expected}`")));
+            let title = format!("write `{expected}`");
+            let fix = Fix::risky(title.clone()).set(place.clone(), expected.to_string());
+            findings.push(Diagnostic::new(&RULE.info, place, message).help(title).fix(fix));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, Service, rule};
 use crate::model::Place;
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.17
-    "cia301/emergency-disabled", Warning, Facts(check)
+    "cia301/emergency-disabled", Warning, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -34,7 +34,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     let message = format!("bit 31 of `{}` says that the device has no EMCY", emcy.cob_id);
-    let finding = Diagnostic::new(&RULE.info, device.value_place(0x1014, 0), message);
+    let place = device.value_place(0x1014, 0);
+    let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     let finding = finding.label(Place::object(0x1015), "its inhibit time is here");
     findings.push(finding.help("clear bit 31: `$NODEID+0x80`"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, rule};
 
 rule! {
@@ -18,7 +18,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.3.5, tables 38 and 39; CiA 306-1 §4.3
-    "cia301/fixed-node-id", Warning, Facts(check)
+    "cia301/fixed-node-id", Warning, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -28,8 +28,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 format!("`{}` as COB-ID of {} is the same on every node", cob_id.cob_id, cob_id.service);
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
-            let finding = Diagnostic::new(&RULE.info, place, message);
-            findings.push(finding.help(format!("write `$NODEID+0x{number:X}`")));
+            let title = format!("write `$NODEID+0x{number:X}`");
+            let fix = Fix::risky(title.clone()).set(place.clone(), format!("$NODEID+0x{number:X}"));
+            findings.push(Diagnostic::new(&RULE.info, place, message).help(title).fix(fix));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, PdoFacts, rule};
 use crate::model::{Access, Field, Object, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5
-    "cia301/granularity-against-access", Warning, Facts(check)
+    "cia301/granularity-against-access", Warning, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -44,7 +44,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     };
     let place = Place::of(Part::DeviceInfo).field(Field::Granularity);
     let (pdo, text) = related;
-    let finding = Diagnostic::new(&RULE.info, place, message).help(help);
+    let value = if granularity == 0 { "8" } else { "0" };
+    let fix = Fix::risky(format!("write `Granularity={value}`")).set(place.clone(), value);
+    let finding = Diagnostic::new(&RULE.info, place, message).help(help).fix(fix);
     findings.push(finding.label(Place::object(pdo.mapping_index()), text));
 }
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, rule};
 
 rule! {
@@ -18,7 +18,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35
-    "cia301/invalid-cob-id", Error, Facts(check)
+    "cia301/invalid-cob-id", Error, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -35,8 +35,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             if bits.count_ones() == 1 { "means" } else { "mean" }
         );
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
-        let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help(help(cob_id.cob_id.number())));
+        let number = cob_id.cob_id.number();
+        let finding = Diagnostic::new(&RULE.info, place.clone(), message).help(help(number));
+        let meant = meant(number).filter(|_| !cob_id.cob_id.depends_on_node_id());
+        findings.push(match meant {
+            Some(meant) => finding.fix(Fix::risky(format!("write `0x{meant:08X}`")).set(place, format!("0x{meant:08X}"))),
+            None => finding,
+        });
     }
 }
 
@@ -47,9 +52,13 @@ fn bit_names(bits: u32) -> String {
 }
 
 fn help(number: u32) -> String {
-    // a flag digit that slipped one place to the right
-    match number >> 24 {
-        0x04 | 0x08 | 0x0C => format!("did you mean `0x{:08X}`?", (number >> 24 << 28) | (number & 0x7FF)),
-        _ => "write a CAN-ID of at most 7FFh, and flags in the first digit only".to_owned(),
+    match meant(number) {
+        Some(meant) => format!("did you mean `0x{meant:08X}`?"),
+        None => "write a CAN-ID of at most 7FFh, and flags in the first digit only".to_owned(),
     }
+}
+
+/// The number whose flag digit slipped one place to the right.
+fn meant(number: u32) -> Option<u32> {
+    matches!(number >> 24, 0x04 | 0x08 | 0x0C).then_some((number >> 24 << 28) | (number & 0x7FF))
 }

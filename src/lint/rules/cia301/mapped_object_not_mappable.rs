@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, PdoFacts, Target, rule};
 use crate::model::{Field, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.36; CiA 306-1 §4.6.3.2
-    "cia301/mapped-object-not-mappable", Error, Pdo(check)
+    "cia301/mapped-object-not-mappable", Error, Pdo(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -34,7 +34,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let finding = Diagnostic::new(&RULE.info, place, message);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
-        let finding = finding.label(target.field(Field::PdoMapping), "says that it is not mappable");
+        let fix = Fix::risky("write `PDOMapping=1` there").set(target.clone().field(Field::PdoMapping), "1");
+        let finding = finding.label(target.field(Field::PdoMapping), "says that it is not mappable").fix(fix);
         findings.push(finding.help("write `PDOMapping=1` there, or map another object"));
     }
 }

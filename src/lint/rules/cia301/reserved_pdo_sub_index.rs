@@ -1,6 +1,6 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::{Facts, rule, with_others};
-use crate::model::{DataType, Place};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::lint::{Facts, rule, stated, with_others};
+use crate::model::{DataType, Field, Place};
 
 rule! {
     /// a PDO communication parameter has the reserved sub-index 4
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37
-    "cia301/reserved-pdo-sub-index", Warning, Facts(check)
+    "cia301/reserved-pdo-sub-index", Warning, Facts(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
@@ -33,6 +33,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let finding = finding.help("remove the section; the event timer is sub-index 5");
     let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
     let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
+    let fix = with.clone().fold(Fix::risky("remove the section"), |fix, (pdo, _)| {
+        let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
+        let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
+        fix.remove(place(pdo.communication_index())).set(number, described.to_string())
+    });
+    let finding = finding.fix(fix);
     let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")));
     findings.push(with_others(finding, others));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{Facts, PdoFacts, is_unstated, rule};
 use crate::model::Object;
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.36 table 69
-    "cia301/wrong-mapping-count", Error, Pdo(check)
+    "cia301/wrong-mapping-count", Error, Pdo(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -46,7 +46,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     } else {
         finding(format!("{message}, but {index:04X}h has no sub-index {sub}"))
     };
-    findings.push(finding.help(format!("write the number of entries in use: `{}`", sub - 1)));
+    let title = format!("write the number of entries in use: `{}`", sub - 1);
+    let fix = Fix::risky(title.clone()).set(place.clone(), (sub - 1).to_string());
+    findings.push(finding.help(title).fix(fix));
 }
 
 fn mapped_number(object: &Object, sub: u8) -> Option<i128> {

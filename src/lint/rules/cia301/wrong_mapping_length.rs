@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 use crate::lint::{Facts, PdoFacts, Target, rule};
 use crate::model::{DataType, Field, MappedObject, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.36
-    "cia301/wrong-mapping-length", Error, Pdo(check)
+    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -35,10 +35,12 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
-        let finding = Diagnostic::new(&RULE.info, place, message);
+        let finding = Diagnostic::new(&RULE.info, place.clone(), message);
         let finding = finding.label(target.field(Field::DataType), "its data type");
         let right = MappedObject { bits, ..mapped.object };
-        let finding = finding.help(format!("write `0x{:08X}`", right.to_number()));
+        let right = format!("0x{:08X}", right.to_number());
+        let title = format!("write `{right}`");
+        let finding = finding.help(title.clone()).fix(Fix::risky(title).set(place, right));
         let whole_byte = entry.data_type == Some(DataType::BOOLEAN) && stated == 8;
         findings.push(if whole_byte { finding.severity(Severity::Warning) } else { finding });
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Access, Field};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/access-without-mapping", Warning, Entry(check)
+    "cia306/access-without-mapping", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -32,5 +32,6 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = format!("`{access}` means that {pdo} may carry the entry, but it is not mappable");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::AccessType), message)
         .label(at.field(Field::PdoMapping), "not mappable");
-    findings.push(finding.help("write `PDOMapping=1`, or `AccessType=rw`"));
+    let fix = Fix::risky("write `AccessType=rw`").set(at.field(Field::AccessType), "rw");
+    findings.push(finding.help("write `PDOMapping=1`, or `AccessType=rw`").fix(fix));
 }

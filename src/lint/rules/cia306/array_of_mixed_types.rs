@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, Fix, sub_index};
 use crate::lint::{rule, stated};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.3, table 42
-    "cia306/array-of-mixed-types", Error, Object(check)
+    "cia306/array-of-mixed-types", Error, Object(check), fix Unsafe
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -38,5 +38,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let place = |sub| Place::entry(index, sub).field(Field::DataType);
     let finding =
         Diagnostic::new(&RULE.info, place(sub), message).label(place(first), format!("{data_type} here"));
-    findings.push(finding.help("write `ObjectType=0x9` (RECORD), or correct the data type"));
+    let object_type = Place::object(index).field(Field::ObjectType);
+    let fix = Fix::risky("write `ObjectType=0x9`").set(object_type, "0x9");
+    findings.push(finding.help("write `ObjectType=0x9` (RECORD), or correct the data type").fix(fix));
 }

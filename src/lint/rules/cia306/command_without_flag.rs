@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{rule, stated};
 use crate::model::{Access, Device, Entry, Field, Object, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.3
-    "cia306/command-without-flag", Note, Object(check)
+    "cia306/command-without-flag", Note, Object(check), fix Unsafe
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -37,22 +37,28 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     {
         return;
     }
-    let Some(place) = unguarded(index, object) else { return };
+    let places = unguarded(index, object);
+    let Some((place, _)) = places.first().cloned() else { return };
     let message = format!("writing {index:04X}h {command}, but no flag keeps a tool from it");
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(finding.help("write `ObjFlags=0x1` into its writable entries"));
+    let fix = Fix::risky("write `ObjFlags=0x1` into its writable entries");
+    let fix = places.into_iter().fold(fix, |fix, (place, flags)| {
+        fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1))
+    });
+    findings.push(finding.help("write `ObjFlags=0x1` into its writable entries").fix(fix));
 }
 
-/// The first entry that can be written and has no flag.
-fn unguarded(index: u16, object: &Object) -> Option<Place> {
+/// The entries that can be written and have no flag, with the flags that they have.
+fn unguarded(index: u16, object: &Object) -> Vec<(Place, u32)> {
     let is_unguarded = |entry: &Entry| {
         entry.access.is_some_and(Access::is_writable)
             && !entry.flags().refuses_write()
             && !stated::is_misfit(entry, &Field::ObjFlags)
     };
-    let sub = object.subs.iter().find(|&(sub, entry)| sub > 0 && is_unguarded(entry));
-    match sub {
-        Some((sub, _)) => Some(Place::entry(index, sub)),
-        None => is_unguarded(&object.main).then(|| Place::object(index)),
+    let subs = object.subs.iter().filter(|&(sub, entry)| sub > 0 && is_unguarded(entry));
+    let places: Vec<_> = subs.map(|(sub, entry)| (Place::entry(index, sub), entry.flags().0)).collect();
+    if places.is_empty() && is_unguarded(&object.main) {
+        return vec![(Place::object(index), object.main.flags().0)];
     }
+    places
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{rule, stated};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.4.2
-    "cia306/compact-and-sub-number", Error, Object(check)
+    "cia306/compact-and-sub-number", Error, Object(check), fix Safe
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -34,5 +34,6 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let place = |field| Place::object(index).field(field);
     let finding = Diagnostic::new(&RULE.info, place(Field::SubNumber), message)
         .label(place(Field::CompactSubObj), format!("sub-indexes 0 to {count}"));
-    findings.push(finding.help("remove `SubNumber`"));
+    let fix = Fix::safe("remove `SubNumber`").remove(place(Field::SubNumber));
+    findings.push(finding.help("remove `SubNumber`").fix(fix));
 }

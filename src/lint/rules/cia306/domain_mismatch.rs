@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule};
 use crate::model::{DataType, Field, ObjectType};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.3, CiA 306-1 §4.6.3.2
-    "cia306/domain-mismatch", Warning, Entry(check)
+    "cia306/domain-mismatch", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -31,11 +31,13 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
             at.field(Field::DataType),
             format!("the object type is DOMAIN, but the data type {data_type}"),
         );
-        findings.push(finding.help("write `DataType=0x000F`, or correct `ObjectType`"));
+        let fix = Fix::risky("write `DataType=0x000F`").set(at.field(Field::DataType), "0x000F");
+        findings.push(finding.help("write `DataType=0x000F`, or correct `ObjectType`").fix(fix));
     } else if at.sub.is_none() && data_type == DataType::DOMAIN && at.object_type() == Some(ObjectType::Var) {
         let message = "the data type is DOMAIN, but the object type VAR";
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message)
             .label(at.field(Field::DataType), "a DOMAIN");
-        findings.push(finding.help("write `ObjectType=0x2`, or correct `DataType`"));
+        let fix = Fix::risky("write `ObjectType=0x2`").set(at.field(Field::ObjectType), "0x2");
+        findings.push(finding.help("write `ObjectType=0x2`, or correct `DataType`").fix(fix));
     }
 }

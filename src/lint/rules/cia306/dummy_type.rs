@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
 use crate::lint::rule;
 use crate::model::{DataType, Device, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.7.1, CiA 306-1 §4.6.2
-    "cia306/dummy-type", Warning, Device(check)
+    "cia306/dummy-type", Warning, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -32,6 +32,8 @@ fn check(device: &Device, findings: &mut Findings) {
         [one] => format!("`{}` allows {one} as a dummy, which no PDO can map", key(&one)),
         _ => format!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
     };
-    let place = Place::of(Part::DummyUsage).field(Field::Named(key(first).into()));
-    findings.push(Diagnostic::new(&RULE.info, place, message).help(format!("write `{}=0`", key(first))));
+    let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
+    let title = format!("write `{}=0`", key(first));
+    let fix = wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
+    findings.push(Diagnostic::new(&RULE.info, place(first), message).help(title).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5, CiA 302-4
-    "cia306/dynamic-channels-flag", Error, Device(check)
+    "cia306/dynamic-channels-flag", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -30,12 +30,15 @@ fn check(device: &Device, findings: &mut Findings) {
         (Some(number), None) if number > 0 => {
             let message =
                 format!("`DynamicChannelsSupported` is {number}, but there is no `[DynamicChannels]`");
-            let finding = Diagnostic::new(&RULE.info, flag, message);
+            let fix = Fix::risky("write `DynamicChannelsSupported=0`").set(flag.clone(), "0");
+            let finding = Diagnostic::new(&RULE.info, flag, message).fix(fix);
             findings.push(finding.help("describe the segments in `[DynamicChannels]`, or write 0"));
         }
         (Some(0), Some(channels)) if !channels.segments.is_empty() => {
             let message = "`[DynamicChannels]` has segments, but `DynamicChannelsSupported` is 0";
+            let fix = Fix::risky("write `DynamicChannelsSupported=1`").set(flag.clone(), "1");
             let finding = Diagnostic::new(&RULE.info, flag, message)
+                .fix(fix)
                 .label(Place::of(Part::DynamicChannels), "segments");
             findings.push(finding.help("write `DynamicChannelsSupported=1`, or remove the section"));
         }

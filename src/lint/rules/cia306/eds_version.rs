@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.4
-    "cia306/eds-version", Warning, Device(check)
+    "cia306/eds-version", Warning, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -32,6 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
         [b'0'..=b'3', b'.', b'0'..=b'9'] => (Severity::Note, format!("EDS version {text} is outdated")),
         _ => (Severity::Warning, format!("`{text}` is no EDS version, which is a digit, a dot and a digit")),
     };
+    let fix = Fix::risky("write `EDSVersion=4.0`").set(place.clone(), "4.0");
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
-    findings.push(finding.help("write `EDSVersion=4.0`"));
+    findings.push(finding.help("write `EDSVersion=4.0`").fix(fix));
 }

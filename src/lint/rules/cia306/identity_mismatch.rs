@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place, Value};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5
-    "cia306/identity-mismatch", Error, Device(check)
+    "cia306/identity-mismatch", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -38,10 +38,15 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
+        // where nobody has filled it in, it is clear which one is right
+        let title = format!("write `{field}=0x{value:X}`");
+        let fix = if stated == 0 { Fix::safe(title) } else { Fix::risky(title) };
+        let fix = fix.set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
         let message = format!("`{field}` is {stated:#x}, but 1018h sub-index {sub} is {value:#x}");
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
             .severity(if stated == 0 || value == 0 { Severity::Warning } else { Severity::Error })
             .label(Place::entry(0x1018, sub).field(key), "the identity object");
-        findings.push(finding.help("write the number that the device answers with into both"));
+        let finding = finding.help("write the number that the device answers with into both");
+        findings.push(if value > 0 { finding.fix(fix) } else { finding });
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule};
 use crate::model::Field;
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.3
-    "cia306/invalid-object-flags", Warning, Entry(check)
+    "cia306/invalid-object-flags", Warning, Entry(check), fix Safe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -28,8 +28,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjFlags), message);
     let known = flags.0 & 7;
     findings.push(if known == 0 {
-        finding.help("remove the key")
+        let fix = Fix::safe("remove the key").remove(at.field(Field::ObjFlags));
+        finding.help("remove the key").fix(fix)
     } else {
-        finding.help(format!("write `ObjFlags={known:#x}`"))
+        let title = format!("write `ObjFlags={known:#x}`");
+        let fix = Fix::safe(title.clone()).set(at.field(Field::ObjFlags), format!("{known:#x}"));
+        finding.help(title).fix(fix)
     });
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::rule;
+use crate::lint::{nearest_access, respell, rule};
 use crate::model::{Access, DataType, Device, Field, Misfit, Place, Reason};
 
 rule! {
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.3, §4.6.3.2
-    "cia306/invalid-value", Error, Device(check)
+    "cia306/invalid-value", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -27,11 +27,16 @@ fn check(device: &Device, findings: &mut Findings) {
         for misfit in misfits.iter() {
             let data_type = device.data_type_of(&part, &misfit.field);
             let place = Place::of(part.clone()).field(misfit.field.clone());
+            let fix = respell(misfit, data_type, place.clone());
             let finding = Diagnostic::new(&RULE.info, place, message(misfit, data_type));
             let is_date = matches!(misfit.reason, Reason::NotADate | Reason::NotAClockTime);
             // no tool needs the dates
             let severity = if is_date { Severity::Warning } else { Severity::Error };
-            findings.push(finding.severity(severity).help(help(misfit)));
+            let finding = finding.severity(severity).help(help(misfit));
+            findings.push(match fix {
+                Some(fix) => finding.fix(fix),
+                None => finding,
+            });
         }
     }
 }
@@ -84,16 +89,4 @@ fn help(misfit: &Misfit) -> String {
 fn access_names() -> String {
     let names: Vec<String> = Access::ALL.iter().map(|access| format!("`{access}`")).collect();
     names.join(", ")
-}
-
-/// The access type that someone meant: the letters of it, whatever stands between them, or its first letter.
-fn nearest_access(text: &str) -> Option<Access> {
-    let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
-    Access::from_name(&letters).or(match letters.to_ascii_lowercase().as_str() {
-        "r" | "read" | "readonly" => Some(Access::Ro),
-        "w" | "write" | "writeonly" => Some(Access::Wo),
-        "readwrite" | "wr" => Some(Access::Rw),
-        "c" | "cons" | "constant" => Some(Access::Const),
-        _ => None,
-    })
 }

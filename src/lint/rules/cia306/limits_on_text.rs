@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule};
 use crate::model::{Field, ObjectType, TypeKind};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/limits-on-text", Warning, Entry(check)
+    "cia306/limits-on-text", Warning, Entry(check), fix Safe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -39,6 +39,12 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let message = format!("`{field}` of a {data_type} means nothing");
         let finding = Diagnostic::new(&RULE.info, at.field(field), message)
             .label(at.field(Field::DataType), "no number");
-        findings.push(finding.help("remove the limits"));
+        let stated = [
+            (Field::LowLimit, entry.low_limit.is_some()),
+            (Field::HighLimit, entry.high_limit.is_some()),
+        ];
+        let stated = stated.into_iter().filter(|(_, stated)| *stated);
+        let fix = stated.fold(Fix::safe("remove the limits"), |fix, (field, _)| fix.remove(at.field(field)));
+        findings.push(finding.help("remove the limits").fix(fix));
     }
 }

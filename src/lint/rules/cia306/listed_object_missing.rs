@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, counted};
 use crate::lint::rule;
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    "cia306/listed-object-missing", Error, Device(check)
+    "cia306/listed-object-missing", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -27,12 +27,15 @@ fn check(device: &Device, findings: &mut Findings) {
         return nothing_described(device, findings);
     }
     for list in ObjectList::ALL {
+        let described = || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
         for (number, index) in (1..).zip(device.lists.get(list)) {
             if !device.objects.contains_key(index) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h is listed, but there is no section `[{index:X}]`");
                 let finding = Diagnostic::new(&RULE.info, place, message);
-                findings.push(finding.help("describe the object, or take it off the list"));
+                let fix = Fix::risky("take off the list what is not described");
+                let fix = fix.with(Change::List(list, described().collect()));
+                findings.push(finding.help("describe the object, or take it off the list").fix(fix));
             }
         }
     }

@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::Field;
 
@@ -21,7 +21,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/low-limit-above-high", Error, Entry(check)
+    "cia306/low-limit-above-high", Error, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -33,5 +33,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = format!("`LowLimit` is {low}, but `HighLimit` is {high}");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
-    findings.push(finding.help("exchange the two, or correct the one that is wrong"));
+    let fix = Fix::risky("exchange the two")
+        .set(at.field(Field::LowLimit), high.to_string())
+        .set(at.field(Field::HighLimit), low.to_string());
+    findings.push(finding.help("exchange the two, or correct the one that is wrong").fix(fix));
 }

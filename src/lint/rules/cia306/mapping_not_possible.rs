@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Access, Field, ObjectType};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.5.2.36
-    "cia306/mapping-not-possible", Warning, Entry(check)
+    "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -38,5 +38,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = format!("`PDOMapping` is 1, but {message}");
     let finding =
         Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);
-    findings.push(finding.help("write `PDOMapping=0`"));
+    let title = "write `PDOMapping=0`";
+    let fix = if unmappable.is_some() { Fix::safe(title) } else { Fix::risky(title) };
+    findings.push(finding.help(title).fix(fix.set(at.field(Field::PdoMapping), "0")));
 }

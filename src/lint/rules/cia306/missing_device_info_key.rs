@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
 use crate::lint::rule;
 use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5
-    "cia306/missing-device-info-key", Warning, Device(check)
+    "cia306/missing-device-info-key", Warning, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -34,7 +34,13 @@ fn check(device: &Device, findings: &mut Findings) {
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(first.clone()), message)
         .severity(if light { Severity::Note } else { Severity::Warning });
-    findings.push(finding.help(format!("add {}", listing(missing.iter().map(example)))));
+    let title = format!("add {}", listing(missing.iter().map(example)));
+    let fix = defaults(device, &missing);
+    let finding = finding.help(title);
+    findings.push(match fix {
+        Some(fix) => finding.fix(fix),
+        None => finding,
+    });
 }
 
 /// What is demanded, with whether it is there.
@@ -65,4 +71,27 @@ fn example(field: &Field) -> String {
         _ => "0",
     };
     format!("{field}={value}")
+}
+
+/// The missing keys with what can be known of them, or what most devices have; `None` where a name is missing.
+fn defaults(device: &Device, missing: &[Field]) -> Option<Fix> {
+    let count = |range: std::ops::RangeInclusive<u16>| device.objects.range(range).count().to_string();
+    let identity = |sub: u8| {
+        let number = device.entry(0x1018, sub)?.default.as_ref()?.as_integer()?;
+        Some(format!("0x{number:X}"))
+    };
+    missing.iter().try_fold(Fix::risky("add the keys"), |fix, field| {
+        let value = match field {
+            Field::VendorName | Field::ProductName => return None,
+            Field::VendorNumber => identity(1)?,
+            Field::ProductNumber => identity(2)?,
+            Field::RevisionNumber => identity(3)?,
+            Field::OrderCode => String::new(),
+            Field::Granularity => "8".to_owned(),
+            Field::NrOfRxPdo => count(0x1400..=0x15FF),
+            Field::NrOfTxPdo => count(0x1800..=0x19FF),
+            _ => "0".to_owned(),
+        };
+        Some(fix.set(Place::of(Part::DeviceInfo).field(field.clone()), value))
+    })
 }

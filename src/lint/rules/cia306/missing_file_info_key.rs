@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
 use crate::lint::rule;
 use crate::model::{Device, Field, FileInfo, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.4
-    "cia306/missing-file-info-key", Warning, Device(check)
+    "cia306/missing-file-info-key", Warning, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -30,9 +30,9 @@ fn check(device: &Device, findings: &mut Findings) {
     };
     let creation = missing(&creation(info));
     let modification = missing(&modification(info));
-    report(&creation, Severity::Warning, findings);
+    report(info, &creation, Severity::Warning, findings);
     if creation.is_empty() {
-        report(&modification, Severity::Note, findings);
+        report(info, &modification, Severity::Note, findings);
     }
 }
 
@@ -61,12 +61,32 @@ fn is_text(text: Option<&str>) -> bool {
     text.is_some_and(|text| !text.is_empty())
 }
 
-fn report(missing: &[Field], severity: Severity, findings: &mut Findings) {
+fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut Findings) {
     let Some(first) = missing.first() else { return };
     let message = format!("`[FileInfo]` gives no value for {}", listing(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
-    findings.push(finding.help(format!("add {}", listing(missing.iter().map(example)))));
+    let finding = finding.help(format!("add {}", listing(missing.iter().map(example))));
+    findings.push(match filled(info, missing) {
+        Some(fix) => finding.fix(fix),
+        None => finding,
+    });
+}
+
+/// The missing keys as of a first version that nobody has changed; `None` where nobody knows who made it when.
+fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
+    missing.iter().try_fold(Fix::risky("add the keys"), |fix, field| {
+        let value = match field {
+            Field::FileVersion => "1".to_owned(),
+            Field::FileRevision => "0".to_owned(),
+            Field::Description => String::new(),
+            Field::ModificationTime => info.creation_time?.to_string(),
+            Field::ModificationDate => info.creation_date?.to_string(),
+            Field::ModifiedBy => info.created_by.clone()?,
+            _ => return None,
+        };
+        Some(fix.set(Place::of(Part::FileInfo).field(field.clone()), value))
+    })
 }
 
 /// A line that the author can start from.

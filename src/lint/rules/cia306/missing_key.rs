@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Field, ObjectType};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2, obligation table
-    "cia306/missing-key", Error, Entry(check)
+    "cia306/missing-key", Error, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -73,7 +73,9 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
     let message = format!("{article} {object_type} needs `SubNumber`");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::SubNumber), message);
     findings.push(if described > 0 {
-        finding.help(format!("add `SubNumber={described}`"))
+        let title = format!("add `SubNumber={described}`");
+        let fix = Fix::safe(title.clone()).set(at.field(Field::SubNumber), described.to_string());
+        finding.help(title).fix(fix)
     } else {
         finding.help("describe its sub-indexes and write their number, or add `CompactSubObj`")
     });
@@ -87,7 +89,8 @@ fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let message = "an object with sub-indexes needs `ObjectType`; without it, it is a VAR";
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message);
-    findings.push(finding.help("add `ObjectType=0x9` for a RECORD, `ObjectType=0x8` for an ARRAY"));
+    let fix = Fix::risky("add `ObjectType=0x9`").set(at.field(Field::ObjectType), "0x9");
+    findings.push(finding.help("add `ObjectType=0x9` for a RECORD, `ObjectType=0x8` for an ARRAY").fix(fix));
 }
 
 /// A line that the author can start from.

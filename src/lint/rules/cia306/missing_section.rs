@@ -1,6 +1,6 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, counted};
-use crate::lint::rule;
-use crate::model::{Device, DeviceKind, ObjectList, Place};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, counted};
+use crate::lint::{list_of, rule};
+use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
 
 rule! {
     /// a section that every description has is missing
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.2
-    "cia306/missing-section", Error, Device(check)
+    "cia306/missing-section", Error, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -32,22 +32,23 @@ fn check(device: &Device, findings: &mut Findings) {
     // keys above all sections most likely belong to it, and that is reported
     let headless = device.extra.iter().any(|section| section.name.is_empty());
     if device.file_info.is_none() && !headless {
-        report("FileInfo", grave, "say who made the file and when", findings);
+        findings.push(report("FileInfo", grave, "say who made the file and when"));
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
-        report("DeviceInfo", severity, "say whose device it is and what it can do", findings);
+        findings.push(report("DeviceInfo", severity, "say whose device it is and what it can do"));
     }
     if device.dummy_usage.is_none() {
-        report(
-            "DummyUsage",
-            light,
-            "write `Dummy0005=1` for a type that can fill a gap in an RPDO",
-            findings,
-        );
+        let help = "write `Dummy0005=1` for a type that can fill a gap in an RPDO";
+        let key = |number| Field::Named(format!("Dummy{number:04X}").into());
+        let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
+        let fix = Fix::safe("add it without dummies").with(Change::Add(Part::DummyUsage, none));
+        findings.push(report("DummyUsage", light, help).fix(fix));
     }
     if device.comments.is_none() {
-        report("Comments", Severity::Note, "write `Lines=0` into it", findings);
+        let none = vec![(Field::Lines, "0".to_owned())];
+        let fix = Fix::safe("add it without comments").with(Change::Add(Part::Comments, none));
+        findings.push(report("Comments", Severity::Note, "write `Lines=0` into it").fix(fix));
     }
     check_lists(device, light, findings);
 }
@@ -59,28 +60,21 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         if indexes.is_some() {
             continue;
         }
-        let objects = device.objects.keys().filter(|&&index| list_of(index) == Some(list)).count();
+        let members = device.objects.keys().copied().filter(|&index| list_of(index) == Some(list));
+        let fix = Fix::safe("add the list").with(Change::List(list, members.clone().collect()));
+        let objects = members.count();
         if objects == 0 {
             // where the mandatory objects are missing too, that is the finding
             if list != ObjectList::Mandatory {
-                report(list.name(), light, "write `SupportedObjects=0` into it", findings);
+                let finding = report(list.name(), light, "write `SupportedObjects=0` into it");
+                findings.push(finding.fix(fix));
             }
             continue;
         }
         let objects_belong = counted(objects, "object belongs", "objects belong");
         let message = format!("section `[{list}]` is missing, to which {objects_belong}");
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
-        findings.push(finding.help("list the objects in it: `SupportedObjects=1`, `1=0x1000`"));
-    }
-}
-
-/// The list that an object belongs to; none for the definition of a data type.
-fn list_of(index: u16) -> Option<ObjectList> {
-    match index {
-        0x1000 | 0x1001 | 0x1018 => Some(ObjectList::Mandatory),
-        0x2000..=0x5FFF => Some(ObjectList::Manufacturer),
-        0x1000.. => Some(ObjectList::Optional),
-        _ => None,
+        findings.push(finding.help("list the objects in it: `SupportedObjects=1`, `1=0x1000`").fix(fix));
     }
 }
 
@@ -103,7 +97,6 @@ fn missing(section: &str) -> String {
     format!("section `[{section}]` is missing")
 }
 
-fn report(section: &str, severity: Severity, help: &'static str, findings: &mut Findings) {
-    let finding = Diagnostic::new(&RULE.info, Place::device(), missing(section)).severity(severity);
-    findings.push(finding.help(help));
+fn report(section: &str, severity: Severity, help: &'static str) -> Diagnostic {
+    Diagnostic::new(&RULE.info, Place::device(), missing(section)).severity(severity).help(help)
 }

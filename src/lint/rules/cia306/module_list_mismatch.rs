@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{IndexSet, rule};
 use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §6.3
-    "cia306/module-list-mismatch", Error, Device(check)
+    "cia306/module-list-mismatch", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -47,7 +47,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help(format!("add a section `[M{number}Fixed{index:X}]`")));
         } else if !listed.contains(index) {
-            described_only(section, index, &format!("M{number}FixedObjects"), findings);
+            described_only(section, index, (&list, module.fixed_list.len()), findings);
         }
     }
 }
@@ -62,19 +62,24 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     }
     for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
         let section = Part::Module(number, ModulePart::SubExt(index));
-        described_only(section, index, &format!("M{number}SubExtends"), findings);
+        described_only(section, index, (&list, module.extension_list.len()), findings);
     }
 }
 
 fn listed_only(list: &Part, item: u32, section: &str, findings: &mut Findings) {
     let place = Place::of(list.clone()).field(Field::Item(item));
-    let finding =
-        Diagnostic::new(&RULE.info, place, format!("listed, but there is no section `[{section}]`"));
+    let fix = Fix::risky("take it off the list").remove(place.clone());
+    let message = format!("listed, but there is no section `[{section}]`");
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(finding.help("describe the object, or take it off the list"));
 }
 
-fn described_only(section: Part, index: u16, list: &str, findings: &mut Findings) {
+fn described_only(section: Part, index: u16, (list, length): (&Part, usize), findings: &mut Findings) {
+    let next = u32::try_from(length + 1).unwrap_or(u32::MAX);
+    let place = Place::of(list.clone()).field(Field::Item(next));
+    let title = format!("add `0x{index:04X}` to `[{list}]`");
+    let fix = Fix::safe(title.clone()).set(place, format!("0x{index:04X}"));
     let message = format!("{index:04X}h is described, but not listed in `[{list}]`");
     let finding = Diagnostic::new(&RULE.info, Place::of(section), message);
-    findings.push(finding.help(format!("add `0x{index:04X}` to `[{list}]`")));
+    findings.push(finding.help(title).fix(fix));
 }

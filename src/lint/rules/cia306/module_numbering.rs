@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, ModulePart, Modules, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §6.3
-    "cia306/module-numbering", Error, Device(check)
+    "cia306/module-numbering", Error, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -34,12 +34,15 @@ fn check(device: &Device, findings: &mut Findings) {
         None if described == 0 => {}
         None => {
             let message = format!("`[SupportedModules]` does not say that there are {described} modules");
-            let finding = Diagnostic::new(&RULE.info, first_module(modules), message);
+            let fix = Fix::safe(format!("write `NrOfEntries={described}`")).set(count, described.to_string());
+            let finding = Diagnostic::new(&RULE.info, first_module(modules), message).fix(fix);
             findings.push(finding.help(format!("write `NrOfEntries={described}` into `[SupportedModules]`")));
         }
         Some(declared) if usize::from(declared) != described => {
             let message = format!("`NrOfEntries` is {declared}, but {} described", modules_are(described));
-            let finding = Diagnostic::new(&RULE.info, count, message);
+            let fix = Fix::safe(format!("write `NrOfEntries={described}`"));
+            let fix = fix.set(count.clone(), described.to_string());
+            let finding = Diagnostic::new(&RULE.info, count, message).fix(fix);
             findings.push(finding.help(format!("write `NrOfEntries={described}`, or describe the others")));
         }
         Some(_) if numbered => {}

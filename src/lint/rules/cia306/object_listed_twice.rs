@@ -1,7 +1,7 @@
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::lint::{list_of, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -21,7 +21,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    "cia306/object-listed-twice", Error, Device(check)
+    "cia306/object-listed-twice", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -39,7 +39,23 @@ fn check(device: &Device, findings: &mut Findings) {
                 format!("{index:04X}h stands in `[{other}]` and in `[{list}]`")
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
-            findings.push(finding.label(place(other, at), "first here").help("keep one of the two"));
+            let fix = if other == list { once(device, list) } else { elsewhere(device, list, other, index) };
+            let finding = finding.label(place(other, at), "first here").help("keep one of the two");
+            findings.push(finding.fix(fix));
         }
     }
+}
+
+/// Every member of the list once.
+fn once(device: &Device, list: ObjectList) -> Fix {
+    let mut seen = HashSet::new();
+    let members = device.lists.get(list).iter().copied().filter(|&index| seen.insert(index)).collect();
+    Fix::safe("name it once").with(Change::List(list, members))
+}
+
+/// An object off the one of two lists into which it does not belong.
+fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
+    let wrong = if list_of(index) == Some(list) { other } else { list };
+    let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
+    Fix::risky(format!("take it off `[{wrong}]`")).with(Change::List(wrong, members))
 }

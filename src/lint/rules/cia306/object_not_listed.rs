@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{IndexSet, rule};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::lint::{IndexSet, MAX_LIST_FIXES, list_of, rule, with_members};
 use crate::model::{Device, ObjectList, Place};
 
 rule! {
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    "cia306/object-not-listed", Error, Device(check)
+    "cia306/object-not-listed", Error, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -27,19 +27,23 @@ fn check(device: &Device, findings: &mut Findings) {
     let [mandatory, optional, manufacturer] =
         [&lists.mandatory, &lists.optional, &lists.manufacturer].map(Option::is_some);
     let listed: IndexSet = lists.iter().map(|(_, index)| index).collect();
-    for (&index, object) in device.objects.range(0x1000..) {
-        if object.orphan || listed.contains(index) {
-            continue;
-        }
-        let (list, exists) = match index {
-            0x1000 | 0x1001 | 0x1018 => (ObjectList::Mandatory, mandatory),
-            0x2000..=0x5FFF => (ObjectList::Manufacturer, manufacturer),
-            _ => (ObjectList::Optional, optional),
-        };
-        if exists {
+    let objects = device.objects.range(0x1000..).filter(|(_, object)| !object.orphan);
+    let unlisted: Vec<u16> =
+        objects.map(|(&index, _)| index).filter(|&index| !listed.contains(index)).collect();
+    let whole = [(ObjectList::Mandatory, mandatory), (ObjectList::Optional, optional), (ObjectList::Manufacturer, manufacturer)];
+    for (list, _) in whole.into_iter().filter(|(_, exists)| *exists) {
+        let members = unlisted.iter().copied().filter(|&index| list_of(index) == Some(list));
+        for (number, index) in members.clone().enumerate() {
             let message = format!("{index:04X}h is described, but in no list of objects");
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-            findings.push(finding.help(format!("add `0x{index:04X}` to `[{list}]`")));
+            let finding = finding.help(format!("add `0x{index:04X}` to `[{list}]`"));
+            findings.push(if number < MAX_LIST_FIXES {
+                let all = with_members(device.lists.get(list), members.clone());
+                let fix = Fix::safe(format!("add to `[{list}]` what is described"));
+                finding.fix(fix.with(Change::List(list, all)))
+            } else {
+                finding
+            });
         }
     }
 }

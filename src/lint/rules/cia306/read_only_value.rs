@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Access, DeviceKind, Field};
 
@@ -21,7 +21,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §5.3.1
-    "cia306/read-only-value", Warning, Entry(check)
+    "cia306/read-only-value", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -48,5 +48,6 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
         .severity(severity)
         .label(at.field(Field::AccessType), "cannot be written");
-    findings.push(finding.help("remove `ParameterValue`, or correct `AccessType`"));
+    let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
+    findings.push(finding.help("remove `ParameterValue`, or correct `AccessType`").fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
 use crate::lint::rule;
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5
-    "cia306/reserved-key", Note, Device(check)
+    "cia306/reserved-key", Note, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -28,6 +28,7 @@ fn check(device: &Device, findings: &mut Findings) {
         info.extra.iter().map(|(key, _)| key).filter(|key| DeviceInfo::is_reserved(key)).collect();
     let Some(first) = keys.first() else { return };
     let message = format!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
-    let place = Place::of(Part::DeviceInfo).field(Field::from_name(first));
-    findings.push(Diagnostic::new(&RULE.info, place, message).help("remove it"));
+    let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
+    let fix = keys.iter().fold(Fix::safe("remove it"), |fix, key| fix.remove(place(key)));
+    findings.push(Diagnostic::new(&RULE.info, place(first), message).help("remove it").fix(fix));
 }

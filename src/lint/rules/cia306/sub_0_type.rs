@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{DataType, Field, ObjectType};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.7.2
-    "cia306/sub-0-type", Error, Entry(check)
+    "cia306/sub-0-type", Error, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -32,6 +32,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
         let message = format!("sub-index 0 of {:04X}h is {data_type}, not UNSIGNED8", at.index);
         let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
-        findings.push(finding.help("write `DataType=0x0005`"));
+        let fix = Fix::risky("write `DataType=0x0005`").set(at.field(Field::DataType), "0x0005");
+        findings.push(finding.help("write `DataType=0x0005`").fix(fix));
     }
 }

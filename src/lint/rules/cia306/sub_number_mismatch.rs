@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::diagnostic::{Diagnostic, Findings, Fix, counted};
 use crate::lint::{rule, stated};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/sub-number-mismatch", Error, Object(check)
+    "cia306/sub-number-mismatch", Error, Object(check), fix Safe
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -41,9 +41,10 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::SubNumber), message);
     findings.push(if described == 0 {
         finding.help("describe the sub-indexes, or correct `ObjectType`")
-    } else if stated > described {
-        finding.help(format!("describe the others, or write `SubNumber={described}`"))
     } else {
-        finding.help(format!("write `SubNumber={described}`"))
+        let title = format!("write `SubNumber={described}`");
+        let place = Place::object(index).field(Field::SubNumber);
+        let finding = finding.fix(Fix::safe(title.clone()).set(place, described.to_string()));
+        finding.help(if stated > described { format!("describe the others, or {title}") } else { title })
     });
 }

@@ -1,6 +1,6 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
-use crate::model::{Device, Object, Place};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::lint::{list_of, rule, stated, with_members};
+use crate::model::{Device, Field, Object, Part, Place};
 
 rule! {
     /// a sub-index belongs to no object
@@ -19,16 +19,28 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/sub-without-object", Error, Object(check)
+    "cia306/sub-without-object", Error, Object(check), fix Unsafe
 }
 
-fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if !object.orphan {
         return;
     }
     let Some((sub, _)) = object.subs.iter().next() else { return };
     let message = format!("sub-indexes of {index:04X}h are described, the object is not");
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-    findings
-        .push(finding.help(format!("add a section `[{index:X}]` with name, object type and `SubNumber`")));
+    let title = format!("add a section `[{index:X}]` with name, object type and `SubNumber`");
+    let keys = [
+        (Field::ParameterName, format!("Object {index:04X}h")),
+        (Field::ObjectType, "0x9".to_owned()),
+        (Field::SubNumber, stated::described_subs(object).to_string()),
+    ];
+    let fix = Fix::risky(title.clone()).with(Change::Add(Part::Object(index), keys.to_vec()));
+    let is_listed = device.lists.iter().any(|(_, listed)| listed == index);
+    let list = list_of(index).filter(|&list| !is_listed && !device.lists.get(list).is_empty());
+    let fix = match list {
+        Some(list) => fix.with(Change::List(list, with_members(device.lists.get(list), [index]))),
+        None => fix,
+    };
+    findings.push(finding.help(title).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §6.4
-    "cia306/unknown-connected-module", Error, Device(check)
+    "cia306/unknown-connected-module", Error, Device(check), fix Unsafe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -28,7 +28,8 @@ fn check(device: &Device, findings: &mut Findings) {
         if !modules.supported.contains_key(number) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
             let message = format!("module {number} is connected, but not described");
-            let finding = Diagnostic::new(&RULE.info, place, message);
+            let fix = Fix::risky("take it off the list").remove(place.clone());
+            let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
             findings.push(
                 finding.help(format!(
                     "add the sections `[M{number}ModuleInfo]` and so on, or correct the number"

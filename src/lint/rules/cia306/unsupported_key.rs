@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
 use crate::lint::{EntryAt, rule, stated};
 use crate::model::{Field, ObjectType};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2, obligation table
-    "cia306/unsupported-key", Warning, Entry(check)
+    "cia306/unsupported-key", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -35,12 +35,18 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(first) = keys.first() else { return };
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
     let message = format!("{article} {object_type} has no use for {}", listing(&keys));
+    let title = if keys.len() == 1 { "remove the key" } else { "remove the keys" };
+    // a value or a limit may have been meant for something
+    let is_safe = |field: &Field| matches!(field, Field::DataType | Field::AccessType | Field::SubNumber);
+    let fix = if keys.iter().all(is_safe) { Fix::safe(title) } else { Fix::risky(title) };
+    let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
     let compact = keys.contains(&Field::CompactSubObj);
     let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message).severity(if compact {
         Severity::Error
     } else {
         Severity::Warning
     });
+    let finding = finding.fix(fix);
     findings.push(if object_type.has_subs() {
         finding.help("remove it, or move it to the sub-indexes")
     } else {

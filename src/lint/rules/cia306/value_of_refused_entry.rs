@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule};
 use crate::model::{Access, Field};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.3
-    "cia306/value-of-refused-entry", Warning, Entry(check)
+    "cia306/value-of-refused-entry", Warning, Entry(check), fix Unsafe
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -33,6 +33,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let flags = if own { at.place() } else { at.object_place() };
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
             .label(flags.field(Field::ObjFlags), "refuses writing");
-        findings.push(finding.help("remove `ParameterValue`"));
+        let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
+        findings.push(finding.help("remove `ParameterValue`").fix(fix));
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, series};
 use crate::lint::rule;
 use crate::model::{Device, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1
-    "cia306/wrong-compact-pdo", Warning, Device(check)
+    "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe
 }
 
 const MANDATORY: u8 = 0x03;
@@ -31,6 +31,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
     let corrected = (mask & POSSIBLE) | MANDATORY;
     if info.rpdo_count == Some(0) && info.tpdo_count == Some(0) {
+        let fix = Fix::safe("write `CompactPDO=0`").set(place.clone(), "0");
         let finding = Diagnostic::new(
             &RULE.info,
             place,
@@ -38,17 +39,19 @@ fn check(device: &Device, findings: &mut Findings) {
         )
         .label(Place::of(Part::DeviceInfo).field(Field::NrOfRxPdo), "no RPDO")
         .label(Place::of(Part::DeviceInfo).field(Field::NrOfTxPdo), "no TPDO");
-        findings.push(finding.help("write `CompactPDO=0` or remove the key"));
+        findings.push(finding.help("write `CompactPDO=0` or remove the key").fix(fix));
     } else if corrected != mask {
         let message = match mask & MANDATORY {
             MANDATORY => format!("no PDO has {}", subs(mask & !POSSIBLE)),
             present => format!("every PDO has {}", subs(MANDATORY & !present)),
         };
+        let title = format!("write `CompactPDO={corrected:#04x}`");
+        let fix = Fix::safe(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
         let only_sub_4 = mask ^ corrected == 1 << 3;
         let finding =
             Diagnostic::new(&RULE.info, place, format!("`CompactPDO` is {mask:#04x}, but {message}"))
                 .severity(if only_sub_4 { Severity::Note } else { Severity::Warning });
-        findings.push(finding.help(format!("write `CompactPDO={corrected:#04x}`")));
+        findings.push(finding.help(title).fix(fix));
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 use crate::lint::{rule, stated};
 use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2
-    "cia306/wrong-highest-sub-index", Error, Object(check)
+    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -39,6 +39,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let place = Place::entry(index, 0).field(field.clone());
+    let title = format!("write `{field}={highest}`");
+    let fix = Fix::risky(title).set(place.clone(), highest.to_string());
     let finding = if value < i128::from(highest) {
         let message = format!("sub-index 0 of {index:04X}h is {value}, but sub-index {highest} is described");
         Diagnostic::new(&RULE.info, place, message)
@@ -51,7 +53,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
             .severity(Severity::Warning)
             .help(format!("describe the others, or write `{field}={highest}`"))
     };
-    findings.push(finding);
+    findings.push(finding.fix(fix));
 }
 
 /// Whether `SubNumber` and sub-index 0 agree with each other: then a section is missing or too many, which the mismatch
@@ -67,6 +69,7 @@ fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings
     }
     let message = format!("sub-index 0 of {index:04X}h has no value");
     let place = Place::entry(index, 0).field(Field::DefaultValue);
-    let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
+    let fix = Fix::safe(format!("write `DefaultValue={highest}`")).set(place.clone(), highest.to_string());
+    let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning).fix(fix);
     findings.push(finding.help(format!("write `DefaultValue={highest}`, the highest sub-index")));
 }

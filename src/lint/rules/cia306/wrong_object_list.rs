@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::{IndexSet, rule};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity};
+use crate::lint::{IndexSet, rule, with_members};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.1
-    "cia306/wrong-object-list", Warning, Device(check)
+    "cia306/wrong-object-list", Warning, Device(check), fix Safe
 }
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -39,11 +39,26 @@ fn check(device: &Device, findings: &mut Findings) {
                 let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
                 let finding =
                     Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
+                let finding = finding.fix(moved(device, list, right, &stands_in));
                 let missed = right == ObjectList::Mandatory;
                 findings.push(if missed { finding.severity(Severity::Error) } else { finding });
             }
         }
     }
+}
+
+/// All that belongs from one list into another.
+fn moved(
+    device: &Device,
+    from: ObjectList,
+    to: ObjectList,
+    stands_in: &impl Fn(u16, ObjectList) -> bool,
+) -> Fix {
+    let belongs = |index: &u16| right_list(*index, from) == to && !stands_in(*index, to);
+    let (wrong, right): (Vec<u16>, Vec<u16>) = device.lists.get(from).iter().partition(|index| belongs(index));
+    let members = with_members(device.lists.get(to), wrong);
+    let fix = Fix::safe(format!("move to `[{to}]` what belongs there"));
+    fix.with(Change::List(from, right)).with(Change::List(to, members))
 }
 
 /// The list that an index belongs into; the one where it is, when that is as good.

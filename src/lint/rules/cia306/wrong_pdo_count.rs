@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::rule;
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 
@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.5, §4.6.3.4.1
-    "cia306/wrong-pdo-count", Error, Device(check)
+    "cia306/wrong-pdo-count", Error, Device(check), fix Safe
 }
 
 /// The PDOs of one direction: what they are called, where their number is stated, and their communication records.
@@ -56,7 +56,9 @@ fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, f
         _ => format!("{described} {name}s are"),
     };
     let message = format!("`{field}` is {stated}, but {count} described ({low:04X}h to {high:04X}h)");
-    let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field.clone()), message);
+    let place = Place::of(Part::DeviceInfo).field(field.clone());
+    let fix = Fix::safe(format!("write `{field}={described}`")).set(place.clone(), described.to_string());
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(if stated > described {
         finding.help(format!("write `{field}={described}`, or describe the other {name}s"))
     } else {
