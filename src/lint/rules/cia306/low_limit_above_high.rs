@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 
 use crate::diagnostic::{Diagnostic, Findings, Fix};
 use crate::lint::{EntryAt, rule, stated};
-use crate::model::Field;
+use crate::model::{Field, Value};
 
 rule! {
     /// the low limit is above the high limit
@@ -33,8 +33,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = format!("`LowLimit` is {low}, but `HighLimit` is {high}");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
+    let is_formula = [low, high].into_iter().any(|limit| matches!(limit, Value::NodeId(_)));
     let fix = Fix::risky("exchange the two")
         .set(at.field(Field::LowLimit), high.to_string())
         .set(at.field(Field::HighLimit), low.to_string());
-    findings.push(finding.help("exchange the two, or correct the one that is wrong").fix(fix));
+    let finding = finding.help("exchange the two, or correct the one that is wrong");
+    // which one is larger depends on the node
+    findings.push(if is_formula { finding } else { finding.fix(fix) });
 }
