@@ -20,6 +20,9 @@ pub struct ObjectFacts {
     pub need: Need,
     /// When it makes sense at all; always, without.
     pub only: Option<Condition>,
+    /// Objects that it has as many elements as: the first ones of those that are there. Empty where the document does not
+    /// say.
+    pub as_many_as: Vec<u16>,
     /// The sub-indexes that it may have, in ascending order; 0 for the value of a VAR. Empty where the document says
     /// nothing of them.
     pub entries: Vec<EntryFacts>,

@@ -98,7 +98,10 @@ struct ObjectTable {
     need: Option<NeedText>,
     only: Option<ConditionText>,
     source: Option<String>,
+    #[serde(default)]
+    as_many_as: Vec<u16>,
     entries: Option<Vec<EntryTable>>,
+    elements: Option<NumberOrPair>,
     // of the value of a VAR
     #[serde(default, deserialize_with = "data_types")]
     data_type: Vec<DataType>,
@@ -153,31 +156,40 @@ impl ObjectTable {
         let has_value = !self.data_type.is_empty() || !self.access.is_empty() || self.mapping.is_some();
         let has_value =
             has_value || !self.values.0.is_empty() || self.default.is_some() || !self.bits.is_empty();
-        let entries = match self.entries {
-            Some(_) if has_value => {
+        let value = EntryTable {
+            sub: 0,
+            last: None,
+            name: String::new(),
+            need: Some(NeedText(Need::Mandatory)),
+            data_type: self.data_type,
+            access: self.access,
+            mapping: self.mapping,
+            values: self.values,
+            default: self.default,
+            bits: self.bits,
+        };
+        let entries = match (self.entries, self.elements) {
+            (Some(_), Some(_)) => return Err("an object has `entries` or `elements`, not both".to_owned()),
+            (Some(_), None) if has_value => {
                 return Err("an object with `entries` has data type, access and values there".to_owned());
             }
-            Some(entries) => entries,
-            None if has_value => {
+            (Some(entries), None) => {
+                entries.into_iter().map(EntryTable::facts).collect::<Result<Vec<_>, _>>()?
+            }
+            (None, Some(number)) => {
+                if object_types.is_empty() {
+                    object_types.extend([ObjectType::Array, ObjectType::Record]);
+                }
+                elements(&self.name, number.0, value.facts()?)?
+            }
+            (None, None) if has_value => {
                 if object_types.is_empty() {
                     object_types.push(ObjectType::Var);
                 }
-                vec![EntryTable {
-                    sub: 0,
-                    last: None,
-                    name: String::new(),
-                    need: Some(NeedText(Need::Mandatory)),
-                    data_type: self.data_type,
-                    access: self.access,
-                    mapping: self.mapping,
-                    values: self.values,
-                    default: self.default,
-                    bits: self.bits,
-                }]
+                vec![value.facts()?]
             }
-            None => Vec::new(),
+            (None, None) => Vec::new(),
         };
-        let entries = entries.into_iter().map(EntryTable::facts).collect::<Result<Vec<_>, _>>()?;
         if let Some(pair) = entries.windows(2).find(|pair| pair[0].last >= pair[1].first) {
             return Err(format!("sub-index {} comes behind {}", pair[1].first, pair[0].last));
         }
@@ -188,6 +200,7 @@ impl ObjectTable {
             object_types,
             need: self.need.map(|need| need.0).unwrap_or_default(),
             only: self.only.map(|only| only.0),
+            as_many_as: self.as_many_as,
             entries,
             source: self.source,
         })
@@ -222,6 +235,40 @@ impl EntryTable {
             bits: bits.collect(),
         })
     }
+}
+
+/// The entries of an ARRAY of alike elements: their number in sub-index 0, the first one, which is always there, and the
+/// others; all of them are, where the number is fixed.
+fn elements(
+    name: &str,
+    number: RangeInclusive<i128>,
+    element: EntryFacts,
+) -> Result<Vec<EntryFacts>, String> {
+    let sub = |number: &i128| u8::try_from(*number).ok().filter(|&number| number < 0xFF);
+    let (Some(least), Some(most @ 1..)) = (sub(number.start()), sub(number.end())) else {
+        return Err("`elements` is a number from 1 to 254, or the smallest and the largest one".to_owned());
+    };
+    let count = EntryFacts {
+        first: 0,
+        last: 0,
+        name: "Highest sub-index supported".to_owned(),
+        data_types: vec![DataType::UNSIGNED8],
+        access: vec![Access::Ro],
+        need: Need::Mandatory,
+        mapping: Some(Mapping::No),
+        values: vec![number],
+        default: None,
+        bits: Vec::new(),
+    };
+    let first = EntryFacts { first: 1, last: 1, name: name.to_owned(), ..element };
+    if least == most {
+        return Ok(vec![count, EntryFacts { last: most, ..first }]);
+    }
+    let need = if least == 0 { Need::Optional } else { Need::Mandatory };
+    let first = EntryFacts { need, ..first };
+    let others = EntryFacts { first: 2, last: most, need: Need::Optional, ..first.clone() };
+    let others = (most > 1).then_some(others);
+    Ok([count, first].into_iter().chain(others).collect())
 }
 
 /// A default value of a data type; without one, a whole number.
@@ -522,6 +569,31 @@ entries = [
         let torque = profile.object(0x2100).unwrap().entry(0).unwrap();
         assert_eq!(torque.default, Some(Value::Signed(-1)));
         assert!(torque.accepts_value(150) && !torque.accepts_value(50));
+    }
+
+    #[test]
+    fn elements_are_short_for_the_entries_of_an_array() {
+        let array = |elements: &str| {
+            let text = format!(
+                "{HEAD}[[object]]\nindex = 0x2000\nname = \"Input\"\nas-many-as = [0x2100]\n\
+                 data-type = \"INTEGER16\"\naccess = \"ro\"\nelements = {elements}\n"
+            );
+            Profile::from_toml(&text).map(|profile| profile.objects[0].clone())
+        };
+        let inputs = array("[1, 254]").unwrap();
+        assert_eq!(inputs.object_types, [ObjectType::Array, ObjectType::Record]);
+        assert_eq!(inputs.as_many_as, [0x2100]);
+        let subs: Vec<_> = inputs.entries.iter().map(|entry| (entry.first, entry.last)).collect();
+        assert_eq!(subs, [(0, 0), (1, 1), (2, 254)]);
+        assert_eq!(inputs.entries[0].values, [1..=254]);
+        assert_eq!(inputs.entries[0].data_types, [DataType::UNSIGNED8]);
+        assert!(inputs.entries[1].is_mandatory() && !inputs.entries[2].is_mandatory());
+        assert_eq!(inputs.entries[2].data_types, [DataType::INTEGER16]);
+        let nodes = array("127").unwrap();
+        assert!(nodes.entries[1].is_mandatory() && nodes.entries[1].last == 127);
+        assert!(!array("[0, 4]").unwrap().entries[1].is_mandatory());
+        let message = array("255").unwrap_err().message;
+        assert_eq!(message, "`elements` is a number from 1 to 254, or the smallest and the largest one");
     }
 
     #[test]

@@ -22,6 +22,9 @@ const FIRST_DEVICE_PROFILE: u16 = 400;
 
 documents! {
     cia301 301,
+    cia302 302,
+    cia401 401,
+    cia406 406,
 }
 
 /// A document that comes with the program. A test reads them all, so none is empty.
