@@ -164,6 +164,7 @@ pub mod model;
 pub mod profile;
 pub mod registry;
 pub mod report;
+pub mod skeleton;
 pub mod source;
 
 pub use check::{check, check_with};

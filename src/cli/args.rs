@@ -1,5 +1,7 @@
 //! The command line.
 
+mod new;
+
 use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -7,6 +9,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
+pub(super) use self::new::NewArgs;
 use super::fix::FixArgs;
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
@@ -41,6 +44,7 @@ pub(super) enum Command {
     Show(ShowArgs),
     Generate(GenerateArgs),
     Convert(ConvertArgs),
+    New(NewArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
 }

@@ -10,6 +10,7 @@ mod fix;
 mod generate;
 mod identify;
 mod input;
+mod new;
 mod output;
 mod parallel;
 mod profiles;
@@ -45,6 +46,7 @@ pub fn run() -> ExitCode {
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
+        Command::New(command) => new::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),

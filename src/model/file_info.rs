@@ -75,14 +75,38 @@ pub struct Date {
 impl Date {
     /// A day; `None` when the calendar does not have it.
     pub fn new(year: u16, month: u8, day: u8) -> Option<Self> {
+        let date = Self { year, month, day };
+        ((1..=12).contains(&month) && (1..=date.days_of_month()).contains(&day)).then_some(date)
+    }
+
+    /// Days that its month has.
+    const fn days_of_month(self) -> u8 {
+        let year = self.year;
         let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-        let days = match month {
+        match self.month {
             4 | 6 | 9 | 11 => 30,
-            2 => 28 + u8::from(leap),
-            1..=12 => 31,
-            _ => return None,
-        };
-        (1..=days).contains(&day).then_some(Self { year, month, day })
+            2 => 28 + leap as u8,
+            _ => 31,
+        }
+    }
+
+    /// The day so many days after 1970-01-01; `None` beyond the year 9999.
+    pub fn after_1970(days: u64) -> Option<Self> {
+        let mut rest = u32::try_from(days).ok()?;
+        let mut first = Self { year: 1970, month: 1, day: 1 };
+        loop {
+            let length = first.days_of_month();
+            if rest < u32::from(length) {
+                let day = u8::try_from(rest).ok()? + 1;
+                return Some(Self { day, ..first });
+            }
+            rest -= u32::from(length);
+            first = match first.month {
+                12 if first.year == 9999 => return None,
+                12 => Self { year: first.year + 1, month: 1, day: 1 },
+                month => Self { month: month + 1, ..first },
+            };
+        }
     }
 
     /// A date of ISO 8601 such as `2024-03-04`.

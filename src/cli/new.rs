@@ -1,0 +1,121 @@
+//! `objdict new`.
+
+use std::io::Write;
+use std::path::Path;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use super::args::NewArgs;
+use super::input::FileKind;
+use super::output::Output;
+use super::save::save;
+use super::{Failure, Outcome, tell};
+use crate::format::{self, WriteOptions, json};
+use crate::model::{ClockTime, Date};
+use crate::skeleton::{Channels, Encoder, EncoderClass, Functions, Wanted, skeleton};
+
+/// The vendor-ID of a device whose vendor is not said: one that CiA gives nobody.
+const NO_VENDOR: u32 = 0xFFFF_FFFF;
+
+pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let functions = functions(args)?;
+    if args.vendor_id.is_none() {
+        tell(&format!(
+            "note: the vendor-ID is 0x{NO_VENDOR:08X}; say the one that CiA gave you with `--vendor-id`\n"
+        ));
+    }
+    let (date, time) = when(args)?;
+    let name = args.output.file_name().unwrap_or_default().to_string_lossy();
+    let is_stdout = args.output == Path::new("-");
+    let wanted = Wanted {
+        functions,
+        file_name: if is_stdout { "device.eds".to_owned() } else { name.into_owned() },
+        vendor_name: args.vendor_name.clone(),
+        vendor_id: args.vendor_id.unwrap_or(NO_VENDOR),
+        product_name: args.product_name.clone(),
+        product_code: args.product_code,
+        revision: args.revision,
+        author: args.author.clone().unwrap_or_else(|| args.vendor_name.clone()),
+        date,
+        time,
+    };
+    let device = skeleton(&wanted);
+    let kind = if is_stdout { FileKind::Eds } else { FileKind::of(&args.output).unwrap_or(FileKind::Eds) };
+    let bytes = match kind {
+        FileKind::Json => json::write_device(&device).into_bytes(),
+        kind => match kind.format().filter(|format| format.kind() == device.kind) {
+            Some(format) => format::write(&device, format, &WriteOptions::default()).bytes,
+            None => {
+                let message = format!("a new device is no {}", kind.name());
+                return Err(Failure::new(message).help("name an output that ends in .eds, .xdd or .json"));
+            }
+        },
+    };
+    if is_stdout {
+        out.write_all(&bytes)?;
+        return Ok(Outcome::Clean);
+    }
+    if args.output.exists() && !args.force {
+        let message = format!("`{}` exists", args.output.display());
+        return Err(Failure::new(message).help("name another file, or overwrite it with `--force`"));
+    }
+    save(&args.output, &bytes)?;
+    let (pdos, objects) = (device.pdos().count(), device.objects.len());
+    let file = super::shown(&args.output.display().to_string());
+    writeln!(out, "{file} ({}), {objects} objects, {pdos} PDOs", kind.name())?;
+    Ok(Outcome::Clean)
+}
+
+/// What the device does, as far as the arguments fit each other.
+fn functions(args: &NewArgs) -> Result<Functions, Failure> {
+    let channels = Channels {
+        digital_inputs: args.digital_inputs,
+        digital_outputs: args.digital_outputs,
+        analog_inputs: args.analog_inputs,
+        analog_outputs: args.analog_outputs,
+    };
+    let has_channels = channels != Channels::default();
+    let is_encoder = args.encoder_class.is_some() || args.encoder_type.is_some();
+    let profile = match (args.profile, has_channels, is_encoder) {
+        (Some(profile), ..) => profile,
+        (None, true, false) => 401,
+        (None, false, true) => 406,
+        (None, false, false) => 301,
+        (None, true, true) => return Err(Failure::new("a device has channels or is an encoder")),
+    };
+    let misplaced = |what: &str, right: u16| {
+        let message = format!("CiA {profile} has no {what}");
+        Err(Failure::new(message).help(format!("they belong to `--profile {right}`")))
+    };
+    match profile {
+        _ if has_channels && profile != 401 => misplaced("digital or analogue channels", 401),
+        _ if is_encoder && profile != 406 => misplaced("encoder classes or types", 406),
+        301 => Ok(Functions::Bare),
+        401 if !has_channels => Err(Failure::new("an I/O module has inputs or outputs")
+            .help("say how many with `--digital-inputs`, `--digital-outputs`, `--analog-inputs`, `--analog-outputs`")),
+        401 => Ok(Functions::InputsOutputs(channels)),
+        406 => Ok(Functions::Encoder(Encoder {
+            class: args.encoder_class.map_or(EncoderClass::C1, Into::into),
+            encoder_type: args.encoder_type.unwrap_or(2),
+        })),
+        _ => Err(Failure::new(format_args!("there is no skeleton for CiA {profile}"))
+            .help("there are skeletons for 301, 401 and 406")),
+    }
+}
+
+/// The date and time that the description states: those that were said, else now, in Coordinated Universal Time.
+fn when(args: &NewArgs) -> Result<(Date, ClockTime), Failure> {
+    if let Some(date) = args.date {
+        return Ok((date, ClockTime::new(12, 0).unwrap_or(MIDNIGHT)));
+    }
+    let said = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());
+    let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    let seconds: u64 = said.unwrap_or_else(now);
+    let minutes = seconds / 60 % (24 * 60);
+    let time = u8::try_from(minutes / 60).ok().zip(u8::try_from(minutes % 60).ok());
+    let time = time.and_then(|(hour, minute)| ClockTime::new(hour, minute)).unwrap_or(MIDNIGHT);
+    let date = Date::after_1970(seconds / (24 * 60 * 60));
+    date.map(|date| (date, time))
+        .ok_or_else(|| Failure::new("the clock shows no date").help("say one with `--date`"))
+}
+
+const MIDNIGHT: ClockTime = ClockTime { hour: 0, minute: 0, second: 0, nanosecond: 0, utc_offset: None };
