@@ -35,7 +35,7 @@ fn found(device: &Device, format: Format) -> String {
     let source = SourceFile::from_bytes(name, text, &objdict::source::SourceOptions::default()).unwrap();
     let description = format::read(source, format);
     let mut report = String::new();
-    for finding in &objdict::check(&description) {
+    for finding in objdict::check(&description).iter().take(5) {
         writeln!(report, "{} {}", finding.rule.id, finding.message).unwrap();
     }
     report

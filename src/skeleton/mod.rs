@@ -68,6 +68,11 @@ pub const MAX_DIGITAL: u16 = 254 * 8;
 /// Words that an array can hold.
 pub const MAX_ANALOG: u8 = 254;
 
+/// What an encoder of class C2 has beside one of class C1: scaling, preset, cyclic timer, alarms, warnings, versions,
+/// operating time, offset (CiA 406).
+const OF_CLASS_2: [u16; 13] =
+    [0x6001, 0x6002, 0x6003, 0x6005, 0x6200, 0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6508, 0x6509, 0x650A];
+
 /// An encoder (CiA 406).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Encoder {
@@ -110,6 +115,18 @@ impl Functions {
         }
     }
 
+    /// The objects that the device has because somebody wants it so; what follows from them is demanded by the documents.
+    fn objects(self) -> Vec<u16> {
+        match self {
+            Self::Bare => Vec::new(),
+            Self::InputsOutputs(_) => {
+                [0x6000, 0x6200, 0x6401, 0x6411].into_iter().filter(|&index| self.count(index) > 0).collect()
+            }
+            Self::Encoder(Encoder { class: EncoderClass::C1, .. }) => Vec::new(),
+            Self::Encoder(Encoder { class: EncoderClass::C2, .. }) => OF_CLASS_2.to_vec(),
+        }
+    }
+
     /// The sub-indexes that an array of channels has behind sub-index 0.
     fn count(self, index: u16) -> u8 {
         let bytes = |bits: u16| u8::try_from(bits.div_ceil(8)).unwrap_or(254);
@@ -145,6 +162,11 @@ pub fn skeleton(wanted: &Wanted) -> Device {
         maker.add(&mut device, index);
     }
     pdos::add(&mut device, &maker);
+    for index in wanted.functions.objects() {
+        if own.is_some_and(|own| is_for(own, &device, index)) {
+            maker.add(&mut device, index);
+        }
+    }
     while let Some(index) = missing(&device, &documents) {
         maker.add(&mut device, index);
     }
@@ -154,6 +176,12 @@ pub fn skeleton(wanted: &Wanted) -> Device {
     device.lists = lists(&device);
     device.device_info = Some(device_info(wanted, &device));
     device
+}
+
+/// Whether a document has an object, and not only for other devices.
+fn is_for(document: &Profile, device: &Device, index: u16) -> bool {
+    let only = document.object(index).map(|facts| facts.only.as_ref());
+    only.is_some_and(|only| only.is_none_or(|only| only.holds(device, 0) == Some(true)))
 }
 
 /// The first object that a document demands and the device does not have.

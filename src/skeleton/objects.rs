@@ -48,13 +48,15 @@ impl Maker<'_> {
         let facts = self.facts(index);
         let count = self.wanted.functions.count(index);
         let is_needed = move |sub: u8| {
+            // whoever looks a product up needs all of its identity
+            let is_identity = index == 0x1018;
             facts.iter().filter_map(|facts| facts.entry(sub)).any(|facts| {
                 let is_demanded = match &facts.need {
                     crate::profile::Need::Optional => false,
                     crate::profile::Need::Mandatory => facts.first == sub,
                     crate::profile::Need::When(condition) => condition.holds(device, 0) == Some(true),
                 };
-                is_demanded || sub == 0 || (facts.last > facts.first && sub <= count)
+                is_demanded || is_identity || sub == 0 || (facts.last > facts.first && sub <= count)
             })
         };
         (0..=254u8).filter(move |&sub| is_needed(sub)).collect::<Vec<_>>().into_iter()
@@ -84,7 +86,7 @@ impl Maker<'_> {
             access: access.map(|access| directed(access, mapping)),
             pdo_mapping: Some(match mapping {
                 None | Some(Mapping::No) => PdoMapping::No,
-                Some(_) if sub == 0 || index < 0x2000 => PdoMapping::No,
+                Some(_) if index < FIRST_OF_MANUFACTURER => PdoMapping::No,
                 Some(_) => PdoMapping::Optional,
             }),
             default: self.value(index, sub).or(default).or_else(|| first_value(data_type?, &facts)),
@@ -130,3 +132,6 @@ fn first_value(data_type: DataType, facts: &[&EntryFacts]) -> Option<Value> {
     };
     Value::from_integer(number, data_type)
 }
+
+/// Communication objects lie below; no PDO carries one by default.
+const FIRST_OF_MANUFACTURER: u16 = 0x2000;

@@ -47,6 +47,15 @@ fn positions(encoder: Encoder) -> Vec<PdoMap> {
     [1, 2].map(|number| PdoMap { kind: PdoKind::Tpdo, number, mapped: vec![position] }).into()
 }
 
+/// What triggers a PDO: an event of the profile, or the SYNC for the second position.
+fn transmission_type(functions: Functions, pdo: &PdoMap) -> u32 {
+    match functions {
+        Functions::Encoder(_) if pdo.number == 1 => 254,
+        Functions::Encoder(_) => 1,
+        _ => 255,
+    }
+}
+
 fn communication_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
     let cob_id = match pdo.kind.predefined_can_id(pdo.number) {
         Some(base) => predefined::per_node(base),
@@ -61,9 +70,7 @@ fn communication_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
         match sub {
             0 => entry.default = number(subs.last().copied().unwrap_or(0).into(), DataType::UNSIGNED8),
             1 => entry.default = Some(cob_id.to_value()),
-            2 if entry.default == number(0, DataType::UNSIGNED8) => {
-                entry.default = number(u32::from(u8::MAX), DataType::UNSIGNED8);
-            }
+            2 => entry.default = number(transmission_type(maker.wanted.functions, pdo), DataType::UNSIGNED8),
             _ => {}
         }
         (sub, entry)
