@@ -156,6 +156,12 @@ fn fired(path: &Path) -> BTreeSet<&'static str> {
 }
 
 fn assert_clean(path: &Path) {
+    if path.ends_with("fixtures/eds/hostile.eds") {
+        // its names are there to be hard on generators
+        let others: Vec<&str> = fired(path).into_iter().filter(|id| !id.starts_with("naming/")).collect();
+        assert!(others.is_empty(), "{}: {others:?}", path.display());
+        return;
+    }
     let report = report(path);
     assert!(report.is_empty(), "{} is healthy, but:\n{report}", path.display());
 }

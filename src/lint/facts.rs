@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
-use crate::lint::Options;
+use crate::lint::{Options, Srdo};
 use crate::model::{
     CobId, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, predefined, restricted,
 };
@@ -15,8 +15,10 @@ pub(crate) struct Facts<'a> {
     pub options: &'a Options,
     /// Its PDOs, first RPDOs, then TPDOs, by number; those that `CompactPDO` implies are not among them.
     pub pdos: Vec<PdoFacts<'a>>,
-    /// Every COB-ID that an object states, PDOs last.
+    /// Every COB-ID that an object states, PDOs last; those of SRDOs are not among them.
     pub cob_ids: Vec<CobIdUse>,
+    /// Its SRDOs, by number.
+    pub srdos: Vec<Srdo<'a>>,
 }
 
 /// A PDO with what its mapping entries name.
@@ -81,7 +83,7 @@ impl<'a> Facts<'a> {
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
         let pdos: Vec<PdoFacts<'a>> = device.pdos().map(|pdo| PdoFacts::new(device, pdo)).collect();
         let cob_ids = cob_ids(device, &pdos);
-        Self { device, options, pdos, cob_ids }
+        Self { device, options, pdos, cob_ids, srdos: Srdo::all(device) }
     }
 
     /// The node-IDs that the description can be for: the one that the check was told or that of a DCF, else all.
@@ -176,7 +178,12 @@ impl Mapped<'_> {
     }
 }
 
-impl Target<'_> {
+impl<'a> Target<'a> {
+    /// What there is of an object that a mapping entry names.
+    pub(crate) fn of(device: &'a Device, mapped: MappedObject) -> Self {
+        target(device, mapped)
+    }
+
     /// Whether there is nothing to map.
     pub(crate) fn is_missing(&self) -> bool {
         matches!(self, Self::NoEntry | Self::NoObject)

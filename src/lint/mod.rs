@@ -9,6 +9,7 @@ mod options;
 mod respell;
 mod rule;
 mod rules;
+mod srdo;
 mod stated;
 
 use crate::diagnostic::Findings;
@@ -21,6 +22,7 @@ pub use options::Options;
 pub(crate) use respell::{nearest_access, respell};
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
+pub(crate) use srdo::Srdo;
 
 /// All rules on one device.
 pub fn check(device: &Device, options: &Options) -> Findings {
