@@ -9,11 +9,13 @@ use crate::model::Field;
 use crate::source::Span;
 
 /// Rules that hold the form of an EDS against CiA 306. What an XDD must state instead, rules of the group `cia311` say.
-const OF_EDS: [&str; 4] = [
+const OF_EDS: [&str; 6] = [
     "cia306/eds-version",
     "cia306/missing-device-info-key",
     "cia306/missing-file-info-key",
+    "cia306/missing-last-eds",
     "cia306/missing-section",
+    "cia306/unsorted-list",
 ];
 
 /// Rules in whose texts EDS and DCF are the kinds of file, and nothing else.
@@ -155,7 +157,7 @@ fn asks_for_count(finding: &Diagnostic) -> bool {
 
 fn reworded(mut finding: Diagnostic) -> Diagnostic {
     // names of objects stand in it as they are
-    if finding.rule.id == "cia306/duplicate-name" {
+    if finding.rule.id == "cia306/duplicate-name" || finding.rule.group() == "naming" {
         return finding;
     }
     let is_of_kinds = OF_KINDS.contains(&finding.rule.id);

@@ -3,7 +3,7 @@ use crate::lint::{is_unstated, rule};
 use crate::model::{Device, Field, Part, Place};
 
 rule! {
-    /// LSS selects a device by numbers that the description does not state
+    /// the numbers by which LSS selects a device are not all stated
     ///
     /// ## What it checks
     /// Whether 1018h sub-indexes 2 and 3, product code and revision number, have a value on a device with `LSS_Supported=1`. The vendor-ID has a rule of its own, the serial number belongs to the single device.

@@ -9,7 +9,7 @@ rule! {
     /// Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh follow each other, FFh left aside. Elsewhere, the standards define objects with gaps.
     ///
     /// ## Why it matters
-    /// A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many.
+    /// A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many. Sometimes the sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.
     ///
     /// ## Example
     /// `[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`

@@ -2,7 +2,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::{rule, with_others};
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{Device, DeviceKind, Field, Part, Place};
 
 rule! {
     /// two entries have the same denotation
@@ -25,6 +25,9 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
+    if device.kind != DeviceKind::Node {
+        return;
+    }
     let mut seen: HashMap<&str, Place> = HashMap::new();
     let mut repeated = Vec::new();
     let mut take = |name, place: Place| match seen.get(name) {
