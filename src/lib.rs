@@ -150,10 +150,12 @@
 //! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 
+pub mod baseline;
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod compare;
+pub mod config;
 pub mod diagnostic;
 pub mod download;
 pub mod format;

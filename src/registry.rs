@@ -1,12 +1,16 @@
-//! Every rule there is: those that the readers of the formats raise, and those of the linter. `explain`, severities,
-//! suppression and the documentation know no difference.
+//! Every rule there is: those that the readers of the formats raise, those of the linter, and those about what is said of
+//! rules. `explain`, severities, suppression and the documentation know no difference.
 
-use crate::diagnostic::RuleInfo;
-use crate::{format, lint};
+use std::collections::BTreeSet;
+
+use crate::diagnostic::{RuleInfo, Selection, nearest};
+use crate::{check, config, format, lint};
 
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {
-    let mut rules: Vec<_> = format::rules().chain(lint::RULES.iter().map(|rule| &rule.info)).collect();
+    let others = check::RULES.iter().chain(config::RULES).copied();
+    let mut rules: Vec<_> =
+        format::rules().chain(lint::RULES.iter().map(|rule| &rule.info)).chain(others).collect();
     rules.sort_by_key(|rule| rule.id);
     rules
 }
@@ -14,4 +18,51 @@ pub fn rules() -> Vec<&'static RuleInfo> {
 /// The rule of an id.
 pub fn rule(id: &str) -> Option<&'static RuleInfo> {
     rules().into_iter().find(|rule| rule.id == id)
+}
+
+/// The groups of rules, sorted.
+pub fn groups() -> BTreeSet<&'static str> {
+    rules().into_iter().map(RuleInfo::group).collect()
+}
+
+/// The rules that a name means: the id of a rule, or a group.
+pub fn select(name: &str) -> Option<Selection> {
+    match name.contains('/') {
+        true => rule(name).map(Selection::Rule),
+        false => groups().into_iter().find(|group| *group == name).map(Selection::Group),
+    }
+}
+
+/// The rule or group that was most likely meant by a name that there is not.
+pub fn nearest_selection(name: &str) -> Option<Selection> {
+    let group = if name.contains('/') { None } else { nearest(name, groups()) };
+    group.map(Selection::Group).or_else(|| nearest_rule(name).map(Selection::Rule))
+}
+
+/// The rule that was most likely meant by an id or name that there is not.
+pub fn nearest_rule(name: &str) -> Option<&'static RuleInfo> {
+    let lower = name.to_ascii_lowercase();
+    let wanted = lower.rsplit('/').next().unwrap_or(&lower);
+    let rules = rules();
+    let near = nearest(wanted, rules.iter().map(|rule| rule.name()));
+    let find = |is_meant: &dyn Fn(&RuleInfo) -> bool| rules.iter().copied().find(|rule| is_meant(rule));
+    near.and_then(|name| find(&|rule| rule.name() == name))
+        .or_else(|| find(&|rule| !wanted.is_empty() && rule.name().contains(wanted)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_mean_rules_and_groups() {
+        let name = |selection: Option<Selection>| selection.map(Selection::name);
+        assert_eq!(name(select("cia306/file-name")), Some("cia306/file-name"));
+        assert_eq!(name(select("cia306")), Some("cia306"));
+        assert_eq!(name(select("file-name")), None);
+        assert_eq!(name(nearest_selection("cia360")), Some("cia306"));
+        assert_eq!(name(nearest_selection("cia306/filename")), Some("cia306/file-name"));
+        assert_eq!(name(nearest_selection("duplicate-kei")), Some("cia306/duplicate-key"));
+        assert_eq!(name(nearest_selection("")), None);
+    }
 }

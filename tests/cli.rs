@@ -95,6 +95,22 @@ fn a_closed_pipe_is_no_failure() {
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+/// The number of threads changes nothing but the time.
+#[test]
+fn any_number_of_jobs_gives_the_same_output() {
+    let run = |jobs: &str| {
+        let arguments = ["check", "fixtures", "--no-config", "--format", "json", "--jobs", jobs];
+        let output = objdict().args(arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(output.stdout.len() > 100_000, "{} bytes", output.stdout.len());
+        (output.stdout, output.stderr)
+    };
+    let one = run("1");
+    for jobs in ["2", "8"] {
+        assert!(run(jobs) == one, "with {jobs} jobs the output is another");
+    }
+}
+
 /// `-` is the standard input, for reading, and the standard output, for writing.
 #[test]
 fn a_pipe_through_the_command() {

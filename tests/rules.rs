@@ -13,6 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use objdict::config::Config;
 use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS, Tool};
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description};
@@ -46,9 +47,9 @@ fn rule_folders() -> Vec<(String, PathBuf)> {
     folders.collect()
 }
 
-const ENDINGS: [&str; 4] = ["eds", "dcf", "xdd", "xdc"];
+const ENDINGS: [&str; 5] = ["eds", "dcf", "xdd", "xdc", "toml"];
 
-/// The devices of a folder whose name starts with `prefix`.
+/// The devices and configurations of a folder whose name starts with `prefix`.
 fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {
     let is_device = |path: &PathBuf| {
         name(path).starts_with(prefix) && ENDINGS.contains(&path.extension().unwrap().to_str().unwrap())
@@ -78,10 +79,15 @@ enum Examined {
     Description(Box<Description>, Findings),
     /// A file that is damaged as XML, or in its structure: what the damage is, and not what it costs.
     Tree(Box<Tree>, Findings),
+    /// A configuration.
+    Config(Box<Config>),
 }
 
 impl Examined {
     fn new(path: &Path) -> Self {
+        if path.extension().is_some_and(|ending| ending == "toml") {
+            return Self::Config(Box::new(Config::open(path).unwrap()));
+        }
         let is_of = |group: &str| path.starts_with(root().join("fixtures/rules").join(group));
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
         if !is_damaged {
@@ -101,6 +107,7 @@ impl Examined {
     fn findings(&self) -> &Findings {
         match self {
             Self::Description(_, findings) | Self::Tree(_, findings) => findings,
+            Self::Config(config) => config.findings(),
         }
     }
 
@@ -108,14 +115,15 @@ impl Examined {
         match self {
             Self::Description(description, _) => description.source(),
             Self::Tree(tree, _) => tree.source(),
+            Self::Config(config) => config.source(),
         }
     }
 
     fn span_of(&self, at: &At) -> Span {
         match (self, at) {
             (Self::Description(description, _), at) => description.span_of(at),
-            (Self::Tree(..), At::Span(span)) => *span,
-            (Self::Tree(..), At::Place(place)) => panic!("a tree has no place {place}"),
+            (Self::Tree(..) | Self::Config(_), At::Span(span)) => *span,
+            (Self::Tree(..) | Self::Config(_), At::Place(place)) => panic!("there is no place {place}"),
         }
     }
 }

@@ -10,10 +10,11 @@ use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
 pub(super) use self::new::NewArgs;
+use super::baseline::BaselineArgs;
 use super::fix::FixArgs;
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
-use super::profiles::ProfileArgs;
+use super::settings::SettingsArgs;
 use super::show::Address;
 use crate::diagnostic::Severity;
 use crate::format::literal::RealSpelling;
@@ -65,16 +66,15 @@ pub(super) struct CheckArgs {
     /// Count the findings of each rule; `=only` instead of showing them. With the formats text, concise and json
     #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
     pub statistics: Option<Counting>,
-    /// The mildest severity that makes the exit code 1
-    #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
-    pub deny: Deny,
     /// The number of files that are checked at the same time; without it, as many as there are processors
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
     #[command(flatten)]
-    pub profiles: ProfileArgs,
-    #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub settings: SettingsArgs,
+    #[command(flatten)]
+    pub baseline: BaselineArgs,
     #[command(flatten)]
     pub mending: FixArgs,
 }
@@ -398,7 +398,7 @@ fn targets() -> PossibleValuesParser {
 }
 
 /// 1 to 127, in decimal or as `0x7F`.
-fn node_id(text: &str) -> Result<u8, String> {
+pub(super) fn node_id(text: &str) -> Result<u8, String> {
     let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) => u8::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),

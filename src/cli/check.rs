@@ -4,30 +4,47 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::args::CheckArgs;
+use super::baseline::Known;
 use super::files::{File, gather};
 use super::fix::{Amended, FixArgs, Mending, amend};
 use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
+use super::progress::Progress;
+use super::settings::{Project, Settings};
 use super::{Failure, Outcome, report, tell};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
-use crate::lint::Options;
-use crate::report::{Report, Tally, plural};
+use crate::report::{Report, Subject, plural};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let mut options = Options::default();
-    options.profiles = args.profiles.load()?;
-    let (files, failures) = gather(&args.files);
+    let mut settings = Settings::new(&args.settings)?;
+    let (files, failures) = gather(&args.files, &mut settings)?;
+    let worker = Worker { args, settings: &settings };
     if args.mending.diff {
-        return show_changes(&Worker { args, options: &options }, &files, &failures, out);
+        return show_changes(&worker, &files, &failures, out);
     }
     let mut reporter = Reporter::new(args, out)?;
     for failure in failures {
         reporter.fail(&failure)?;
     }
-    let worker = Worker { args, options: &options };
-    in_order(&files, args.jobs, |file| worker.check(file), |checked| reporter.take(checked))?;
+    for project in settings.projects() {
+        reporter.take_project(project, &settings)?;
+    }
+    let progress = Progress::new(files.len());
+    let check = |file: &File| {
+        let checked = worker.check(file);
+        progress.step();
+        checked
+    };
+    in_order(&files, args.jobs, check, |checked| {
+        let mut line = progress.hide();
+        if checked.is_told() {
+            line.give_way();
+        }
+        reporter.take(checked)
+    })?;
+    drop(progress.hide());
     reporter.finish()
 }
 
@@ -40,6 +57,11 @@ fn show_changes(
 ) -> Result<Outcome, Failure> {
     failures.iter().for_each(Failure::print);
     let mut has_failed = !failures.is_empty();
+    for project in worker.settings.projects().filter(|project| !project.is_usable()) {
+        let message = format_args!("`{}` cannot be used", project.config.source().name());
+        Failure::new(message).help("`objdict check` without `--diff` says why").print();
+        has_failed = true;
+    }
     let mut mending = Mending::default();
     in_order(
         files,
@@ -47,12 +69,16 @@ fn show_changes(
         |file| worker.check(file),
         |checked| {
             match checked {
-                Checked::Description(.., Some(amended)) => mending.show(&amended, out)?,
+                Checked::Description(examined) => {
+                    if let Some(amended) = examined.amended {
+                        mending.show(&amended, out)?;
+                    }
+                }
                 Checked::Failed(failure) => {
                     failure.print();
                     has_failed = true;
                 }
-                Checked::Description(..) | Checked::Skipped(_) => {}
+                Checked::Skipped(_) | Checked::Left => {}
             }
             Ok(())
         },
@@ -67,65 +93,104 @@ fn show_changes(
 
 /// What became of a file.
 enum Checked {
-    /// It was checked: the description of its first device, and the findings of each; what is mended in it.
-    Description(Box<Description>, Vec<Findings>, Option<Box<Amended>>),
+    /// It was checked.
+    Description(Box<Examined>),
     /// It was found in a folder and is no description of a CANopen device, but what is said here.
     Skipped(String),
     /// It could not be read, or is no description although it was named.
     Failed(Failure),
+    /// Nobody knows what is to be reported of it, for its configuration or a profile could not be read.
+    Left,
+}
+
+/// A file that was checked.
+struct Examined {
+    /// The description of its first device.
+    description: Description,
+    /// The findings of each device.
+    findings: Vec<Findings>,
+    /// The mildest severity that is too grave.
+    deny: Severity,
+    /// What is mended in it.
+    amended: Option<Amended>,
+}
+
+impl Checked {
+    /// Whether something is written because of it.
+    fn is_told(&self) -> bool {
+        match self {
+            Self::Description(examined) => examined.findings.iter().any(|findings| !findings.is_empty()),
+            Self::Failed(_) => true,
+            Self::Skipped(_) | Self::Left => false,
+        }
+    }
 }
 
 /// Checks one file. Nothing is shared but what everybody only reads.
 struct Worker<'a> {
     args: &'a CheckArgs,
-    options: &'a Options,
+    settings: &'a Settings<'a>,
 }
 
 impl Worker<'_> {
     fn check(&self, file: &File) -> Checked {
+        if file.project.as_ref().is_some_and(|project| !project.is_usable()) {
+            return Checked::Left;
+        }
         match self.args.input.candidate(&file.path) {
-            Ok(Candidate::Description(description)) => self.mend_devices(&file.path, *description),
+            Ok(Candidate::Description(description)) => self.mend_devices(file, *description),
             Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
             Ok(Candidate::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
         }
     }
 
-    fn mend_devices(&self, path: &Path, description: Description) -> Checked {
-        let Some(safety) = self.args.mending.safety() else { return self.check_devices(description, None) };
-        if self.args.mending.fix && path == Path::new("-") {
-            let failure = Failure::new("the standard input cannot be mended in its place");
-            return Checked::Failed(failure.help("`--diff` shows what would be changed"));
-        }
-        let check = |description: &Description| crate::check_with(description, self.options);
-        match amend(path, description, safety, check) {
-            Some((description, amended)) => self.check_devices(description, amended.map(Box::new)),
-            None => Checked::Failed(Failure::new(format_args!("cannot mend `{}`", path.display()))),
-        }
+    fn mend_devices(&self, file: &File, description: Description) -> Checked {
+        let project = file.project.as_deref();
+        let options = self.settings.options(&file.path, project);
+        let check = |description: &Description| crate::check_with(description, &options);
+        let (description, amended) = match self.args.mending.safety() {
+            None => (description, None),
+            Some(_) if self.args.mending.fix && file.path == Path::new("-") => {
+                let failure = Failure::new("the standard input cannot be mended in its place");
+                return Checked::Failed(failure.help("`--diff` shows what would be changed"));
+            }
+            Some(safety) => match amend(&file.path, description, safety, check) {
+                Some(result) => result,
+                None => {
+                    let message = format_args!("cannot mend `{}`", file.path.display());
+                    return Checked::Failed(Failure::new(message));
+                }
+            },
+        };
+        let Some((description, findings)) = check_devices(description, check) else {
+            return Checked::Skipped("network without devices".to_owned());
+        };
+        let deny = self.settings.deny(project);
+        Checked::Description(Box::new(Examined { description, findings, deny, amended }))
     }
+}
 
-    fn check_devices(&self, description: Description, amended: Option<Box<Amended>>) -> Checked {
-        let count = description.device_count();
-        let mut findings = vec![crate::check_with(&description, self.options)];
-        if count == 1 {
-            return Checked::Description(Box::new(description), findings, amended);
-        }
-        let mut next = Some(description);
-        for number in 1..count {
-            next = next.and_then(|description| description.select(number));
-            findings.extend(next.as_ref().map(|description| crate::check_with(description, self.options)));
-        }
-        match next.and_then(|description| description.select(0)) {
-            Some(first) => Checked::Description(Box::new(first), findings, amended),
-            None => Checked::Skipped("network without devices".to_owned()),
-        }
+/// The description of the first device of a file, and the findings of each.
+fn check_devices(
+    description: Description,
+    check: impl Fn(&Description) -> Findings,
+) -> Option<(Description, Vec<Findings>)> {
+    let count = description.device_count();
+    let mut findings = vec![check(&description)];
+    let mut next = description;
+    for number in 1..count {
+        next = next.select(number)?;
+        findings.push(check(&next));
     }
+    Some((next.select(0)?, findings))
 }
 
 /// Writes what was found, and keeps account of it.
 struct Reporter<'a> {
     report: Box<dyn Report + 'a>,
-    tally: Tally,
-    deny: Severity,
+    known: Known,
+    /// Whether something was found that is too grave.
+    has_denied: bool,
     has_failed: bool,
     mending: Mending,
     args: &'a FixArgs,
@@ -135,12 +200,10 @@ struct Reporter<'a> {
 
 impl<'a> Reporter<'a> {
     fn new(args: &'a CheckArgs, out: &'a mut Output) -> Result<Self, Failure> {
-        let report = report::new(args, out)?;
-        let deny = args.deny.into();
         Ok(Self {
-            report,
-            tally: Tally::default(),
-            deny,
+            known: Known::new(&args.baseline)?,
+            report: report::new(args, out)?,
+            has_denied: false,
             has_failed: false,
             mending: Mending::default(),
             args: &args.mending,
@@ -154,33 +217,61 @@ impl<'a> Reporter<'a> {
         Ok(self.report.unread(&failure.message)?)
     }
 
+    /// What is wrong in a configuration; a healthy one is not mentioned.
+    fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
+        for failure in &project.failures {
+            self.fail(failure)?;
+        }
+        let config = &project.config;
+        self.has_failed |= !config.is_toml();
+        let options = settings.options(config.source().name().as_ref(), Some(project));
+        let mut findings = options.severities.apply(project.findings.clone());
+        if findings.is_empty() {
+            return Ok(());
+        }
+        self.report_on(config.source().into(), &mut findings, settings.deny(Some(project)))
+    }
+
+    fn report_on(
+        &mut self,
+        subject: Subject<'_>,
+        findings: &mut Findings,
+        deny: Severity,
+    ) -> Result<(), Failure> {
+        self.known.sift(subject, findings);
+        self.report.deny_from(deny);
+        self.has_denied |= findings.worst() >= Some(deny);
+        Ok(self.report.file(subject, findings)?)
+    }
+
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
-            Checked::Description(description, findings, amended) => {
+            Checked::Description(examined) => {
+                let Examined { description, findings, deny, amended } = *examined;
                 if let Some(Err(failure)) = amended.map(|amended| self.mending.write(&amended)) {
                     self.fail(&failure)?;
                 }
-                let mut next = Some(*description);
-                for (number, findings) in findings.into_iter().enumerate() {
+                let mut next = Some(description);
+                for (number, mut findings) in findings.into_iter().enumerate() {
                     let Some(description) = next.and_then(|description| description.select(number)) else {
                         break;
                     };
-                    self.tally.add(&findings);
-                    self.report.file((&description).into(), &findings)?;
+                    self.report_on((&description).into(), &mut findings, deny)?;
                     next = Some(description);
                 }
             }
             Checked::Skipped(kind) => *self.skipped.entry(kind).or_default() += 1,
             Checked::Failed(failure) => self.fail(&failure)?,
+            Checked::Left => {}
         }
         Ok(())
     }
 
     fn finish(mut self) -> Result<Outcome, Failure> {
-        let outcome = match self.tally.at_least(self.deny) {
-            _ if self.has_failed => Outcome::Failed,
-            0 => Outcome::Clean,
-            _ => Outcome::Findings,
+        let outcome = match (self.has_failed, self.has_denied) {
+            (true, _) => Outcome::Failed,
+            (false, true) => Outcome::Findings,
+            (false, false) => Outcome::Clean,
         };
         self.report.exit_code(outcome.code());
         self.report.finish()?;
@@ -194,6 +285,7 @@ impl<'a> Reporter<'a> {
                 plural(skipped, "file"),
             ));
         }
+        self.known.finish()?;
         Ok(outcome)
     }
 }

@@ -2,19 +2,22 @@
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
 use super::Failure;
+use super::settings::{Project, Settings};
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
 
 /// A file that is meant.
-#[derive(Debug)]
 pub(super) struct File {
     /// Where it is.
     pub path: PathBuf,
+    /// The configuration that holds for it.
+    pub project: Option<Arc<Project>>,
     /// Whether an argument names it; else it was found in a folder or by a pattern.
     pub is_named: bool,
     /// Its size in bytes; 0 where that is not known.
@@ -22,39 +25,46 @@ pub(super) struct File {
 }
 
 /// The files that are meant by the arguments, in their order, those of a folder sorted; and what could not be found. A
-/// file that was found is there once, a file that is named is there as often as it is named.
-pub(super) fn gather(arguments: &[PathBuf]) -> (Vec<File>, Vec<Failure>) {
-    let mut gathered = Gathered::default();
+/// file that was found is there once, a file that is named is there as often as it is named, even if it is excluded.
+///
+/// # Errors
+/// When a configuration cannot be opened.
+pub(super) fn gather(
+    arguments: &[PathBuf],
+    settings: &mut Settings<'_>,
+) -> Result<(Vec<File>, Vec<Failure>), Failure> {
+    let mut gathered = Gathered { settings, files: Vec::new(), failures: Vec::new(), seen: HashSet::new() };
     for argument in arguments {
-        gathered.add(argument);
+        gathered.add(argument)?;
     }
-    (gathered.files, gathered.failures)
+    Ok((gathered.files, gathered.failures))
 }
 
-#[derive(Default)]
-struct Gathered {
+struct Gathered<'s, 'a> {
+    settings: &'s mut Settings<'a>,
     files: Vec<File>,
     failures: Vec<Failure>,
     seen: HashSet<PathBuf>,
 }
 
-impl Gathered {
-    fn add(&mut self, argument: &Path) {
+impl Gathered<'_, '_> {
+    fn add(&mut self, argument: &Path) -> Result<(), Failure> {
         if argument.is_dir() {
             let before = self.files.len();
-            self.walk(argument);
+            self.walk(argument)?;
             if self.files.len() == before {
                 self.nothing_in(format_args!("there is no description in `{}`", argument.display()));
             }
         } else if is_pattern(argument) && !argument.exists() {
-            self.expand(argument);
+            self.expand(argument)?;
         } else {
-            self.push(argument.to_owned(), true);
+            self.push(argument.to_owned(), true)?;
         }
+        Ok(())
     }
 
     /// The descriptions in a folder and below, but for what is hidden or named by a `.gitignore`.
-    fn walk(&mut self, folder: &Path) {
+    fn walk(&mut self, folder: &Path) -> Result<(), Failure> {
         let mut walk = WalkBuilder::new(folder);
         walk.require_git(false).sort_by_file_name(Ord::cmp);
         for found in walk.build() {
@@ -62,42 +72,51 @@ impl Gathered {
                 Ok(found) if is_description(found.path()) && found.path().is_file() => {
                     // what is found in the current folder is called by its name
                     let path = found.path();
-                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), false);
+                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), false)?;
                 }
                 Ok(_) => {}
                 Err(error) => self.failures.push(Failure::new(error)),
             }
         }
+        Ok(())
     }
 
     /// The files that a pattern matches, whatever their ending, and the descriptions in the folders that it matches.
-    fn expand(&mut self, pattern: &Path) {
+    fn expand(&mut self, pattern: &Path) -> Result<(), Failure> {
         let shown = pattern.display();
         let matches = match glob::glob(&pattern.to_string_lossy()) {
             Ok(matches) => matches,
             Err(error) => {
                 self.failures.push(Failure::new(format_args!("`{shown}` is no pattern: {}", error.msg)));
-                return;
+                return Ok(());
             }
         };
         let before = self.files.len();
         for found in matches {
             match found {
-                Ok(path) if path.is_dir() => self.walk(&path),
-                Ok(path) => self.push(path, false),
+                Ok(path) if path.is_dir() => self.walk(&path)?,
+                Ok(path) => self.push(path, false)?,
                 Err(error) => self.failures.push(Failure::new(error)),
             }
         }
         if self.files.len() == before {
             self.nothing_in(format_args!("no file matches `{shown}`"));
         }
+        Ok(())
     }
 
-    fn push(&mut self, path: PathBuf, is_named: bool) {
-        if self.seen.insert(path.clone()) || is_named {
-            let size = path.metadata().map_or(0, |metadata| metadata.len());
-            self.files.push(File { path, is_named, size });
+    fn push(&mut self, path: PathBuf, is_named: bool) -> Result<(), Failure> {
+        if !is_named && self.seen.contains(&path) {
+            return Ok(());
         }
+        let project = self.settings.project_of(&path)?;
+        let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
+        if is_named || !is_excluded {
+            self.seen.insert(path.clone());
+            let size = path.metadata().map_or(0, |metadata| metadata.len());
+            self.files.push(File { path, project, is_named, size });
+        }
+        Ok(())
     }
 
     fn nothing_in(&mut self, message: std::fmt::Arguments<'_>) {

@@ -2,6 +2,7 @@
 //! the standard error.
 
 mod args;
+mod baseline;
 mod check;
 mod convert;
 mod diff;
@@ -14,9 +15,11 @@ mod new;
 mod output;
 mod parallel;
 mod profiles;
+mod progress;
 mod report;
 mod rules;
 mod save;
+mod settings;
 mod show;
 mod table;
 

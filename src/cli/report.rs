@@ -21,7 +21,7 @@ pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn R
         ReportFormat::Sarif => Box::new(Sarif::new(out).base(&base)),
         ReportFormat::Github => Box::new(Github::new(out).base(&base)),
         ReportFormat::Gitlab => Box::new(Gitlab::new(out).base(&base)),
-        ReportFormat::Junit => Box::new(Junit::new(out).base(&base).deny(args.deny.into())),
+        ReportFormat::Junit => Box::new(Junit::new(out).base(&base)),
     })
 }
 

@@ -72,44 +72,16 @@ fn find(name: &str) -> Option<&'static RuleInfo> {
 }
 
 fn unknown(name: &str) -> Failure {
-    let lower = name.to_ascii_lowercase();
-    let wanted = lower.rsplit('/').next().unwrap_or(&lower);
-    let distance = |rule: &&RuleInfo| match rule.name() {
-        name if !wanted.is_empty() && name.contains(wanted) => 1,
-        name => edits(wanted, name),
-    };
     let failure = Failure::new(format_args!("there is no rule `{name}`"));
-    let nearest = registry::rules().into_iter().min_by_key(distance);
-    match nearest.filter(|rule| distance(rule) <= wanted.len() / 3 + 1) {
+    match registry::nearest_rule(name) {
         Some(rule) => failure.help(format!("did you mean `{}`? `objdict rules` lists all", rule.id)),
         None => failure.help("`objdict rules` lists all"),
     }
 }
 
-/// How many letters must be changed, added or removed to make one word of the other (Levenshtein).
-fn edits(from: &str, to: &str) -> usize {
-    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
-    for (number, a) in from.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], number + 1);
-        for (column, b) in to.chars().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[column + 1];
-            row[column + 1] = replaced.min(row[column] + 1).min(diagonal + 1);
-        }
-    }
-    row.last().copied().unwrap_or_default()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn edits_are_counted() {
-        assert_eq!(edits("duplicate-key", "duplicate-key"), 0);
-        assert_eq!(edits("duplcate-keys", "duplicate-key"), 2);
-        assert_eq!(edits("", "abc"), 3);
-    }
 
     #[test]
     fn a_name_without_its_group_is_enough() {

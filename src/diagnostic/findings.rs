@@ -45,6 +45,27 @@ impl Findings {
         Self { kept, seen, suppressed }
     }
 
+    /// Forgets the findings of rules, those that were only counted among them.
+    pub(crate) fn remove_rules(&mut self, mut is_removed: impl FnMut(&'static str) -> bool) {
+        self.kept.retain(|finding| !is_removed(finding.rule.id));
+        self.seen.retain(|rule, _| !is_removed(rule));
+    }
+
+    /// Takes away the findings that are not to be reported, and counts them.
+    pub(crate) fn suppress(&mut self, mut is_suppressed: impl FnMut(&Diagnostic) -> bool) {
+        let Self { kept, seen, suppressed } = self;
+        kept.retain(|finding| {
+            let is_suppressed = is_suppressed(finding);
+            if is_suppressed {
+                *suppressed = suppressed.saturating_add(1);
+                if let Some(seen) = seen.get_mut(finding.rule.id) {
+                    *seen = seen.saturating_sub(1);
+                }
+            }
+            !is_suppressed
+        });
+    }
+
     /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
     pub fn is_full(&self, rule: &RuleInfo) -> bool {
         self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)

@@ -6,6 +6,7 @@
 mod findings;
 mod fix;
 mod rule;
+mod selection;
 mod tool;
 mod words;
 
@@ -21,8 +22,9 @@ pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::{Change, Fix, Safety, Tidy};
 pub use rule::{HEADINGS, RuleInfo};
 pub(crate) use rule::{fix_of, text_rule};
+pub use selection::Selection;
 pub use tool::Tool;
-pub(crate) use words::{counted, listing, series, sub_index};
+pub(crate) use words::{counted, listing, nearest, series, sub_index};
 
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -36,13 +38,20 @@ pub enum Severity {
     Error,
 }
 
-impl fmt::Display for Severity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Severity {
+    /// The word for it.
+    pub const fn name(self) -> &'static str {
+        match self {
             Self::Note => "note",
             Self::Warning => "warning",
             Self::Error => "error",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 

@@ -32,9 +32,48 @@ pub(crate) fn sub_index(sub: u8) -> String {
     if sub < 10 { sub.to_string() } else { format!("{sub:X}h") }
 }
 
+/// What somebody most likely meant who wrote `wanted`, of words that there are; `None` where nothing is near.
+pub(crate) fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = wanted.to_ascii_lowercase();
+    let most = wanted.chars().count() / 3 + 1;
+    let distance = |word: &str| edits(&wanted, &word.to_ascii_lowercase());
+    let words = words.into_iter().map(|word| (distance(word), word));
+    words
+        .filter(|&(distance, _)| distance <= most)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, word)| word)
+}
+
+/// How many letters must be changed, added or removed to make one word of the other (Levenshtein).
+fn edits(from: &str, to: &str) -> usize {
+    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
+    for (number, a) in from.chars().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], number + 1);
+        for (column, b) in to.chars().enumerate() {
+            let replaced = diagonal + usize::from(a != b);
+            diagonal = row[column + 1];
+            row[column + 1] = replaced.min(row[column] + 1).min(diagonal + 1);
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn edits_are_counted() {
+        assert_eq!(edits("duplicate-key", "duplicate-key"), 0);
+        assert_eq!(edits("duplcate-keys", "duplicate-key"), 2);
+        assert_eq!(edits("", "abc"), 3);
+    }
+
+    #[test]
+    fn the_nearest_word_is_one_that_is_near() {
+        assert_eq!(nearest("Waring", ["note", "warning", "error"]), Some("warning"));
+        assert_eq!(nearest("x", ["note", "warning", "error"]), None);
+    }
 
     #[test]
     fn items_are_listed_as_people_write_them() {

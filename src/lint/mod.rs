@@ -9,6 +9,7 @@ mod options;
 mod respell;
 mod rule;
 mod rules;
+mod severities;
 mod srdo;
 mod stated;
 
@@ -22,6 +23,7 @@ pub use options::Options;
 pub(crate) use respell::{nearest_access, respell};
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
+pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
 
 /// All rules on one device.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::Severities;
 use crate::diagnostic::Tool;
 use crate::profile::Profile;
 
@@ -16,4 +17,6 @@ pub struct Options {
     pub profiles: Vec<Arc<Profile>>,
     /// The tools that the description shall be fit for: rules of the group `portability` look for what they choke on.
     pub tools: Vec<Tool>,
+    /// How grave findings are, where that is not left to the rules.
+    pub severities: Severities,
 }

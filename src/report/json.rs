@@ -89,6 +89,7 @@ struct Summary {
     errors: usize,
     warnings: usize,
     notes: usize,
+    suppressed: usize,
 }
 
 impl<W: Write> Json<W> {
@@ -164,8 +165,8 @@ impl<W: Write> Report for Json<W> {
         self.out.write_all(b"\"omitted\":")?;
         serde_json::to_writer(&mut self.out, &self.omitted)?;
         self.out.write_all(b",\n\"summary\":")?;
-        let Tally { files, errors, warnings, notes, .. } = self.tally;
-        serde_json::to_writer(&mut self.out, &Summary { files, errors, warnings, notes })?;
+        let Tally { files, errors, warnings, notes, suppressed, .. } = self.tally;
+        serde_json::to_writer(&mut self.out, &Summary { files, errors, warnings, notes, suppressed })?;
         self.out.write_all(b"}\n")?;
         self.out.flush()
     }

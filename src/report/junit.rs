@@ -82,6 +82,10 @@ impl<W: Write> Junit<W> {
 }
 
 impl<W: Write> Report for Junit<W> {
+    fn deny_from(&mut self, severity: Severity) {
+        self.deny = severity;
+    }
+
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let name = one_line(&self.base.relative(subject.source().name()));
         let failures = findings.iter().filter(|finding| finding.severity >= self.deny).count();

@@ -60,6 +60,11 @@ pub trait Report {
         let _ = code;
     }
 
+    /// Takes the mildest severity that is too grave in the files that follow.
+    fn deny_from(&mut self, severity: Severity) {
+        let _ = severity;
+    }
+
     /// Ends the report. No file follows.
     ///
     /// # Errors
@@ -164,16 +169,20 @@ impl fmt::Display for Tally {
         let found: Vec<String> =
             counts.iter().filter(|(count, _)| *count > 0).map(|&(count, word)| plural(count, word)).collect();
         if found.is_empty() {
-            return write!(f, "no findings in {}", plural(self.files, "file"));
+            write!(f, "no findings in {}", plural(self.files, "file"))?;
+        } else {
+            write!(f, "{} in ", found.join(", "))?;
+            if self.files_with_findings < self.files {
+                write!(f, "{} of ", self.files_with_findings)?;
+            }
+            f.write_str(&plural(self.files, "file"))?;
         }
-        write!(f, "{} in ", found.join(", "))?;
-        if self.files_with_findings < self.files {
-            write!(f, "{} of ", self.files_with_findings)?;
+        if self.omitted > 0 {
+            write!(f, ", and {} more that are not shown", self.omitted)?;
         }
-        f.write_str(&plural(self.files, "file"))?;
-        match self.omitted {
+        match self.suppressed {
             0 => Ok(()),
-            omitted => write!(f, ", and {omitted} more that are not shown"),
+            suppressed => write!(f, "; {suppressed} suppressed"),
         }
     }
 }

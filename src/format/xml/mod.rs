@@ -3,6 +3,7 @@
 mod attributes;
 mod build;
 mod chars;
+mod comments;
 mod content;
 mod edit;
 mod expand;
@@ -13,6 +14,7 @@ mod tag;
 mod tree;
 mod write;
 
+pub use comments::comments;
 pub use edit::Editor;
 pub use tree::{Attribute, Element, ElementId, Tree};
 pub(crate) use write::escaped_value;

@@ -122,6 +122,12 @@ impl Tree {
         Element { tree: self, id }
     }
 
+    /// The first element that starts at an offset or behind it.
+    pub fn next_element(&self, offset: u32) -> Option<Element<'_>> {
+        let before = self.parts.elements.partition_point(|record| record.start < offset);
+        self.get(before as u32)
+    }
+
     /// Whether the document is well-formed and was read to its end: no finding of severity error was made.
     pub fn is_complete(&self) -> bool {
         self.parts.is_complete

@@ -1,9 +1,15 @@
-//! Everything that is wrong with a description: one call for what the text shows and what the model shows.
+//! Everything that is wrong with a description: one call for what the text shows and what the model shows, without what the
+//! text says not to report.
+
+mod comments;
+mod suppression;
 
 use crate::diagnostic::Findings;
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
 use crate::lint::{self, Options};
+
+pub(crate) use suppression::RULES;
 
 /// All findings about a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
@@ -18,6 +24,9 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     if description.format().syntax() == Syntax::Xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
     }
+    let mut findings = options.severities.apply(findings);
+    let about_comments = suppression::apply(description, options, &mut findings);
+    findings.append(options.severities.apply(about_comments));
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (start, finding.rule.id)

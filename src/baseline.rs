@@ -1,0 +1,196 @@
+//! Findings that are known: a check with a baseline reports what came since (docs/config.md).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+
+use crate::diagnostic::Findings;
+use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
+
+/// The version of the file.
+const VERSION: u32 = 1;
+
+/// The findings of some files, known by their fingerprints. Files have names, which the user of a baseline gives them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Baseline {
+    files: BTreeMap<String, BTreeSet<Known>>,
+}
+
+/// A finding that is known. The message is for people who read the file.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Known {
+    rule: String,
+    fingerprint: Fingerprint,
+    message: String,
+}
+
+/// Why a text is no baseline.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BaselineError {
+    /// It is not the JSON of one.
+    #[error("is no baseline: {0}")]
+    Json(#[from] serde_json::Error),
+    /// It was written by another version of this program, or its fingerprints are made in another way.
+    #[error("is a baseline of another version, and the findings in it cannot be known again")]
+    Version,
+}
+
+#[derive(Deserialize)]
+struct Document {
+    version: u32,
+    fingerprints: String,
+    findings: Vec<Line>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Line {
+    file: String,
+    rule: String,
+    fingerprint: String,
+    message: String,
+}
+
+impl Baseline {
+    /// The baseline that a text holds.
+    ///
+    /// # Errors
+    /// When the text is none, or one whose findings cannot be known again.
+    pub fn read(text: &str) -> Result<Self, BaselineError> {
+        let document: Document = serde_json::from_str(text)?;
+        if document.version != VERSION || document.fingerprints != FINGERPRINT_NAME {
+            return Err(BaselineError::Version);
+        }
+        let mut baseline = Self::default();
+        for Line { file, rule, fingerprint, message } in document.findings {
+            let fingerprint = fingerprint.parse().map_err(serde::de::Error::custom);
+            let fingerprint = fingerprint.map_err(BaselineError::Json)?;
+            baseline.files.entry(file).or_default().insert(Known { rule, fingerprint, message });
+        }
+        Ok(baseline)
+    }
+
+    /// The text of the baseline: JSON with a finding a line, sorted, so that a change of one is a change of one line.
+    pub fn write(&self) -> String {
+        let mut text =
+            format!("{{\"version\":{VERSION},\"fingerprints\":\"{FINGERPRINT_NAME}\",\"findings\":[");
+        let mut separator = "\n";
+        for (file, known) in &self.files {
+            for Known { rule, fingerprint, message } in known {
+                let (file, rule, message) = (file.clone(), rule.clone(), message.clone());
+                let line = Line { file, rule, fingerprint: fingerprint.to_string(), message };
+                text.push_str(separator);
+                // a struct of texts is always JSON
+                text.push_str(&serde_json::to_string(&line).unwrap_or_default());
+                separator = ",\n";
+            }
+        }
+        text.push_str("\n]}\n");
+        text
+    }
+
+    /// Takes the findings of a file, or of one more device of it.
+    pub fn add<'a>(&mut self, file: &str, subject: impl Into<Subject<'a>>, findings: &Findings) {
+        let prints = fingerprints(subject, findings);
+        let known = findings.iter().zip(prints).map(|(finding, fingerprint)| Known {
+            rule: finding.rule.id.to_owned(),
+            fingerprint,
+            message: finding.message.clone(),
+        });
+        self.files.entry(file.to_owned()).or_default().extend(known);
+    }
+
+    /// Takes the findings of a file away that are known, and says how many that are.
+    pub fn suppress<'a>(
+        &self,
+        file: &str,
+        subject: impl Into<Subject<'a>>,
+        findings: &mut Findings,
+    ) -> usize {
+        let Some(known) = self.files.get(file).filter(|_| !findings.is_empty()) else { return 0 };
+        let known: BTreeSet<(&str, Fingerprint)> =
+            known.iter().map(|known| (&*known.rule, known.fingerprint)).collect();
+        let mut prints = fingerprints(subject, &*findings).into_iter();
+        let before = findings.len();
+        findings.suppress(|finding| {
+            prints.next().is_some_and(|fingerprint| known.contains(&(finding.rule.id, fingerprint)))
+        });
+        before - findings.len()
+    }
+
+    /// The files, each with the number of its findings.
+    pub fn files(&self) -> impl Iterator<Item = (&str, usize)> {
+        self.files.iter().map(|(file, known)| (&**file, known.len()))
+    }
+
+    /// Number of findings.
+    pub fn len(&self) -> usize {
+        self.files.values().map(BTreeSet::len).sum()
+    }
+
+    /// Whether nothing is known.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::{self, Description, Format};
+    use crate::source::SourceFile;
+
+    const BROKEN: &str = include_str!("../fixtures/broken/octal.eds");
+
+    fn description(text: &str) -> Description {
+        format::read(SourceFile::from_text("octal.eds", text), Format::Eds)
+    }
+
+    fn baseline(text: &str) -> Baseline {
+        let description = description(text);
+        let mut baseline = Baseline::default();
+        baseline.add("octal.eds", &description, &crate::check(&description));
+        baseline
+    }
+
+    #[test]
+    fn a_baseline_is_read_as_it_was_written() {
+        let baseline = baseline(BROKEN);
+        assert!(baseline.len() > 3);
+        let text = baseline.write();
+        assert_eq!(text.lines().count(), baseline.len() + 2);
+        assert_eq!(Baseline::read(&text).unwrap(), baseline);
+        assert_eq!(Baseline::read(&Baseline::default().write()).unwrap(), Baseline::default());
+    }
+
+    #[test]
+    fn only_what_is_new_is_left() {
+        let baseline = baseline(BROKEN);
+        let text = format!("; one more line\r\n{BROKEN}\r\n[Nonsense\r\n");
+        let description = description(&text);
+        let mut findings = crate::check(&description);
+        let all = findings.len();
+        let known = baseline.suppress("octal.eds", &description, &mut findings);
+        assert_eq!(known, baseline.len());
+        assert_eq!(findings.len(), all - known);
+        assert_eq!(findings.suppressed() as usize, known);
+        assert!(findings.iter().any(|finding| finding.rule.id == "cia306/unclosed-section"));
+        let mut findings = crate::check(&description);
+        assert_eq!(baseline.suppress("other.eds", &description, &mut findings), 0);
+    }
+
+    #[test]
+    fn what_cannot_be_known_again_is_refused() {
+        for (text, message) in [
+            ("{}", "is no baseline: missing field `version` at line 1 column 2"),
+            (
+                "{\"version\":2,\"fingerprints\":\"x\",\"findings\":[]}",
+                "is a baseline of another version, and the findings in it cannot be known again",
+            ),
+        ] {
+            assert_eq!(Baseline::read(text).unwrap_err().to_string(), message);
+        }
+        let text = baseline(BROKEN).write().replacen("\"fingerprint\":\"", "\"fingerprint\":\"z", 1);
+        assert!(Baseline::read(&text).is_err());
+    }
+}

@@ -1,0 +1,182 @@
+//! What a description says not to report of itself.
+
+use super::comments::{Directive, directives};
+use crate::config::unknown_rule;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing, text_rule};
+use crate::format::Description;
+use crate::lint::Options;
+use crate::registry;
+use crate::source::Span;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[&INVALID_SUPPRESSION, &UNUSED_SUPPRESSION];
+
+text_rule! {
+    /// a comment to objdict says nothing that it understands
+    ///
+    /// ## What it checks
+    /// Whether a comment that starts with `objdict:` goes on with `allow` and the ids of rules, or names of groups, with blanks or commas between them.
+    ///
+    /// ## Why it matters
+    /// Whoever wrote the comment expects that something is not reported, and it is.
+    ///
+    /// ## Example
+    /// `; objdict: ignore cia306/file-name`
+    ///
+    /// ## How to mend
+    /// Write `; objdict: allow cia306/file-name`; a reason may follow behind ` -- `.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning
+}
+
+text_rule! {
+    /// a comment allows what is not there
+    ///
+    /// ## What it checks
+    /// Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools that the check was not told of, are not looked at.
+    ///
+    /// ## Why it matters
+    /// What was allowed is mended or has moved; the comment would hide the same mistake when somebody makes it again.
+    ///
+    /// ## Example
+    /// `; objdict: allow cia306/file-name` in a file whose `FileName` is right
+    ///
+    /// ## How to mend
+    /// Remove the comment, or the rule from it; or move it before the section that it is meant for.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe
+}
+
+/// Takes the findings away that the text says not to report. What is wrong with what it says is found instead.
+pub(super) fn apply(description: &Description, options: &Options, findings: &mut Findings) -> Findings {
+    let mut about = Findings::new();
+    let text = description.source().text();
+    let mut suppressions: Vec<Suppression> = directives(description)
+        .into_iter()
+        .filter_map(|directive| Suppression::new(text, directive, &mut about))
+        .collect();
+    if suppressions.is_empty() {
+        return about;
+    }
+    findings.suppress(|finding| {
+        let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+        let mut is_allowed = false;
+        // all that allow it are of use
+        for suppression in &mut suppressions {
+            is_allowed |= suppression.allows(finding.rule, start);
+        }
+        is_allowed
+    });
+    // what no device of a network needs is not known here, where one of them is looked at
+    if description.device_count() == 1 {
+        suppressions.iter().for_each(|suppression| suppression.report_unused(options, &mut about));
+    }
+    about
+}
+
+/// A comment that allows something.
+struct Suppression {
+    directive: Directive,
+    allowed: Vec<Allowed>,
+}
+
+/// A rule or group that a comment names.
+struct Allowed {
+    span: Span,
+    rules: Selection,
+    is_used: bool,
+}
+
+impl Suppression {
+    fn new(text: &str, directive: Directive, about: &mut Findings) -> Option<Self> {
+        let verb = directive.verb.of(text);
+        if !verb.eq_ignore_ascii_case("allow") {
+            let message = if verb.is_empty() {
+                "the comment does not say what objdict shall do".to_owned()
+            } else {
+                format!("`{verb}` is nothing that objdict can do")
+            };
+            let finding = Diagnostic::new(&INVALID_SUPPRESSION, directive.text, message);
+            about.push(finding.help("write `objdict: allow` and the ids of rules"));
+            return None;
+        }
+        if directive.rules.is_empty() {
+            let finding = Diagnostic::new(&INVALID_SUPPRESSION, directive.text, "the comment allows no rule");
+            about.push(finding.help("name the rules behind `allow`, such as `cia306/file-name`"));
+            return None;
+        }
+        let mut allowed = Vec::new();
+        for &span in &directive.rules {
+            let name = span.of(text);
+            match registry::select(name) {
+                Some(rules) => allowed.push(Allowed { span, rules, is_used: false }),
+                None => about.push(unknown_rule(span, name)),
+            }
+        }
+        Some(Self { directive, allowed })
+    }
+
+    /// Whether a finding that starts at an offset is not to be reported.
+    fn allows(&mut self, rule: &RuleInfo, start: u32) -> bool {
+        if self.directive.scope.is_some_and(|scope| !(scope.start..scope.end).contains(&start)) {
+            return false;
+        }
+        let mut is_allowed = false;
+        for allowed in self.allowed.iter_mut().filter(|allowed| allowed.rules.contains(rule)) {
+            allowed.is_used = true;
+            is_allowed = true;
+        }
+        is_allowed
+    }
+
+    fn report_unused(&self, options: &Options, about: &mut Findings) {
+        let is_unused = |allowed: &&Allowed| !allowed.is_used && is_active(allowed.rules, options);
+        let unused: Vec<&Allowed> = self.allowed.iter().filter(is_unused).collect();
+        let place = match self.directive.scope {
+            None => "in this file",
+            Some(_) => "in what follows",
+        };
+        if unused.len() == self.directive.rules.len() {
+            let message = format!(
+                "there is nothing of {} {place} to allow",
+                listing(unused.iter().map(|one| one.rules))
+            );
+            let finding = Diagnostic::new(&UNUSED_SUPPRESSION, self.directive.text, message);
+            let fix = Fix::safe("remove the comment").replace(self.directive.removed, "");
+            about.push(finding.help("remove the comment").fix(fix));
+            return;
+        }
+        for allowed in unused {
+            let rules = allowed.rules;
+            let message = format!("there is nothing of `{rules}` {place} to allow");
+            let finding = Diagnostic::new(&UNUSED_SUPPRESSION, allowed.span, message);
+            let fix = Fix::safe(format!("remove `{rules}` from the comment"))
+                .replace(self.with_gap(allowed.span), "");
+            about.push(finding.help("remove it from the comment").fix(fix));
+        }
+    }
+
+    /// The name of a rule with the comma and the blanks between it and the next one; of the last one, and before.
+    fn with_gap(&self, span: Span) -> Span {
+        let rules = &self.directive.rules;
+        let at = rules.iter().position(|rule| *rule == span).unwrap_or_default();
+        match (rules.get(at + 1), at.checked_sub(1).and_then(|before| rules.get(before))) {
+            (Some(next), _) => Span::new(span.start, next.start),
+            (None, Some(before)) => Span::new(before.end, span.end),
+            (None, None) => span,
+        }
+    }
+}
+
+/// Whether rules were looked at.
+fn is_active(rules: Selection, options: &Options) -> bool {
+    let group = match rules {
+        Selection::Group(group) => group,
+        Selection::Rule(rule) => rule.group(),
+    };
+    !options.severities.is_off(rules) && (group != "portability" || !options.tools.is_empty())
+}

@@ -1,0 +1,152 @@
+//! The baseline of a check: a file, and the names of other files in it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::save::save;
+use super::{Failure, tell};
+use crate::baseline::Baseline;
+use crate::config::absolute;
+use crate::diagnostic::{Findings, counted};
+use crate::report::{Subject, plural};
+use crate::source::{SourceFile, SourceOptions};
+
+/// Findings that are known.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct BaselineArgs {
+    /// Report only findings that are not in this file
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+    /// Write all findings to this file instead of reporting them, for a later --baseline
+    #[arg(long, value_name = "FILE", conflicts_with = "baseline")]
+    write_baseline: Option<PathBuf>,
+}
+
+/// What is done with findings that may be known.
+pub(super) enum Known {
+    /// There is no baseline.
+    Nothing,
+    /// They are looked for in a baseline, whose file this is.
+    Read(PathBuf, Baseline, Matched),
+    /// They become a baseline in this file.
+    Write(PathBuf, Baseline),
+}
+
+/// How many findings of each file that was checked were known.
+type Matched = BTreeMap<String, usize>;
+
+impl Known {
+    /// What the arguments say.
+    ///
+    /// # Errors
+    /// When the baseline that they name cannot be read.
+    pub(super) fn new(args: &BaselineArgs) -> Result<Self, Failure> {
+        Ok(match (&args.baseline, &args.write_baseline) {
+            (Some(path), _) => Self::Read(path.clone(), read(path)?, Matched::new()),
+            (None, Some(path)) => Self::Write(path.clone(), Baseline::default()),
+            (None, None) => Self::Nothing,
+        })
+    }
+
+    /// Takes the findings away that are not to be reported.
+    pub(super) fn sift(&mut self, subject: Subject<'_>, findings: &mut Findings) {
+        let file = subject.source().name();
+        match self {
+            Self::Nothing => {}
+            Self::Read(path, baseline, matched) => {
+                let file = name_in(path, file);
+                let count = baseline.suppress(&file, subject, findings);
+                *matched.entry(file).or_default() += count;
+            }
+            Self::Write(path, baseline) => {
+                baseline.add(&name_in(path, file), subject, findings);
+                findings.suppress(|_| true);
+            }
+        }
+    }
+
+    /// Writes the baseline, or tells which part of it holds no more.
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Nothing => {}
+            Self::Read(path, baseline, matched) => {
+                let folder = folder_of(&path);
+                let fixed = |(file, count): (&str, usize)| match matched.get(file) {
+                    Some(found) => count.saturating_sub(*found),
+                    None if folder.join(file).exists() => 0,
+                    None => count,
+                };
+                let fixed: usize = baseline.files().map(fixed).sum();
+                if fixed > 0 {
+                    let (entries, are) = if fixed == 1 { ("entry", "is") } else { ("entries", "are") };
+                    tell(&format!(
+                        "note: {fixed} {entries} of the baseline `{path}` {are} no longer found\n  help: write it again: `--write-baseline {path}`\n",
+                        path = path.display()
+                    ));
+                }
+            }
+            Self::Write(path, baseline) => {
+                save(&path, baseline.write().as_bytes())?;
+                let files = baseline.files().filter(|(_, count)| *count > 0).count();
+                tell(&format!(
+                    "note: the baseline `{}` has {} in {}\n",
+                    path.display(),
+                    counted(baseline.len(), "finding", "findings"),
+                    plural(files, "file")
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn read(path: &Path) -> Result<Baseline, Failure> {
+    let source = SourceFile::open(path, &SourceOptions::default()).map_err(|error| {
+        Failure::new(error).help(format!("`--write-baseline {}` writes it", path.display()))
+    })?;
+    Baseline::read(source.text()).map_err(|error| {
+        let failure = Failure::new(format_args!("`{}` {error}", path.display()));
+        failure.help(format!("`--write-baseline {}` writes it anew", path.display()))
+    })
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    path.parent().unwrap_or(&path).to_owned()
+}
+
+/// What a file is called from the folder of a baseline, with `/` between folders.
+fn name_in(baseline: &Path, file: &str) -> String {
+    if file.starts_with('<') {
+        // the standard input
+        return file.to_owned();
+    }
+    let (folder, path) = (folder_of(baseline), absolute(Path::new(file)));
+    let mut up = String::new();
+    for ancestor in folder.ancestors() {
+        if let Ok(below) = path.strip_prefix(ancestor) {
+            let names: Vec<_> = below.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+            return up + &names.join("/");
+        }
+        up.push_str("../");
+    }
+    // on another drive
+    path.display().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_called_from_the_folder_of_the_baseline() {
+        let name = |baseline: &str, file: &str| name_in(Path::new(baseline), file);
+        assert_eq!(name("/a/ci/known.json", "/a/ci/x/b.eds"), "x/b.eds");
+        assert_eq!(name("/a/ci/known.json", "/a/b.eds"), "../b.eds");
+        assert_eq!(name("known.json", "x/../b.eds"), "b.eds");
+        assert_eq!(name("known.json", "<stdin>"), "<stdin>");
+    }
+}

@@ -1,0 +1,102 @@
+//! The rules about a configuration, and about the names of rules wherever they are written.
+
+use crate::diagnostic::{Diagnostic, RuleInfo, text_rule};
+use crate::registry;
+use crate::source::Span;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[&INVALID_SETTING, &INVALID_TOML, &UNKNOWN_RULE, &UNKNOWN_SETTING];
+
+text_rule! {
+    /// the configuration is no TOML
+    ///
+    /// ## What it checks
+    /// Whether `objdict.toml` can be read at all. While it cannot, the files that it holds for are not checked, and the exit code is 2.
+    ///
+    /// ## Why it matters
+    /// A check without its configuration reports what nobody wants to know and passes over what was asked for.
+    ///
+    /// ## Example
+    /// `cia306/file-name = "off"`: the id of a rule has a `/` in it, so it must stand in quotes
+    ///
+    /// ## How to mend
+    /// Correct the line that is shown.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md; TOML 1.1
+    INVALID_TOML = "objdict/invalid-toml", Error
+}
+
+text_rule! {
+    /// the configuration has a setting that there is not
+    ///
+    /// ## What it checks
+    /// Whether `objdict.toml` knows each key of the top level.
+    ///
+    /// ## Why it matters
+    /// Most likely it is misspelled, and what it should say does not hold.
+    ///
+    /// ## Example
+    /// `node_id = 5` instead of `node-id = 5`
+    ///
+    /// ## How to mend
+    /// Correct the name or remove the setting.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    UNKNOWN_SETTING = "objdict/unknown-setting", Warning
+}
+
+text_rule! {
+    /// a setting has a value that it cannot have
+    ///
+    /// ## What it checks
+    /// Whether each setting of `objdict.toml` has a value of its type and, where there are only some, one of them.
+    ///
+    /// ## Why it matters
+    /// The setting does not hold, and the check does something else than was meant.
+    ///
+    /// ## Example
+    /// `node-id = 128`
+    ///
+    /// ## How to mend
+    /// Write a value that the setting can have.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    INVALID_SETTING = "objdict/invalid-setting", Error
+}
+
+text_rule! {
+    /// a rule or group is named that there is not
+    ///
+    /// ## What it checks
+    /// Whether each name of a rule in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.
+    ///
+    /// ## Why it matters
+    /// What is said of it holds for no rule.
+    ///
+    /// ## Example
+    /// `; objdict: allow cia306/filename`
+    ///
+    /// ## How to mend
+    /// Correct the name; `objdict rules` lists all.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    UNKNOWN_RULE = "objdict/unknown-rule", Warning
+}
+
+/// A setting with a value that it cannot have.
+pub(crate) fn invalid_setting(span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(&INVALID_SETTING, span, message)
+}
+
+/// A name that is no rule and no group.
+pub(crate) fn unknown_rule(span: Span, name: &str) -> Diagnostic {
+    let finding = Diagnostic::new(&UNKNOWN_RULE, span, format!("there is no rule or group `{name}`"));
+    match registry::nearest_selection(name) {
+        Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+        None => finding.help("`objdict rules` lists all rules"),
+    }
+}

@@ -1,0 +1,156 @@
+//! The configuration `objdict.toml`: what a project says of all its descriptions (docs/config.md).
+//!
+//! What is wrong in it is found, with spans, as in a description; a setting that is wrong is passed over, and the others
+//! hold.
+//!
+//! ```
+//! use objdict::config::Config;
+//! use objdict::lint::Severities;
+//! use objdict::source::SourceFile;
+//!
+//! let text = "node-id = 5\n[rules]\n\"cia306/file-nam\" = \"off\"\ncia301 = \"note\"\n";
+//! let config = Config::read(SourceFile::from_text("objdict.toml", text), "/project");
+//! let finding = config.findings().iter().next().expect("there is no such rule");
+//! assert_eq!(finding.help.as_deref(), Some("did you mean `cia306/file-name`?"));
+//!
+//! let options = config.options("/project/devices/door.eds", &Severities::default());
+//! assert_eq!(options.node_id, Some(5));
+//! ```
+
+mod findings;
+mod path;
+mod read;
+
+use std::path::{Path, PathBuf};
+
+#[cfg(feature = "cli")]
+pub(crate) use self::findings::invalid_setting;
+pub(crate) use self::findings::{RULES, unknown_rule};
+pub(crate) use self::path::absolute;
+use self::path::{PathPattern, relative};
+use crate::diagnostic::{Findings, Selection, Severity, Tool};
+use crate::lint::{Level, Options, Severities};
+use crate::source::{SourceError, SourceFile, SourceOptions, Span};
+
+/// The name of the file.
+pub const FILE_NAME: &str = "objdict.toml";
+
+/// A configuration that was read.
+#[derive(Debug)]
+pub struct Config {
+    source: SourceFile,
+    findings: Findings,
+    is_toml: bool,
+    /// The folder that paths are relative to.
+    folder: PathBuf,
+    settings: Settings,
+}
+
+/// What a configuration says, as far as it is sound.
+#[derive(Debug, Default)]
+struct Settings {
+    levels: Vec<(Selection, Level)>,
+    ignored: Vec<(PathPattern, Vec<Selection>)>,
+    excluded: Vec<PathPattern>,
+    profiles: Vec<Wanted>,
+    node_id: Option<u8>,
+    tools: Vec<Tool>,
+    deny: Option<Severity>,
+}
+
+/// A profile that a configuration asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// The number of the profile, or the path of a file.
+    pub name: String,
+    /// Where that stands.
+    pub span: Span,
+}
+
+impl Config {
+    /// Reads the file at `path`; paths in it are relative to its folder.
+    ///
+    /// # Errors
+    /// When the file cannot be opened.
+    pub fn open(path: &Path) -> Result<Self, SourceError> {
+        let source = SourceFile::open(path, &SourceOptions::default())?;
+        let path = absolute(path);
+        Ok(Self::read(source, path.parent().unwrap_or(&path)))
+    }
+
+    /// Reads a source; paths in it are relative to `folder`.
+    pub fn read(source: SourceFile, folder: impl AsRef<Path>) -> Self {
+        let folder = absolute(folder.as_ref());
+        let mut findings = Findings::new();
+        let settings = read::read(source.text(), &mut findings);
+        findings.sort_by_key(|finding| read::start_of(finding));
+        let is_toml = settings.is_some();
+        Self { source, findings, is_toml, folder, settings: settings.unwrap_or_default() }
+    }
+
+    /// The configuration that holds in a folder: the nearest file of the name [`FILE_NAME`], in it or above it.
+    pub fn find(folder: &Path) -> Option<PathBuf> {
+        absolute(folder).ancestors().map(|folder| folder.join(FILE_NAME)).find(|path| path.is_file())
+    }
+
+    /// The source.
+    pub fn source(&self) -> &SourceFile {
+        &self.source
+    }
+
+    /// What is wrong in it.
+    pub fn findings(&self) -> &Findings {
+        &self.findings
+    }
+
+    /// Whether it is TOML at all; else no setting holds.
+    pub fn is_toml(&self) -> bool {
+        self.is_toml
+    }
+
+    /// What a check of the file at `path` is told; severities that were said elsewhere come with `more`, and count more than
+    /// those of the configuration, but not more than what it says of this file alone. Profiles are loaded by the caller.
+    pub fn options(&self, path: impl AsRef<Path>, more: &Severities) -> Options {
+        let mut severities = Severities::default();
+        for &(rules, level) in &self.settings.levels {
+            severities.set(rules, level);
+        }
+        severities.extend(more);
+        let path = self.relative(path.as_ref());
+        let ignored = self.settings.ignored.iter().filter(|(pattern, _)| pattern.matches(&path));
+        for &rules in ignored.flat_map(|(_, rules)| rules) {
+            severities.set(rules, Level::Off);
+        }
+        let mut options = Options::default();
+        options.node_id = self.settings.node_id;
+        options.tools.clone_from(&self.settings.tools);
+        options.severities = severities;
+        options
+    }
+
+    /// The profiles that descriptions shall follow beside those that they say themselves; paths of files are relative to
+    /// [`folder`](Self::folder).
+    pub fn profiles(&self) -> &[Wanted] {
+        &self.settings.profiles
+    }
+
+    /// The mildest severity that makes a check fail.
+    pub fn deny(&self) -> Option<Severity> {
+        self.settings.deny
+    }
+
+    /// Whether the file at `path` is passed over where it is found in a folder.
+    pub fn excludes(&self, path: &Path) -> bool {
+        let path = self.relative(path);
+        self.settings.excluded.iter().any(|pattern| pattern.matches(&path))
+    }
+
+    /// The folder that paths are relative to.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    fn relative(&self, path: &Path) -> String {
+        relative(&absolute(path), &self.folder)
+    }
+}

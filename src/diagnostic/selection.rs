@@ -1,0 +1,38 @@
+//! Which rules are meant by a name.
+
+use std::fmt;
+
+use super::RuleInfo;
+
+/// The rules that a name means: one, or all of a group.
+#[derive(Clone, Copy, Debug)]
+pub enum Selection {
+    /// The rules of a group, such as `cia306`.
+    Group(&'static str),
+    /// One rule.
+    Rule(&'static RuleInfo),
+}
+
+impl Selection {
+    /// Whether a rule is meant.
+    pub fn contains(self, rule: &RuleInfo) -> bool {
+        match self {
+            Self::Group(group) => rule.group() == group,
+            Self::Rule(one) => rule.id == one.id,
+        }
+    }
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Group(group) => group,
+            Self::Rule(rule) => rule.id,
+        }
+    }
+}
+
+impl fmt::Display for Selection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,64 @@
+//! The comments of a text, wherever they stand.
+
+use crate::source::Span;
+
+/// The comments of a text in their order, from `<!--` to `-->`. What looks like one in a CDATA section, a processing
+/// instruction or the value of an attribute is none.
+pub fn comments(text: &str) -> impl Iterator<Item = Span> {
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        while let Some(start) = memchr::memchr(b'<', bytes.get(at..)?).map(|length| at + length) {
+            let rest = &bytes[start..];
+            let closed_by = |mark: &str| {
+                memchr::memmem::find(rest, mark.as_bytes())
+                    .map_or(bytes.len(), |length| start + length + mark.len())
+            };
+            if rest.starts_with(b"<!--") {
+                // `<!-->` is no whole comment
+                let inner = memchr::memmem::find(&bytes[(start + 4).min(bytes.len())..], b"-->");
+                at = inner.map_or(bytes.len(), |length| start + 4 + length + 3);
+                return Some(Span::new(start as u32, at as u32));
+            }
+            at = if rest.starts_with(b"<![CDATA[") {
+                closed_by("]]>")
+            } else if rest.starts_with(b"<?") {
+                closed_by("?>")
+            } else {
+                start + tag_length(rest)
+            };
+        }
+        None
+    })
+}
+
+/// The length of a tag, with quoted values in it; of a declaration of a document type, up to what stands in it.
+fn tag_length(tag: &[u8]) -> usize {
+    let mut quote = None;
+    for (length, &byte) in tag.iter().enumerate().skip(1) {
+        match (quote, byte) {
+            (None, b'>') => return length + 1,
+            // not closed, or an internal subset, which may have comments
+            (None, b'<') => return length,
+            (None, b'"' | b'\'') => quote = Some(byte),
+            (Some(open), byte) if byte == open => quote = None,
+            _ => {}
+        }
+    }
+    tag.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_are_told_from_what_looks_like_them() {
+        let text = "<?x <!--0--> ?><!--1--><a b='<!--0-->'><![CDATA[<!--0-->]]><!----></a><!-->--><!--2";
+        let found: Vec<&str> = comments(text).map(|span| span.of(text)).collect();
+        assert_eq!(found, ["<!--1-->", "<!---->", "<!-->-->", "<!--2"]);
+        assert_eq!(comments("").count(), 0);
+        assert_eq!(comments("<").count(), 0);
+        assert_eq!(comments("<a b='").count(), 0);
+    }
+}
