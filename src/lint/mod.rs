@@ -2,6 +2,7 @@
 //! [`Place`](crate::model::Place)s.
 
 mod demands;
+mod drive;
 mod facts;
 mod index_set;
 mod lists;
@@ -16,6 +17,7 @@ mod stated;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
+pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
 pub(crate) use lists::{MAX_LIST_FIXES, list_of, with_members};

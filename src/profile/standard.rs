@@ -24,6 +24,8 @@ documents! {
     cia301 301,
     cia302 302,
     cia401 401,
+    cia402 402,
+    cia404 404,
     cia406 406,
 }
 

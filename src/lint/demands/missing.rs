@@ -36,7 +36,7 @@ pub(crate) fn missing_object(
 }
 
 /// Whether an object is described, or another rule says that it should be, or something else may bring it.
-fn is_there(device: &Device, index: u16) -> bool {
+pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.objects.contains_key(&index)
         || device.is_modular()
         || device.lists.iter().any(|(_, listed)| listed == index)

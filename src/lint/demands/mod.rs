@@ -13,7 +13,7 @@ use crate::model::{Device, Entry, Object, Place};
 use crate::profile::{self, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
 
 pub(crate) use entries::{wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_value};
-pub(crate) use missing::{missing_entry, missing_object};
+pub(crate) use missing::{is_there, missing_entry, missing_object};
 pub(crate) use objects::{misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type};
 
 /// A document that holds for a logical device.
