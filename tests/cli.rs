@@ -18,12 +18,15 @@ fn sessions() {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
-    for page in ["README.md", "docs/ci.md", "docs/cli.md", "docs/json.md", "docs/formats.md"] {
+    for page in
+        ["README.md", "docs/ci.md", "docs/cli.md", "docs/json.md", "docs/formats.md", "docs/profiles.md"]
+    {
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
-        for fixtures in ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign"] {
+        for fixtures in ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles"]
+        {
             copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
         }
         let cases = trycmd::TestCases::new();
@@ -32,6 +35,14 @@ fn pages() {
             fs::copy(&case, page).unwrap();
         }
     }
+}
+
+/// The example on the page about profiles is the file that its sessions use.
+#[test]
+fn the_profile_on_the_page() {
+    let page = fs::read_to_string("docs/profiles.md").unwrap();
+    let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
+    assert_eq!(example, fs::read_to_string("fixtures/profiles/house-drives.toml").unwrap());
 }
 
 fn copy_folder(name: &str, to: &Path) {

@@ -46,6 +46,7 @@ pub(super) enum Command {
     Generate(GenerateArgs),
     Convert(ConvertArgs),
     New(NewArgs),
+    Profile(ProfileCommandArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
 }
@@ -315,6 +316,49 @@ impl ConvertArgs {
     pub(super) fn changes_node(&self) -> bool {
         self.node_id.is_some() || self.bit_rate.is_some() || self.node_name.is_some()
     }
+}
+
+/// List the profiles that `check` knows, and show what they demand
+#[derive(Debug, Parser)]
+pub(super) struct ProfileCommandArgs {
+    #[command(subcommand)]
+    pub command: ProfileCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum ProfileCommand {
+    List(ProfileListArgs),
+    Show(ProfileShowArgs),
+}
+
+/// List the documents of CiA that come with the program
+#[derive(Debug, Parser)]
+pub(super) struct ProfileListArgs {
+    /// How to write them
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ProfileFormat,
+}
+
+/// Show the objects of a profile, or all that it says of one
+#[derive(Debug, Parser)]
+pub(super) struct ProfileShowArgs {
+    /// The number of the document, such as 401, or the file of a profile of your own (docs/profiles.md)
+    pub profile: String,
+    /// Only this object, with its sub-indexes and bits
+    #[arg(value_name = "INDEX")]
+    pub index: Option<Address>,
+    /// How to write it
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ProfileFormat,
+}
+
+/// How profiles are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ProfileFormat {
+    /// For people: tables
+    Text,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
 }
 
 /// List the rules that `check` knows

@@ -14,6 +14,7 @@ mod input;
 mod new;
 mod output;
 mod parallel;
+mod profile;
 mod profiles;
 mod progress;
 mod report;
@@ -50,6 +51,7 @@ pub fn run() -> ExitCode {
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),
+        Command::Profile(command) => profile::run(&command.command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),

@@ -4,12 +4,14 @@
 //! `docs/profiles.md` describes the form.
 
 mod condition;
+mod decode;
 pub mod default_mapping;
 mod facts;
 mod load;
 mod standard;
 
 pub use condition::{Condition, ConditionError};
+pub(crate) use decode::meaning;
 pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
 pub use load::ProfileError;
 pub(crate) use standard::{for_all, of_number};

@@ -1,12 +1,13 @@
 //! What the number in a communication object says (CiA 301 §7.5.2).
 
 use crate::model::{CobId, DataType, Device, MappedObject, PdoKind, Value};
+use crate::profile;
 
 /// The meaning of a value, where it has one beside the number.
 pub(super) fn of(device: &Device, index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> Option<String> {
     let number = || u32::try_from(value.as_integer()?).ok();
     match (index, sub) {
-        (0x1000, 0) => number().map(device_type),
+        (0x1000, 0) => number().map(|number| device_type(number) + &additional(device, number)),
         (0x1005, 0) => {
             cob_id(value, node_id, |id| if id.bit_30() { "produces SYNC" } else { "consumes SYNC" })
         }
@@ -23,7 +24,7 @@ pub(super) fn of(device: &Device, index: u16, sub: u8, value: &Value, node_id: O
         (0x1017, 0) => number().map(|time| if time == 0 { "off".to_owned() } else { format!("{time} ms") }),
         (0x1018, 3) => number().map(|number| format!("major {}, minor {}", number >> 16, number & 0xFFFF)),
         (0x1200..=0x12FF, 1 | 2) => cob_id(value, node_id, validity),
-        _ => pdo(device, index, sub, value, node_id),
+        _ => pdo(device, index, sub, value, node_id).or_else(|| profile::meaning(device, index, sub, value)),
     }
 }
 
@@ -79,6 +80,13 @@ fn device_type(number: u32) -> String {
         _ => "",
     };
     format!("device profile CiA {profile}{name}, additional information 0x{additional:04X}")
+}
+
+/// What the device profile says of the high word.
+fn additional(device: &Device, number: u32) -> String {
+    let high_word = Value::Unsigned(u64::from(number & 0xFFFF_0000));
+    let meaning = profile::meaning(device, 0x1000, 0, &high_word).filter(|_| number >> 16 != 0);
+    meaning.map(|meaning| format!(" ({meaning})")).unwrap_or_default()
 }
 
 fn heartbeat_consumer(number: u32) -> String {

@@ -25,8 +25,7 @@ rule! {
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
-    for (index, name, kind) in
-        [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
+    for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
     {
         let has_pdos = facts.pdos.iter().any(|facts| facts.pdo.kind == kind);
         let Some(entry) = drive.variable(index).filter(|_| has_pdos) else { continue };

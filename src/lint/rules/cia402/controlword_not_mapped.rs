@@ -7,7 +7,7 @@ rule! {
     /// no PDO carries the controlword or the statusword by default
     ///
     /// ## What it checks
-    /// Whether, on a drive whose RPDOs map something by default, one of them maps 6040h, and of its TPDOs one maps 6041h. Mappings that leave it open, and words that cannot be mapped, are not looked at.
+    /// Whether, on a drive whose RPDOs map something by default, one of them maps 6040h, and of its TPDOs one maps 6041h. Only the words of the first axis are looked at, and neither mappings that leave it open nor words that cannot be mapped.
     ///
     /// ## Why it matters
     /// The default PDOs of CiA 402-3 begin with the words, and a master that changes no mapping counts on them.
@@ -24,9 +24,11 @@ rule! {
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    if applied.block > 0 {
+        return;
+    }
     let drive = Drive::new(facts, applied);
-    for (index, name, kind) in
-        [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
+    for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
     {
         let pdos = facts.pdos.iter().filter(|facts| facts.pdo.kind == kind);
         let is_open = pdos.clone().any(|facts| facts.pdo.used_slots().any(|slot| slot.object.is_none()));

@@ -25,10 +25,15 @@ rule! {
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let index = profile::device_type_index(facts.device, applied.block);
+    // without device types of their own all axes have that of 1000h
+    if applied.block > 0 && index == 0x1000 {
+        return;
+    }
     let value = facts.device.object(index).and_then(|object| object.value(0)?.as_integer());
     let Some(value) = value.filter(|value| value & 0xFFFF == 402 && value & 0x7_0000 == 0) else { return };
     let message = format!("`0x{value:08X}` as device type does not say which kind of drive it is");
     let place = facts.device.value_place(index, 0);
-    let help = format!("set bit 16 (frequency converter), 17 (servo drive) or 18 (stepper motor): `0x{:08X}`", value | 0x2_0000);
+    let servo = value | 0x2_0000;
+    let help = format!("set bit 16, 17 or 18, for a servo drive: `0x{servo:08X}`");
     findings.push(Diagnostic::new(rule, place, message).help(help));
 }

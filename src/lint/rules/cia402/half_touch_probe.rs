@@ -27,7 +27,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let Some(there) = (0x60B8..=0x60BD).find(|&index| drive.has(index)) else { return };
     let missing = [(0x60B8, "touch probe function"), (0x60B9, "touch probe status")];
     let missing = missing.into_iter().filter(|&(index, _)| drive.lacks(index));
-    let missing: Vec<String> = missing.map(|(index, name)| format!("{} ({name})", drive.name(index))).collect();
+    let missing: Vec<String> =
+        missing.map(|(index, name)| format!("{} ({name})", drive.name(index))).collect();
     if missing.is_empty() {
         return;
     }

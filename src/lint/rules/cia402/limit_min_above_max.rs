@@ -29,7 +29,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if min <= max {
             continue;
         }
-        let message = format!("the lower limit `{min}` of {} is above the upper one, `{max}`", drive.name(index));
+        let message =
+            format!("the lower limit `{min}` of {} is above the upper one, `{max}`", drive.name(index));
         let finding = Diagnostic::new(rule, drive.value_place(index, 1), message);
         let finding = finding.label(drive.value_place(index, 2), "the upper limit");
         findings.push(finding.help("exchange the values"));

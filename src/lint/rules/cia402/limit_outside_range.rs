@@ -24,7 +24,8 @@ rule! {
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
-    let limits = |index| Some((drive.value(index, 1)?, drive.value(index, 2)?)).filter(|(min, max)| min < max);
+    let limits =
+        |index| Some((drive.value(index, 1)?, drive.value(index, 2)?)).filter(|(min, max)| min < max);
     let (Some((first, last)), Some((min, max))) = (limits(0x607B), limits(0x607D)) else { return };
     let outside = if !(first..=last).contains(&max) {
         (2, max)

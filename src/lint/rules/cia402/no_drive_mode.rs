@@ -27,6 +27,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if drive.modes() == Some(0) {
         let message = format!("{} names no mode of operation", drive.name(0x6502));
         let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
-        findings.push(finding.help("set the bits of the modes, such as `0x00000025` for profile position, profile velocity and homing"));
+        findings.push(
+            finding.help("set the bits of the modes, such as `0x00000021` for profile position and homing"),
+        );
     }
 }

@@ -27,6 +27,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if drive.has(0x6040) && drive.lacks(0x6502) {
         let message = format!("{} (supported drive modes) is missing", drive.name(0x6502));
         let finding = Diagnostic::new(rule, drive.place(0x6040), message);
-        findings.push(finding.help("describe it (UNSIGNED32, `ro`), such as `0x00000025` for profile position, profile velocity and homing"));
+        findings.push(finding.help("describe it (UNSIGNED32, `ro`), with the bits of the modes as value"));
     }
 }

@@ -30,7 +30,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let bits = (0..16u32).filter(|bit| modes & RESERVED & (1 << bit) != 0);
     let bits: Vec<u32> = bits.collect();
     let plural = if bits.len() == 1 { "bit" } else { "bits" };
-    let message = format!("`0x{modes:08X}` as supported drive modes has the reserved {plural} {}", series(bits));
+    let message =
+        format!("`0x{modes:08X}` as supported drive modes has the reserved {plural} {}", series(bits));
     let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
     findings.push(finding.help("modes of the manufacturer have bits 16 to 31"));
 }

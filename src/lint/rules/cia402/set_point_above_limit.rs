@@ -32,7 +32,9 @@ const PAIRS: [(u16, u16, &str); 4] = [
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     for (index, limit_index, name) in PAIRS {
-        let (Some(value), Some(limit)) = (drive.value(index, 0), drive.value(limit_index, 0)) else { continue };
+        let (Some(value), Some(limit)) = (drive.value(index, 0), drive.value(limit_index, 0)) else {
+            continue;
+        };
         if limit <= 0 || value.abs() <= limit {
             continue;
         }

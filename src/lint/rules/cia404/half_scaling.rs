@@ -34,7 +34,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
             continue;
         }
         let verb = if missing.len() == 1 { "is not" } else { "are not" };
-        let message = format!("{there:04X}h is there, and {} {verb}, which belong together", series(&missing));
+        let message =
+            format!("{there:04X}h is there, and {} {verb}, which belong together", series(&missing));
         let finding = Diagnostic::new(rule, Place::object(there), message);
         findings.push(finding.help("describe what is missing"));
     }

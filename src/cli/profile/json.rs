@@ -1,0 +1,153 @@
+//! Profiles as JSON; `docs/json.md` describes it.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::cli::profiles::number;
+use crate::model::Value;
+use crate::profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
+
+/// The version of the documents. It changes when a field is removed or means something else, not when one is added.
+const VERSION: u32 = 1;
+
+/// The documents, one a line.
+pub(super) fn list<'a>(
+    profiles: impl Iterator<Item = &'a Arc<Profile>>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write!(out, "{{\"version\":{VERSION},\"profiles\":[")?;
+    lines(profiles.map(|profile| Json::Object(head(profile))), out)
+}
+
+/// A profile, one object a line.
+pub(super) fn profile(profile: &Profile, objects: &[ObjectFacts], out: &mut dyn Write) -> io::Result<()> {
+    let head = Json::Object(head(profile));
+    write!(out, "{{\"version\":{VERSION},\"profile\":{head},\"objects\":[")?;
+    lines(objects.iter().map(|facts| Json::Object(object(facts))), out)
+}
+
+fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<()> {
+    let mut separator = "\n";
+    for item in items {
+        write!(out, "{separator}{item}")?;
+        separator = ",\n";
+    }
+    out.write_all(b"\n]}\n")
+}
+
+fn head(profile: &Profile) -> Map<String, Json> {
+    let mut fields = Map::new();
+    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
+    if profile.group != "house" {
+        field("name", number(profile).into());
+    }
+    field("document", profile.document.as_str().into());
+    field("title", profile.title.as_str().into());
+    if let Some(edition) = &profile.version {
+        field("edition", edition.as_str().into());
+    }
+    if let Some(number) = profile.number {
+        field("number", number.into());
+    }
+    field("repeats", profile.repeats.into());
+    field("count", profile.objects.len().into());
+    fields
+}
+
+fn object(facts: &ObjectFacts) -> Map<String, Json> {
+    let mut fields = Map::new();
+    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
+    field("index", format!("0x{:04X}", facts.first).into());
+    if facts.last > facts.first {
+        field("last", format!("0x{:04X}", facts.last).into());
+    }
+    field("name", facts.name.as_str().into());
+    if facts.states_type() {
+        field("object_types", names(&facts.object_types));
+    }
+    field("need", need(&facts.need));
+    if let Some(only) = &facts.only {
+        field("only", only.to_string().into());
+    }
+    if !facts.as_many_as.is_empty() {
+        let indexes = facts.as_many_as.iter().map(|index| format!("0x{index:04X}"));
+        field("as_many_as", indexes.collect());
+    }
+    if !facts.entries.is_empty() {
+        field("entries", facts.entries.iter().map(|facts| Json::Object(entry(facts))).collect());
+    }
+    if let Some(source) = &facts.source {
+        field("source", source.as_str().into());
+    }
+    fields
+}
+
+fn entry(facts: &EntryFacts) -> Map<String, Json> {
+    let mut fields = Map::new();
+    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
+    field("sub", format!("0x{:02X}", facts.first).into());
+    if facts.last > facts.first {
+        field("last", format!("0x{:02X}", facts.last).into());
+    }
+    if !facts.name.is_empty() {
+        field("name", facts.name.as_str().into());
+    }
+    field("need", need(&facts.need));
+    if !facts.data_types.is_empty() {
+        field("data_types", names(&facts.data_types));
+    }
+    if !facts.access.is_empty() {
+        field("access", names(&facts.access));
+    }
+    if let Some(mapping) = facts.mapping {
+        field("mapping", Mapping::name(mapping).into());
+    }
+    if !facts.values.is_empty() {
+        let bound =
+            |number: i128| i64::try_from(number).map_or_else(|_| number.to_string().into(), Json::from);
+        field(
+            "values",
+            facts.values.iter().map(|range| json!([bound(*range.start()), bound(*range.end())])).collect(),
+        );
+    }
+    if let Some(default) = &facts.default {
+        field("default", value(default));
+    }
+    if !facts.bits.is_empty() {
+        field("bits", facts.bits.iter().map(bits).collect());
+    }
+    fields
+}
+
+fn bits(field: &BitField) -> Json {
+    let mut bits = json!({ "first": field.first, "last": field.last, "name": field.name });
+    if !field.values.is_empty() {
+        let meaning = |(range, meaning): &(std::ops::RangeInclusive<u64>, String)| json!({ "first": range.start(), "last": range.end(), "meaning": meaning });
+        bits["values"] = field.values.iter().map(meaning).collect();
+    }
+    bits
+}
+
+fn names<T: ToString>(items: &[T]) -> Json {
+    items.iter().map(ToString::to_string).collect()
+}
+
+fn need(need: &Need) -> Json {
+    match need {
+        Need::Optional => "optional".into(),
+        Need::Mandatory => "mandatory".into(),
+        Need::When(condition) => format!("if {condition}").into(),
+    }
+}
+
+/// A default as a number where it is one, else as the text that a table shows.
+fn value(value: &Value) -> Json {
+    match value {
+        Value::Boolean(flag) => Json::from(*flag),
+        Value::Signed(number) => Json::from(*number),
+        Value::Unsigned(number) => Json::from(*number),
+        _ => Json::from(value.to_string()),
+    }
+}

@@ -1,0 +1,54 @@
+//! `objdict profile`: the documents that come with the program, and what they demand; profiles of a house too.
+
+mod json;
+mod text;
+
+use super::args::{ProfileCommand, ProfileFormat, ProfileListArgs, ProfileShowArgs};
+use super::output::Output;
+use super::{Failure, Outcome, profiles};
+use crate::profile::{ObjectFacts, Profile, standard};
+
+pub(super) fn run(command: &ProfileCommand, out: &mut Output) -> Result<Outcome, Failure> {
+    match command {
+        ProfileCommand::List(args) => list(args, out),
+        ProfileCommand::Show(args) => show(args, out),
+    }
+    .map(|()| Outcome::Clean)
+}
+
+fn list(args: &ProfileListArgs, out: &mut Output) -> Result<(), Failure> {
+    match args.format {
+        ProfileFormat::Text => text::list(standard(), out)?,
+        ProfileFormat::Json => json::list(standard(), out)?,
+    }
+    Ok(())
+}
+
+fn show(args: &ProfileShowArgs, out: &mut Output) -> Result<(), Failure> {
+    let profile = profiles::load(&args.profile, std::path::Path::new(""))?;
+    let object = args.index.map(|address| find(&profile, address.index)).transpose()?;
+    match (args.format, object) {
+        (ProfileFormat::Text, None) => text::profile(&profile, out)?,
+        (ProfileFormat::Text, Some(object)) => text::object(&profile, object, out)?,
+        (ProfileFormat::Json, None) => json::profile(&profile, &profile.objects, out)?,
+        (ProfileFormat::Json, Some(object)) => {
+            json::profile(&profile, std::slice::from_ref(object), out)?;
+        }
+    }
+    Ok(())
+}
+
+/// What a profile says of an object, of whichever logical device.
+fn find(profile: &Profile, index: u16) -> Result<&ObjectFacts, Failure> {
+    let blocks = if profile.repeats { crate::profile::MAX_BLOCKS } else { 1 };
+    let found = (0..blocks).find_map(|block| profile.object_in(block, index));
+    found.ok_or_else(|| {
+        let document = &profile.document;
+        let failure = Failure::new(format_args!("{document} says nothing of 0x{index:04X}"));
+        let next = profile.objects.iter().min_by_key(|facts| facts.first.abs_diff(index));
+        match next {
+            Some(next) => failure.help(format!("next to it: 0x{:04X} {}", next.first, next.name)),
+            None => failure,
+        }
+    })
+}
