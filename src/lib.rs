@@ -155,6 +155,7 @@ mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod compare;
+pub mod compat;
 pub mod config;
 pub mod diagnostic;
 pub mod download;

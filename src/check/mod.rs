@@ -4,6 +4,7 @@
 mod comments;
 mod suppression;
 
+use crate::compat;
 use crate::diagnostic::Findings;
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
@@ -18,10 +19,19 @@ pub fn check(description: &Description) -> Findings {
 
 /// As [`check`], with more known than the description says.
 pub fn check_with(description: &Description, options: &Options) -> Findings {
+    let is_xml = description.format().syntax() == Syntax::Xml;
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
-    findings.append(lint::check(description.device(), options));
-    if description.format().syntax() == Syntax::Xml {
+    if options.tools.is_empty() || is_xml {
+        // what is known of other tools is about the texts of CiA 306
+        let options = Options { tools: Vec::new(), ..options.clone() };
+        findings.append(lint::check(description.device(), &options));
+    } else {
+        findings.append(lint::check(description.device(), options));
+        findings.append(description.portability_findings());
+        findings = compat::react(findings, description, &options.tools);
+    }
+    if is_xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
     }
     let mut findings = options.severities.apply(findings);

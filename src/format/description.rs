@@ -238,6 +238,15 @@ impl Description {
         &self.findings
     }
 
+    /// What the text shows that other tools choke on; see `compat`.
+    pub(crate) fn portability_findings(&self) -> Findings {
+        let mut findings = Findings::new();
+        if let Text::Ini(document, _) = &self.text {
+            eds::portability::check(document, &self.device, &mut findings);
+        }
+        findings
+    }
+
     /// What the text shows beyond that, healthy or not: the lines of an INI file, the structure of XML. It is not looked
     /// for until it is asked for. Of a file with several devices it belongs to the first.
     pub fn text_findings(&self) -> Findings {

@@ -159,6 +159,7 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
         .iter()
         .chain(xml::findings::RULES)
         .chain(eds::findings::RULES)
+        .chain(eds::portability::RULES)
         .chain(carried::RULES)
         .copied()
         .chain(xdd::findings::rules())

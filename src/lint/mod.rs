@@ -14,6 +14,7 @@ mod severities;
 mod srdo;
 mod stated;
 
+use crate::compat;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
@@ -32,7 +33,7 @@ pub(crate) use srdo::Srdo;
 pub fn check(device: &Device, options: &Options) -> Findings {
     let mut findings = Findings::new();
     let facts = Facts::new(device, options);
-    for rule in RULES {
+    for rule in asked_for(options) {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),
             Check::Facts(check) => check(&facts, &mut findings),
@@ -45,8 +46,14 @@ pub fn check(device: &Device, options: &Options) -> Findings {
         }
     }
     check_demands(&facts, &mut findings);
-    check_objects(device, &mut findings);
+    check_objects(device, options, &mut findings);
     findings
+}
+
+/// The rules that look at a device: those about other tools where it is asked for tools.
+fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
+    let for_tools = !options.tools.is_empty();
+    RULES.iter().copied().filter(move |rule| for_tools || rule.info.group() != compat::GROUP)
 }
 
 /// One walk over what documents demand, for all rules of their groups.
@@ -75,10 +82,10 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 /// One walk over the objects for all rules that look at one object or one entry at a time.
-fn check_objects(device: &Device, findings: &mut Findings) {
+fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
     let mut object_checks = Vec::new();
     let mut entry_checks = Vec::new();
-    for rule in RULES {
+    for rule in asked_for(options) {
         match rule.check {
             Check::Object(check) => object_checks.push(check),
             Check::Entry(check) => entry_checks.push(check),

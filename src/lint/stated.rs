@@ -97,3 +97,12 @@ pub(crate) fn first_formula(device: &Device) -> Option<Place> {
         })
     })
 }
+
+/// Each entry that the description states of the device's own objects, with its place.
+pub(crate) fn entries(device: &Device) -> impl Iterator<Item = (Place, &Entry)> {
+    device.objects.iter().flat_map(|(&index, object)| {
+        object.described().map(move |(sub, entry)| {
+            (sub.map_or(Place::object(index), |sub| Place::entry(index, sub)), entry)
+        })
+    })
+}

@@ -1,25 +1,53 @@
-//! docs/rules.md, out of the pages of the rules.
+//! docs/rules.md, out of the pages of the rules, and docs/portability.md, out of what is known of other tools.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use objdict::compat::REACTIONS;
 use objdict::registry;
 
-/// Writes docs/rules.md, or with `check` fails when it is not what it would write.
+/// Writes the generated pages, or with `check` fails when one is not what it would write.
 pub(crate) fn run(check: bool) -> Result<(), String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/rules.md");
-    let text = rules_page();
-    let shown = "docs/rules.md";
-    if check {
-        let current = fs::read_to_string(&path).map_err(|error| format!("cannot read {shown}: {error}"))?;
-        return if current == text {
-            Ok(())
+    for (shown, text) in [("docs/rules.md", rules_page()), ("docs/portability.md", portability_page())] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(shown);
+        if check {
+            let current =
+                fs::read_to_string(&path).map_err(|error| format!("cannot read {shown}: {error}"))?;
+            if current != text {
+                return Err(format!("{shown} is stale: run `cargo xtask docs`"));
+            }
         } else {
-            Err(format!("{shown} is stale: run `cargo xtask docs`"))
-        };
+            fs::write(&path, text).map_err(|error| format!("cannot write {shown}: {error}"))?;
+        }
     }
-    fs::write(&path, text).map_err(|error| format!("cannot write {shown}: {error}"))
+    Ok(())
+}
+
+/// What stands above the table of docs/portability.md.
+const PORTABILITY: &str = include_str!("portability.md");
+
+fn portability_page() -> String {
+    let mut page = String::from(PORTABILITY);
+    let causes: BTreeSet<&str> = REACTIONS.iter().map(|reaction| reaction.rule).collect();
+    let _ = writeln!(page, "{} causes.\n", causes.len());
+    page.push_str("| rule | what is found | tools | effect | what happens |\n|---|---|---|---|---|\n");
+    for reaction in REACTIONS {
+        let summary = registry::rule(reaction.rule).map_or("", |rule| rule.summary());
+        let tools: Vec<&str> = reaction.tools.iter().map(|tool| tool.name()).collect();
+        let when = reaction.when.map_or(String::new(), |when| format!(" ({})", when.text));
+        let _ = writeln!(
+            page,
+            "| [`{}`](rules.md#{}) | {summary}{when} | {} | {} | {} |",
+            reaction.rule,
+            reaction.rule.replace('/', ""),
+            tools.join(", "),
+            reaction.effect.name(),
+            reaction.what
+        );
+    }
+    page
 }
 
 fn rules_page() -> String {

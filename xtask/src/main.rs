@@ -14,7 +14,7 @@ const USAGE: &str = "\
 usage:
   cargo xtask corpus FOLDER [--generate]  read, print, check and convert there and back every description below
                                           FOLDER, and print a table; with --generate also compile what is generated from each
-  cargo xtask docs [--check]              write docs/rules.md from the rules; with --check only compare";
+  cargo xtask docs [--check]              write docs/rules.md and docs/portability.md; with --check only compare";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

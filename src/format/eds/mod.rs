@@ -7,6 +7,7 @@ mod keys;
 mod locate;
 mod mend;
 mod order;
+pub(crate) mod portability;
 mod quirks;
 mod read;
 mod section;

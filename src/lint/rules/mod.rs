@@ -264,4 +264,27 @@ rules! {
         type_in_name,
         wrong_pdo_direction,
     }
+    portability {
+        auto_baud_rate,
+        compact_denotations,
+        compact_names,
+        compact_parameter_value,
+        compact_storage,
+        compact_values,
+        denotation,
+        domain_without_type,
+        dynamic_channels,
+        file_reference,
+        implicit_pdo,
+        long_value,
+        modules,
+        object_flags,
+        object_links,
+        parameter_reference,
+        safety_key,
+        sub_index_255,
+        time_value,
+        tool_list,
+        type_definition,
+    }
 }

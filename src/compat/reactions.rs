@@ -1,0 +1,295 @@
+//! The table: rule, tools, what they do. Tried with dcf-tools 2.4.2 and canopen 2.4.1 for Python, read in the source of
+//! CANopenEditor of July 2026 and in the manual of CODESYS.
+
+use super::{Effect, Reaction, When};
+use crate::diagnostic::Tool::{CanOpenEditor, Codesys, DcfTools, PythonCanopen};
+use crate::diagnostic::{Diagnostic, Tool};
+use crate::format::Description;
+use crate::source::Encoding;
+
+use Effect::{Dropped, Refused, Wrong};
+
+/// Both readers that build on the INI reader of Python.
+const PYTHON: &[Tool] = &[DcfTools, PythonCanopen];
+const DCF_TOOLS: &[Tool] = &[DcfTools];
+const PYTHON_CANOPEN: &[Tool] = &[PythonCanopen];
+const EDITOR: &[Tool] = &[CanOpenEditor];
+/// Both that write files.
+const WRITERS: &[Tool] = &[PythonCanopen, CanOpenEditor];
+
+const fn row(rule: &'static str, tools: &'static [Tool], effect: Effect, what: &'static str) -> Reaction {
+    Reaction { rule, tools, effect, what, when: None }
+}
+
+impl Reaction {
+    const fn when(self, text: &'static str, holds: fn(&Description, &Diagnostic) -> bool) -> Self {
+        Self { when: Some(When { text, holds }), ..self }
+    }
+}
+
+/// Everything that is known of the tools, in the order of the rules.
+pub static REACTIONS: &[Reaction] = &[
+    row("cia301/mapped-object-missing", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia301/missing-mandatory-object", DCF_TOOLS, Refused, "the file is refused")
+        .when("1000h or 1018h", |_, finding| !finding.message.contains("1001h")),
+    row("cia301/pdo-without-mapping", DCF_TOOLS, Refused, "the file is refused"),
+    row(
+        "cia306/blank-before-equals",
+        PYTHON,
+        Wrong,
+        "an indented line is taken for more of the value above it",
+    )
+    .when("a line is indented", |description, _| has_entry(description, is_indented)),
+    row("cia306/blank-before-equals", EDITOR, Dropped, "the line is skipped")
+        .when("a line is indented or has a tab before `=`", |description, _| {
+            has_entry(description, |line| is_indented(line) || has_tab(line))
+        }),
+    row("cia306/blanks-in-section-name", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/blanks-in-section-name", PYTHON_CANOPEN, Dropped, "the section is skipped"),
+    row("cia306/blanks-in-section-name", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/boolean-word", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/boolean-word", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/byte-order-mark", PYTHON, Refused, "the file is refused"),
+    row("cia306/comment-style", PYTHON, Refused, "the file is refused").when(
+        "with `//`",
+        |description, _| {
+            description.document().is_some_and(|document| {
+                document.lines().any(|line| line.span.of(document.text()).trim_start().starts_with("//"))
+            })
+        },
+    ),
+    row("cia306/commissioning-spelling", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/commissioning-spelling", PYTHON_CANOPEN, Dropped, "node-ID and bit rate are lost"),
+    row("cia306/decorated-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
+    row("cia306/decorated-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
+        .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
+    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused"),
+    row("cia306/duplicate-section", PYTHON, Refused, "the file is refused"),
+    row(
+        "cia306/duplicate-section",
+        EDITOR,
+        Wrong,
+        "both become one section, with the first value of each key",
+    ),
+    row("cia306/formula-spelling", DCF_TOOLS, Refused, "the file is refused")
+        .when("`$nodeid` alone", |description, finding| {
+            shown(description, finding).eq_ignore_ascii_case("$NODEID")
+        }),
+    row("cia306/indented-section", PYTHON, Wrong, "the header is taken for more of the value above it"),
+    row("cia306/indented-section", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/junk-line", PYTHON, Refused, "the file is refused"),
+    row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
+    row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and mostly the file")
+        .when("outside [FileInfo], and not 00", |description, finding| is_read_number(description, finding)),
+    row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/missing-key", PYTHON, Refused, "the file is refused"),
+    row("cia306/missing-key", EDITOR, Dropped, "the object is skipped"),
+    row("cia306/missing-name", PYTHON, Refused, "the file is refused"),
+    row("cia306/missing-name", EDITOR, Dropped, "the object is skipped"),
+    row("cia306/missing-section", DCF_TOOLS, Refused, "the file is refused")
+        .when("a list of objects", |_, finding| finding.message.contains("Objects")),
+    row("cia306/missing-section", EDITOR, Refused, "the file is refused").when(
+        "[FileInfo], [DeviceInfo] or [MandatoryObjects]",
+        |_, finding| {
+            ["FileInfo", "DeviceInfo", "MandatoryObjects"].iter().any(|name| finding.message.contains(name))
+        },
+    ),
+    row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/not-ascii", PYTHON, Refused, "the file is refused")
+        .when("not UTF-8", |description, _| is_of_one_byte(description)),
+    row("cia306/not-ascii", EDITOR, Wrong, "each such letter becomes U+FFFD")
+        .when("not UTF-8", |description, _| is_of_one_byte(description)),
+    row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
+    row("cia306/octal-number", PYTHON, Refused, "the number is refused, and mostly the file")
+        .when("outside [FileInfo]", |description, finding| is_read_number(description, finding)),
+    row("cia306/quoted-string", WRITERS, Wrong, "the quotes become a part of the text"),
+    row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
+        .when("with `0x` or blanks", |_, finding| finding.message.contains("not the name")),
+    row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/sub-without-object", PYTHON, Refused, "the file is refused"),
+    row("cia306/trailing-comment", PYTHON_CANOPEN, Dropped, "the value is lost")
+        .when("with `#` or `//`", |description, finding| !shown(description, finding).contains(" ;")),
+    row(
+        "cia306/trailing-comment",
+        EDITOR,
+        Wrong,
+        "the comment becomes a part of the value, or the object is skipped",
+    ),
+    row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/twos-complement", PYTHON_CANOPEN, Wrong, "a value is read as a positive number"),
+    row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
+    row("cia306/unclosed-section", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
+        .when("outside [Comments]", |description, finding| {
+            !section_of(description, finding).eq_ignore_ascii_case("Comments")
+        }),
+    row("cia306/unknown-key", WRITERS, Dropped, "the key is lost"),
+    row("cia306/unknown-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/unknown-section", PYTHON_CANOPEN, Dropped, "the section is lost"),
+    row("cia306/unknown-section", EDITOR, Dropped, "the section is lost")
+        .when("letters and digits", |description, finding| is_plain(shown(description, finding))),
+    row("cia306/unknown-section", EDITOR, Wrong, "the keys below go to the section before")
+        .when("other characters in the name", |description, finding| !is_plain(shown(description, finding))),
+    row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused")
+        .when("`AccessType`", |_, finding| finding.message.contains("AccessType")),
+    row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("portability/commented-section", EDITOR, Wrong, "the keys below go to the section of the comment"),
+    row("portability/compact-denotations", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/compact-denotations", WRITERS, Dropped, "they are lost"),
+    row("portability/compact-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
+    row("portability/compact-parameter-value", DCF_TOOLS, Refused, "the file is refused"),
+    row(
+        "portability/compact-storage",
+        PYTHON_CANOPEN,
+        Dropped,
+        "the number of entries is lost, and all sub-indexes of a RECORD are",
+    ),
+    row(
+        "portability/compact-storage",
+        EDITOR,
+        Wrong,
+        "default and mapping are lost, the low limit becomes the high one",
+    ),
+    row("portability/compact-values", PYTHON_CANOPEN, Wrong, "the default stands in their place"),
+    row("portability/compact-values", EDITOR, Wrong, "they are lost, as are default and mapping"),
+    row("portability/denotation", PYTHON_CANOPEN, Dropped, "it is lost"),
+    row("portability/domain-without-type", PYTHON, Refused, "the file is refused"),
+    row("portability/dummy-usage", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/dynamic-channels", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/dynamic-channels", WRITERS, Dropped, "the section is lost"),
+    row("portability/empty-key", PYTHON_CANOPEN, Refused, "the file is refused")
+        .when("`ObjectType` or `PDOMapping`", |description, finding| {
+            ["ObjectType", "PDOMapping"].contains(&shown(description, finding))
+        }),
+    row("portability/empty-key", EDITOR, Dropped, "the object is skipped"),
+    row("portability/file-reference", WRITERS, Dropped, "it is lost"),
+    row("portability/hash-in-text", DCF_TOOLS, Wrong, "the text ends before the `#`"),
+    row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/hex-count", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/hex-count", PYTHON_CANOPEN, Refused, "the file is refused")
+        .when("in [xxxxName]", |description, finding| {
+            section_of(description, finding).to_ascii_lowercase().ends_with("name")
+        }),
+    row("portability/hex-flag", PYTHON, Refused, "the file is refused").when(
+        "`0x` in [DummyUsage]",
+        |description, finding| {
+            section_of(description, finding).eq_ignore_ascii_case("DummyUsage")
+                && has_hex_mark(shown(description, finding))
+        },
+    ),
+    row("portability/hex-flag", EDITOR, Wrong, "everything but `1` is read as 0")
+        .when("it means 1", |description, finding| shown(description, finding).ends_with('1')),
+    row("portability/implicit-pdo", WRITERS, Dropped, "the PDOs do not exist"),
+    row(
+        "portability/key-case",
+        PYTHON_CANOPEN,
+        Refused,
+        "the key is not found, which a name, type or access does not forgive",
+    ),
+    row("portability/key-case", EDITOR, Dropped, "the key is not found, and mostly the object is skipped"),
+    row("portability/limit-not-read", PYTHON_CANOPEN, Dropped, "the limit is lost"),
+    row("portability/long-value", &[Codesys], Dropped, "the entry is not offered for the configuration"),
+    row("portability/modules", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/modules", PYTHON_CANOPEN, Dropped, "the modules are lost"),
+    row("portability/object-flags", DCF_TOOLS, Dropped, "they are not obeyed"),
+    row("portability/object-flags", PYTHON_CANOPEN, Dropped, "they are lost"),
+    row("portability/object-links", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/object-links", WRITERS, Dropped, "they are lost"),
+    row("portability/parameter-reference", WRITERS, Dropped, "it is lost"),
+    row(
+        "portability/real-as-decimal",
+        DCF_TOOLS,
+        Refused,
+        "the file is refused; digits without a point are taken for bits",
+    ),
+    row("portability/safety-key", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/safety-key", WRITERS, Dropped, "it is lost"),
+    row("portability/section-case", PYTHON_CANOPEN, Dropped, "the section is not found"),
+    row(
+        "portability/section-case",
+        EDITOR,
+        Refused,
+        "the section is not found, which an information section or list does not forgive",
+    ),
+    row("portability/semicolon-in-text", PYTHON, Wrong, "the text ends before the `;`"),
+    row("portability/sparse-names", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/sparse-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
+    row("portability/sub-before-object", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/sub-before-object", EDITOR, Dropped, "the section is skipped"),
+    row("portability/sub-index-255", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/time-value", PYTHON_CANOPEN, Wrong, "days and milliseconds are read as one number"),
+    row("portability/tool-list", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/tool-list", WRITERS, Dropped, "the section is lost"),
+    row("portability/type-definition", DCF_TOOLS, Refused, "the file is refused"),
+    row(
+        "portability/type-definition",
+        PYTHON_CANOPEN,
+        Dropped,
+        "the definition is lost, and values of the type are",
+    ),
+    row("portability/unquoted-string", DCF_TOOLS, Refused, "dcf2dev stops at it"),
+];
+
+/// The text of the place of a finding.
+fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
+    let span = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
+    span.of(description.source().text())
+}
+
+/// The name of the section that the place of a finding stands in; empty before the first.
+fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
+    let text = description.source().text();
+    let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+    let before = text.get(..start as usize).unwrap_or_default();
+    let header = before.rsplit(['\n', '\r']).map(str::trim).find(|line| line.starts_with('['));
+    header.map_or("", |header| header.trim_matches(['[', ']']))
+}
+
+/// Whether the text holds an entry whose line is as `is_meant` says.
+fn has_entry(description: &Description, is_meant: fn(&str) -> bool) -> bool {
+    description.document().is_some_and(|document| {
+        let is_entry =
+            |line: &crate::format::ini::Line| matches!(line.kind, crate::format::ini::LineKind::Entry { .. });
+        document.lines().filter(is_entry).any(|line| is_meant(line.span.of(document.text())))
+    })
+}
+
+fn is_indented(line: &str) -> bool {
+    line.starts_with([' ', '\t'])
+}
+
+fn has_tab(line: &str) -> bool {
+    line.split_once('=').is_some_and(|(key, _)| key.ends_with('\t'))
+}
+
+fn has_hex_mark(value: &str) -> bool {
+    value.get(..2).is_some_and(|mark| mark.eq_ignore_ascii_case("0x"))
+}
+
+/// Whether a number is one that the tools of Python read, and do not forgive the leading zero of.
+fn is_read_number(description: &Description, finding: &Diagnostic) -> bool {
+    let is_zero = shown(description, finding).bytes().all(|byte| byte == b'0');
+    !is_zero && !section_of(description, finding).eq_ignore_ascii_case("FileInfo")
+}
+
+/// Whether the text is in an encoding of one byte a character.
+fn is_of_one_byte(description: &Description) -> bool {
+    let encoding = description.source().encoding();
+    !matches!(encoding, Encoding::Utf8 | Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be)
+}
+
+/// Whether a name is one of letters and digits.
+fn is_plain(name: &str) -> bool {
+    name.bytes().all(|byte| byte.is_ascii_alphanumeric())
+}

@@ -1,0 +1,157 @@
+//! Names and numbers in a spelling that some tools do not understand.
+
+use super::rules::{EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE};
+use super::{Line, Section, Together};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::model::{Field, Part};
+
+/// What is reported once a file.
+#[derive(Default)]
+pub(super) struct Spellings {
+    sections: Together,
+    keys: Together,
+    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj` without a value.
+    empty: [Together; 4],
+}
+
+impl Spellings {
+    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+        if matches!(section.part(), Part::Section(_)) {
+            return;
+        }
+        self.check_name(section);
+        for line in section.lines() {
+            self.check_key(section, &line);
+            self.check_empty(section, &line);
+            check_number(section, &line, findings);
+        }
+    }
+
+    pub(super) fn finish(self, findings: &mut Findings) {
+        let title = "write the names as the standard has them";
+        self.sections.finish(&SECTION_CASE, "write the name as the standard has it", title, findings);
+        self.keys.finish(&KEY_CASE, "write the key as the standard has it", title, findings);
+        for together in self.empty {
+            together.finish(&EMPTY_KEY, "remove the line", "remove the lines without a value", findings);
+        }
+    }
+
+    fn check_name(&mut self, section: &Section<'_>) {
+        let Some(standard) = section.standard_name() else { return };
+        let is_object = matches!(section.part(), Part::Object(_));
+        if standard == section.name || is_object || !standard.eq_ignore_ascii_case(section.name) {
+            return;
+        }
+        // the digits of an index or sub-index are understood in both cases
+        let differs = |(a, b): (char, char)| a != b;
+        let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_hexdigit()).collect() };
+        if letters(&standard).chars().zip(letters(section.name).chars()).any(differs) {
+            let at = section.header.name;
+            self.sections
+                .add(at, || format!("`[{}]` is written `[{standard}]` in the standard", section.name));
+            self.sections.mend(at, standard);
+        }
+    }
+
+    fn check_key(&mut self, section: &Section<'_>, line: &Line<'_>) {
+        let standard = match line.field() {
+            Some(field) => field.name(),
+            None => match section.part() {
+                Part::DummyUsage => with_head(line.name, "Dummy").into(),
+                Part::Comments => with_head(line.name, "Line").into(),
+                _ => return,
+            },
+        };
+        if standard != line.name {
+            self.keys
+                .add(line.name_at, || format!("`{}` is written `{standard}` in the standard", line.name));
+            self.keys.mend(line.name_at, standard);
+        }
+    }
+
+    /// Keys whose absence has a meaning, that of no value.
+    fn check_empty(&mut self, section: &Section<'_>, line: &Line<'_>) {
+        if !line.value.is_empty() || !matches!(section.part(), Part::Object(_) | Part::Entry(..)) {
+            return;
+        }
+        let number = match line.field() {
+            Some(Field::ObjectType) => 0,
+            Some(Field::PdoMapping) if holds_value(section) => 1,
+            Some(Field::ObjFlags) => 2,
+            Some(Field::CompactSubObj) => 3,
+            _ => return,
+        };
+        let together = &mut self.empty[number];
+        together.add(line.name_at, || format!("`{}` has no value", line.name));
+        together.mend(whole_line(section.text, line), "");
+    }
+}
+
+/// Whether tools look for a value in the section: not in the header of an ARRAY or RECORD.
+fn holds_value(section: &Section<'_>) -> bool {
+    match *section.part() {
+        Part::Object(index) => {
+            section.device.object(index).is_some_and(|object| !object.object_type().has_subs())
+        }
+        _ => true,
+    }
+}
+
+/// The line with its line end.
+fn whole_line(text: &str, line: &Line<'_>) -> crate::source::Span {
+    let start = text[..line.name_at.start as usize].rfind(['\n', '\r']).map_or(0, |at| at + 1);
+    let rest = &text[line.value_at.end as usize..];
+    let end = rest.find(['\n', '\r']).unwrap_or(rest.len());
+    let line_end = if rest[end..].starts_with("\r\n") { 2 } else { usize::from(end < rest.len()) };
+    crate::source::Span::new(start as u32, line.value_at.end + (end + line_end) as u32)
+}
+
+/// `Dummy0005` of `dummy0005`; the name itself where its head is another one.
+fn with_head(name: &str, head: &str) -> String {
+    match name.get(..head.len()) {
+        Some(start) if start.eq_ignore_ascii_case(head) => format!("{head}{}", &name[head.len()..]),
+        _ => name.to_owned(),
+    }
+}
+
+/// Numbers that some tools read in decimal only.
+fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
+    let rule: &'static RuleInfo = match (section.part(), line.field()) {
+        (Part::List(_), Some(Field::SupportedObjects))
+        | (Part::CompactNames(_) | Part::CompactValues(_), Some(Field::NrOfEntries)) => &HEX_COUNT,
+        (Part::Commissioning, Some(Field::Baudrate)) => &HEX_BAUD_RATE,
+        (Part::DeviceInfo, Some(field)) if is_flag(field) => &HEX_FLAG,
+        (Part::DummyUsage, None) => &HEX_FLAG,
+        _ => return,
+    };
+    let Some(digits) = line.value.strip_prefix("0x").or_else(|| line.value.strip_prefix("0X")) else {
+        return;
+    };
+    let Ok(number) = u32::from_str_radix(digits, 16) else { return };
+    let message = format!("`{}` is `{}`, in hex", line.name, line.value);
+    let fix = Fix::safe(format!("write `{number}`")).replace(line.value_at, number.to_string());
+    findings.push(
+        Diagnostic::new(rule, line.value_at, message)
+            .help(format!("write `{}={number}`", line.name))
+            .fix(fix),
+    );
+}
+
+fn is_flag(field: &Field) -> bool {
+    matches!(
+        field,
+        Field::BaudRate10
+            | Field::BaudRate20
+            | Field::BaudRate50
+            | Field::BaudRate125
+            | Field::BaudRate250
+            | Field::BaudRate500
+            | Field::BaudRate800
+            | Field::BaudRate1000
+            | Field::SimpleBootUpMaster
+            | Field::SimpleBootUpSlave
+            | Field::DynamicChannelsSupported
+            | Field::GroupMessaging
+            | Field::LssSupported
+    )
+}

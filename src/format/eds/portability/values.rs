@@ -1,0 +1,151 @@
+//! Values in a form that some tools read as something else.
+
+use super::rules::{
+    BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT, UNQUOTED_STRING,
+};
+use super::{Line, Section, Together};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{DataType, Field, Part, TypeKind};
+
+/// What is reported once a file.
+#[derive(Default)]
+pub(super) struct Values {
+    reals: Together,
+    strings: Together,
+    limits: Together,
+}
+
+impl Values {
+    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+        let data_type = section.entry().and_then(|entry| entry.data_type);
+        for line in section.lines().filter(|line| !line.value.is_empty()) {
+            let is_value = match line.field() {
+                Some(Field::DefaultValue | Field::ParameterValue) => true,
+                Some(field @ (Field::LowLimit | Field::HighLimit)) => {
+                    self.check_real(data_type, &line);
+                    self.check_limit(data_type, field, &line);
+                    false
+                }
+                None => matches!(section.part(), Part::CompactValues(_)),
+                Some(_) => false,
+            };
+            if is_value {
+                self.check_real(data_type, &line);
+                self.check_string(data_type, &line);
+                check_bare_node_id(data_type, &line, findings);
+            }
+            if is_text(section, &line, is_value.then_some(data_type).flatten()) {
+                check_text(section, &line, findings);
+            }
+        }
+    }
+
+    pub(super) fn finish(self, findings: &mut Findings) {
+        let no_fix = "";
+        self.reals.finish(
+            &REAL_AS_DECIMAL,
+            "for this tool alone write the bits in hex, such as `0x3FC00000`",
+            no_fix,
+            findings,
+        );
+        self.strings.finish(
+            &UNQUOTED_STRING,
+            "for dcf2dev alone put the text in quotes; other tools make them a part of it",
+            no_fix,
+            findings,
+        );
+        self.limits.finish(&LIMIT_NOT_READ, "check the limits in the application", no_fix, findings);
+    }
+
+    fn check_real(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+        let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
+        if is_real && line.value != "0" && !is_hex(line.value) {
+            self.reals.add(line.value_at, || format!("the REAL `{}` is not written as its bits", line.value));
+        }
+    }
+
+    fn check_string(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+        let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
+        if is_string && !line.value.starts_with(['"', '\'']) {
+            self.strings.add(line.value_at, || format!("the string `{}` has no quotes", line.value));
+        }
+    }
+
+    fn check_limit(&mut self, data_type: Option<DataType>, field: &Field, line: &Line<'_>) {
+        let Some(data_type) = data_type else { return };
+        let reason = match data_type {
+            _ if line.value.starts_with('$') => "a formula",
+            DataType::REAL32 | DataType::REAL64
+                if line.value.contains(['.', 'e', 'E']) && !is_hex(line.value) =>
+            {
+                "a REAL"
+            }
+            DataType::INTEGER24 | DataType::INTEGER40 | DataType::INTEGER48 | DataType::INTEGER56 => {
+                "one of a type of odd width"
+            }
+            _ => return,
+        };
+        self.limits.add(line.value_at, || format!("`{field}` is {reason}"));
+    }
+}
+
+fn is_hex(value: &str) -> bool {
+    value.get(..2).is_some_and(|mark| mark.eq_ignore_ascii_case("0x"))
+}
+
+fn check_bare_node_id(data_type: Option<DataType>, line: &Line<'_>, findings: &mut Findings) {
+    let is_integer = data_type.is_some_and(DataType::is_integer);
+    if is_integer && line.value.eq_ignore_ascii_case("$NODEID") {
+        let message = format!("`{}` stands alone, without a number to add", line.value);
+        let fix = Fix::safe("write `$NODEID+0`").replace(line.value_at, "$NODEID+0");
+        findings
+            .push(Diagnostic::new(&BARE_NODE_ID, line.value_at, message).help("write `$NODEID+0`").fix(fix));
+    }
+}
+
+/// Whether a value is text that may hold any character; `data_type` is that of a value of the device.
+fn is_text(section: &Section<'_>, line: &Line<'_>, data_type: Option<DataType>) -> bool {
+    if let Some(data_type) = data_type {
+        return matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString);
+    }
+    match (section.part(), line.field()) {
+        (Part::Comments | Part::CompactNames(_) | Part::CompactDenotations(_), None) => true,
+        (_, Some(field)) => matches!(
+            field,
+            Field::ParameterName
+                | Field::Denotation
+                | Field::Description
+                | Field::CreatedBy
+                | Field::ModifiedBy
+                | Field::VendorName
+                | Field::ProductName
+                | Field::OrderCode
+                | Field::NodeName
+                | Field::NodeRefd
+                | Field::NetworkName
+                | Field::NetRefd
+                | Field::ParamRefd
+                | Field::UploadFile
+                | Field::DownloadFile
+        ),
+        (_, None) => false,
+    }
+}
+
+/// A `;` or `#` behind a blank starts a comment for the INI reader of Python, where it is told so.
+fn check_text(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
+    // blanks between `=` and the value count
+    let behind_key = crate::source::Span::new(line.name_at.end, line.value_at.end).of(section.text);
+    let is_behind_blank = |mark: char| {
+        behind_key.match_indices(mark).any(|(at, _)| behind_key[..at].ends_with(|c: char| c.is_whitespace()))
+    };
+    let shown: String = line.value.chars().take(60).collect();
+    for (rule, mark) in [(&SEMICOLON_IN_TEXT, ';'), (&HASH_IN_TEXT, '#')] {
+        if is_behind_blank(mark) {
+            let message = format!("a blank stands before the `{mark}` of `{shown}`");
+            let finding = Diagnostic::new(rule, line.value_at, message);
+            findings.push(finding.help(format!("write the text without a blank before the `{mark}`")));
+            return;
+        }
+    }
+}
