@@ -12,13 +12,18 @@
 
 mod support;
 
+use std::collections::BTreeSet;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
+use objdict::compat::{Effect, REACTIONS};
+use objdict::diagnostic::{Findings, Tool};
 use objdict::format::literal::RealSpelling;
 use objdict::format::{self, Description, WriteOptions};
+use objdict::lint::Options;
 use objdict::model::{Access, DataType, Device, TypeKind, Value};
 use objdict::source::SourceOptions;
 use serde_json::json;
@@ -152,4 +157,80 @@ fn dcf_tools_accepts_what_we_wrote() {
             Some((_, words)) => assert!(text.contains(words), "{name}: not refused for `{words}`: {text}"),
         }
     }
+}
+
+/// The tools that a finding says refuse the file.
+fn claims(findings: &Findings, tool: Tool) -> bool {
+    let says_so = |text: &str| {
+        text.split("; ").any(|part| {
+            part.split_once(": the file is refused")
+                .is_some_and(|(tools, _)| tools.split(", ").any(|named| named == tool.name()))
+        })
+    };
+    findings
+        .iter()
+        .any(|finding| says_so(&finding.message) || finding.help.as_ref().is_some_and(|help| says_so(help)))
+}
+
+/// The bad fixtures of the rules whose findings say what other tools do, with all findings.
+fn bad_fixtures() -> Vec<(PathBuf, Findings)> {
+    let rules = support::fixtures().join("rules");
+    let causes: BTreeSet<&str> = REACTIONS.iter().map(|reaction| reaction.rule).collect();
+    let files = causes.iter().flat_map(|rule| fs::read_dir(rules.join(rule)).unwrap());
+    let files = files.map(|file| file.unwrap().path());
+    let is_bad = |path: &PathBuf| {
+        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("bad"))
+            && path.extension().is_some_and(|ending| ending == "eds" || ending == "dcf")
+    };
+    let mut options = Options::default();
+    options.tools.extend(Tool::ALL);
+    let mut fixtures: Vec<_> = files
+        .filter(is_bad)
+        .map(|path| {
+            let description = format::open(&path, &SourceOptions::default()).unwrap();
+            let findings = objdict::check_with(&description, &options);
+            (path, findings)
+        })
+        .collect();
+    fixtures.sort_by(|(left, _), (right, _)| left.cmp(right));
+    fixtures
+}
+
+#[test]
+fn tools_refuse_what_findings_say_they_refuse() {
+    let Some(programs) = environment() else { return };
+    let fixtures = bad_fixtures();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/interop/refusals.py");
+    let mut child = Command::new(programs.join("python"))
+        .arg(script)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let paths: Vec<String> = fixtures.iter().map(|(path, _)| path.display().to_string()).collect();
+    child.stdin.take().unwrap().write_all(paths.join("\n").as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let lines = String::from_utf8(output.stdout).unwrap();
+    let answers: Vec<serde_json::Value> =
+        lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(answers.len(), fixtures.len());
+    let rules = support::fixtures().join("rules");
+    let mut wrong = Vec::new();
+    for ((path, findings), answer) in fixtures.iter().zip(&answers) {
+        for tool in [Tool::DcfTools, Tool::PythonCanopen] {
+            let claimed = claims(findings, tool);
+            let refusal = answer[tool.name()].as_str();
+            let rule =
+                path.parent().unwrap().strip_prefix(&rules).unwrap().to_string_lossy().replace('\\', "/");
+            let may_refuse = REACTIONS.iter().any(|reaction| {
+                reaction.rule == rule && reaction.effect == Effect::Refused && reaction.tools.contains(&tool)
+            });
+            // what a defect costs beside that is not told
+            let is_surprise = rule.starts_with("portability/") && !may_refuse;
+            if claimed && refusal.is_none() || is_surprise && refusal.is_some() {
+                wrong.push(format!("{}: {tool}: claimed {claimed}, is {refusal:?}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

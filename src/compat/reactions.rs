@@ -63,8 +63,10 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/decorated-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
     row("cia306/decorated-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
         .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
-    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused"),
-    row("cia306/duplicate-section", PYTHON, Refused, "the file is refused"),
+    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused")
+        .when("in the same letters", is_repeated),
+    row("cia306/duplicate-section", PYTHON, Refused, "the file is refused")
+        .when("in the same letters", is_repeated),
     row(
         "cia306/duplicate-section",
         EDITOR,
@@ -81,14 +83,23 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/junk-line", PYTHON, Refused, "the file is refused"),
     row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
     row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and mostly the file")
-        .when("outside [FileInfo], and not 00", |description, finding| is_read_number(description, finding)),
+        .when("outside [FileInfo], and not 00", is_read_number),
     row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/missing-key", PYTHON, Refused, "the file is refused"),
+    row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
+        "`DataType` or `AccessType`, not of a module",
+        |description, finding| {
+            ["DataType", "AccessType"].iter().any(|key| finding.message.contains(key))
+                && !section_of(description, finding).starts_with(['M', 'm'])
+        },
+    ),
     row("cia306/missing-key", EDITOR, Dropped, "the object is skipped"),
-    row("cia306/missing-name", PYTHON, Refused, "the file is refused"),
-    row("cia306/missing-name", EDITOR, Dropped, "the object is skipped"),
+    row("cia306/missing-name", PYTHON, Refused, "the file is refused")
+        .when("no `ParameterName`", is_at_header),
+    row("cia306/missing-name", EDITOR, Dropped, "the object is skipped")
+        .when("no `ParameterName`", is_at_header),
     row("cia306/missing-section", DCF_TOOLS, Refused, "the file is refused")
         .when("a list of objects", |_, finding| finding.message.contains("Objects")),
     row("cia306/missing-section", EDITOR, Refused, "the file is refused").when(
@@ -98,21 +109,27 @@ pub static REACTIONS: &[Reaction] = &[
         },
     ),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/not-ascii", PYTHON, Refused, "the file is refused")
-        .when("not UTF-8", |description, _| is_of_one_byte(description)),
+    row("cia306/not-ascii", PYTHON, Refused, "the file is refused").when("not UTF-8", is_of_one_byte),
     row("cia306/not-ascii", EDITOR, Wrong, "each such letter becomes U+FFFD")
-        .when("not UTF-8", |description, _| is_of_one_byte(description)),
+        .when("not UTF-8", is_of_one_byte),
     row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
     row("cia306/octal-number", PYTHON, Refused, "the number is refused, and mostly the file")
-        .when("outside [FileInfo]", |description, finding| is_read_number(description, finding)),
+        .when("outside [FileInfo]", is_read_number),
     row("cia306/quoted-string", WRITERS, Wrong, "the quotes become a part of the text"),
     row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
         .when("with `0x` or blanks", |_, finding| finding.message.contains("not the name")),
     row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is refused"),
+    row(
+        "cia306/stray-compact-section",
+        PYTHON_CANOPEN,
+        Wrong,
+        "the names make sub-indexes, or the file is refused",
+    )
+    .when("in [xxxxName]", is_of_names),
     row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/sub-without-object", PYTHON, Refused, "the file is refused"),
     row("cia306/trailing-comment", PYTHON_CANOPEN, Dropped, "the value is lost")
@@ -128,9 +145,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
     row("cia306/unclosed-section", EDITOR, Wrong, "the keys below go to the section before"),
     row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
-        .when("outside [Comments]", |description, finding| {
-            !section_of(description, finding).eq_ignore_ascii_case("Comments")
-        }),
+        .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/unknown-key", WRITERS, Dropped, "the key is lost"),
     row("cia306/unknown-section", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/unknown-section", PYTHON_CANOPEN, Dropped, "the section is lost"),
@@ -138,10 +153,22 @@ pub static REACTIONS: &[Reaction] = &[
         .when("letters and digits", |description, finding| is_plain(shown(description, finding))),
     row("cia306/unknown-section", EDITOR, Wrong, "the keys below go to the section before")
         .when("other characters in the name", |description, finding| !is_plain(shown(description, finding))),
-    row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused")
-        .when("`AccessType`", |_, finding| finding.message.contains("AccessType")),
-    row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused").when(
+        "`AccessType`, `SubNumber` or `CompactSubObj`",
+        |_, finding| {
+            ["AccessType", "SubNumber", "CompactSubObj"].iter().any(|key| finding.message.contains(key))
+        },
+    ),
+    row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused")
+        .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
+    row("cia306/wrong-count", PYTHON_CANOPEN, Refused, "the file is refused")
+        .when("no `Lines`", |description, finding| {
+            is_of_comments(description, finding) && is_at_header(description, finding)
+        }),
+    row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is refused")
+        .when("not a mandatory object", |_, finding| {
+            !finding.message.contains("belongs into `[MandatoryObjects]`")
+        }),
     row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("portability/commented-section", EDITOR, Wrong, "the keys below go to the section of the comment"),
@@ -178,9 +205,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is refused"),
     row("portability/hex-count", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/hex-count", PYTHON_CANOPEN, Refused, "the file is refused")
-        .when("in [xxxxName]", |description, finding| {
-            section_of(description, finding).to_ascii_lowercase().ends_with("name")
-        }),
+        .when("in [xxxxName]", is_of_names),
     row("portability/hex-flag", PYTHON, Refused, "the file is refused").when(
         "`0x` in [DummyUsage]",
         |description, finding| {
@@ -247,13 +272,39 @@ fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     span.of(description.source().text())
 }
 
-/// The name of the section that the place of a finding stands in; empty before the first.
+/// The name of the section that the place of a finding stands in, or is the header of; empty before the first.
 fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
-    let text = description.source().text();
-    let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
-    let before = text.get(..start as usize).unwrap_or_default();
+    if is_at_header(description, finding) {
+        return shown(description, finding);
+    }
+    let before = before(description, finding);
     let header = before.rsplit(['\n', '\r']).map(str::trim).find(|line| line.starts_with('['));
     header.map_or("", |header| header.trim_matches(['[', ']']))
+}
+
+/// Whether the place of a finding is the name in the header of a section: what is missing there has no place of its own.
+fn is_at_header(description: &Description, finding: &Diagnostic) -> bool {
+    before(description, finding).trim_end().ends_with('[')
+}
+
+fn before<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
+    let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+    description.source().text().get(..start as usize).unwrap_or_default()
+}
+
+fn is_of_comments(description: &Description, finding: &Diagnostic) -> bool {
+    section_of(description, finding).eq_ignore_ascii_case("Comments")
+}
+
+fn is_of_names(description: &Description, finding: &Diagnostic) -> bool {
+    section_of(description, finding).to_ascii_lowercase().ends_with("name")
+}
+
+/// Whether the second place of a finding shows the same as the first, letter by letter.
+fn is_repeated(description: &Description, finding: &Diagnostic) -> bool {
+    let text = description.source().text();
+    let mut places = finding.labels.iter().map(|label| description.span_of(&label.at).of(text));
+    places.next() == places.next()
 }
 
 /// Whether the text holds an entry whose line is as `is_meant` says.
@@ -284,7 +335,7 @@ fn is_read_number(description: &Description, finding: &Diagnostic) -> bool {
 }
 
 /// Whether the text is in an encoding of one byte a character.
-fn is_of_one_byte(description: &Description) -> bool {
+fn is_of_one_byte(description: &Description, _: &Diagnostic) -> bool {
     let encoding = description.source().encoding();
     !matches!(encoding, Encoding::Utf8 | Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be)
 }

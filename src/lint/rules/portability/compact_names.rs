@@ -19,7 +19,7 @@ rule! {
     ///
     /// ## Source
     /// CANopenEditor of 2026
-    "portability/compact-names", Note, Device(check)
+    "portability/compact-names", Warning, Device(check)
 }
 
 fn check(device: &Device, findings: &mut Findings) {
