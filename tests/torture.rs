@@ -6,8 +6,9 @@ mod support;
 
 use std::collections::BTreeMap;
 
+use objdict::diagnostic::Safety;
 use objdict::format::{self, Description};
-use objdict::model::{Access, Device, Value};
+use objdict::model::{Access, Commissioning, Device, PdoKind, Value};
 use objdict::source::SourceOptions;
 
 /// Line, severity and rule of a finding.
@@ -159,4 +160,43 @@ fn links_and_modules_reach_the_model() {
     let device = device("29_objectlinks_modules");
     assert!(!device.object(0x2000).unwrap().links.is_empty());
     assert_eq!(device.modules.unwrap().supported.len(), 1);
+}
+
+#[test]
+fn a_byte_order_mark_hides_nothing() {
+    let info = device("03_bom").file_info.unwrap();
+    assert_eq!(info.file_name.as_deref(), Some("03_bom.eds"));
+}
+
+#[test]
+fn a_formula_turned_around_is_mended() {
+    let mended = objdict::mend(open("09_rev_nodeid"), Safety::Safe, objdict::check);
+    assert!(mended.findings.is_empty());
+    let text = mended.description.source().text();
+    assert!(text.contains("DefaultValue=$NODEID+0x80"), "{text}");
+}
+
+#[test]
+fn comments_survive_an_edit() {
+    let description = open("30_comments_preserved");
+    let comments =
+        |text: &str| text.lines().filter(|line| line.starts_with(';')).map(str::to_owned).collect::<Vec<_>>();
+    let before = comments(description.source().text());
+    assert!(!before.is_empty());
+    let node = Commissioning { node_id: Some(5), ..Commissioning::default() };
+    let dcf = String::from_utf8(description.to_node("node.dcf", &node).unwrap()).unwrap();
+    assert!(dcf.contains("[DeviceComissioning]"));
+    assert_eq!(comments(&dcf), before);
+}
+
+#[test]
+fn pdos_that_no_section_describes_are_implied() {
+    let implicit = device("33_compactpdo").implicit_pdos();
+    assert_eq!(implicit, [(PdoKind::Tpdo, 1), (PdoKind::Tpdo, 2)]);
+}
+
+#[test]
+fn line_ends_stay_as_they_are() {
+    let bytes = open("34_crlf").print();
+    assert!(bytes.windows(2).all(|pair| pair[1] != b'\n' || pair[0] == b'\r'));
 }
