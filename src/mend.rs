@@ -13,6 +13,9 @@ const MAX_ROUNDS: u32 = 10;
 /// So many texts are tried in a round to find the fixes that do harm.
 const MAX_TRIALS: u32 = 100;
 
+/// A rule with so many fixes in a round that did harm gets no further trial.
+const MAX_HARM: usize = 8;
+
 /// A description with its findings mended.
 #[derive(Debug)]
 pub struct Mended {
@@ -110,7 +113,11 @@ fn round(mended: &mut Mended, candidates: &[Candidate], check: &impl Fn(&Descrip
         best: None,
         harmful: Vec::new(),
     };
-    let accepted = trials.narrow(Vec::new(), &(0..candidates.len()).collect::<Vec<_>>());
+    let mut numbers: Vec<usize> = (0..candidates.len()).collect();
+    // those of one rule fail together, and are found fast where they stand together
+    numbers.sort_by_key(|&number| candidates[number].repair.rule);
+    let mut accepted = trials.narrow(Vec::new(), &numbers);
+    accepted.sort_unstable();
     let Trials { best, harmful, .. } = trials;
     let repairs = |numbers: Vec<usize>| numbers.into_iter().map(|number| candidates[number].repair.clone());
     mended.applied.extend(repairs(accepted));
@@ -147,9 +154,21 @@ impl<F: Fn(&Description) -> Findings> Trials<'_, F> {
             self.harmful.push(*only);
             return accepted;
         }
+        if self.is_hopeless(numbers) {
+            self.harmful.extend(numbers);
+            return accepted;
+        }
         let (first, second) = numbers.split_at(numbers.len() / 2);
         let accepted = self.narrow(accepted, first);
         self.narrow(accepted, second)
+    }
+
+    /// Whether all of these are fixes of one rule that did harm often enough.
+    fn is_hopeless(&self, numbers: &[usize]) -> bool {
+        let rule = |number: &usize| self.candidates[*number].repair.rule;
+        let Some(first) = numbers.first().map(rule) else { return false };
+        let harm = self.harmful.iter().filter(|number| rule(number) == first).count();
+        harm >= MAX_HARM && numbers.iter().all(|number| rule(number) == first)
     }
 
     /// The description with some fixes made, where each mends its finding and none makes another.

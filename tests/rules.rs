@@ -257,6 +257,28 @@ fn a_good_fixture_is_clean() {
     }
 }
 
+#[test]
+fn a_rule_offers_the_fixes_that_it_declares() {
+    let mut offered = BTreeSet::new();
+    for (id, folder) in rule_folders() {
+        let rule = registry::rule(&id).unwrap();
+        for path in devices(&folder, "bad") {
+            let Examined::Description(description, findings) = Examined::new(&path) else { continue };
+            for fix in findings.iter().filter_map(|finding| finding.fix.as_ref()) {
+                assert!(rule.fix >= Some(fix.safety), "{id} declares no such fix: {}", fix.title);
+                if description.can_mend(fix) {
+                    offered.insert(rule.id);
+                }
+            }
+        }
+    }
+    let declared = registry::rules().into_iter().filter(|rule| rule.fix.is_some());
+    let declared: BTreeSet<&str> = declared.map(|rule| rule.id).collect();
+    let missing: Vec<_> = declared.difference(&offered).collect();
+    assert!(missing.is_empty(), "no bad fixture shows a fix of {missing:?}");
+    assert!(declared.len() >= 60, "{} rules have fixes", declared.len());
+}
+
 /// What a device lacks whose structure lacks it.
 const COMPANIONS: [&str; 2] = ["cia301/missing-mandatory-object", "cia306/no-baud-rate"];
 

@@ -47,6 +47,7 @@ pub(super) enum Command {
     Convert(ConvertArgs),
     New(NewArgs),
     Profile(ProfileCommandArgs),
+    Fmt(FmtArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
 }
@@ -359,6 +360,23 @@ pub(super) enum ProfileFormat {
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,
+/// Put EDS and DCF files in the canonical order and spelling
+///
+/// Sections and keys are moved with the comments that belong to them; keys, section names, hex numbers and formulas are
+/// spelled alike. What is read of the file stays the same. The standard input goes to the standard output.
+#[derive(Debug, Parser)]
+pub(super) struct FmtArgs {
+    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
+    #[arg(required = true, value_name = "PATH")]
+    pub files: Vec<PathBuf>,
+    /// Write nothing, print the names of the files that are not in order, and exit with 1 when there is one
+    #[arg(long)]
+    pub check: bool,
+    /// Write nothing, print what would be changed, and exit with 1 when there is something
+    #[arg(long, conflicts_with = "check")]
+    pub diff: bool,
+    #[command(flatten)]
+    pub input: InputArgs,
 }
 
 /// List the rules that `check` knows

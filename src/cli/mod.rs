@@ -2,6 +2,7 @@
 //! the standard error.
 
 mod args;
+mod arrange;
 mod baseline;
 mod check;
 mod convert;
@@ -52,6 +53,7 @@ pub fn run() -> ExitCode {
         Command::Generate(command) => generate::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),
         Command::Profile(command) => profile::run(&command.command, &mut out),
+        Command::Fmt(command) => arrange::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),

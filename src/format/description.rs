@@ -195,6 +195,28 @@ impl Description {
         super::write(&device, format, &super::WriteOptions::default()).bytes
     }
 
+    /// The bytes of this text in the canonical order and spelling: sections and keys in the order of CiA 306-1, with the
+    /// comments that belong to them; keys, section names, hex numbers and formulas spelled alike. What is read of it stays
+    /// the same. `None` for a text in XML.
+    ///
+    /// # Errors
+    /// When the text cannot be written in the encoding of the file, or something else would be read of it.
+    pub fn arranged(&self) -> Option<Result<Vec<u8>, EditError>> {
+        let document = self.document()?;
+        if self.source().is_read_only() {
+            return Some(Err(EditError::ReadOnly(self.source().name().to_owned())));
+        }
+        for extent in eds::arrange::Extent::ALL {
+            let text = eds::arrange::arrange(document, &self.device, extent);
+            let arranged = SourceFile::from_text(self.source().name(), text);
+            let again = Self::read(arranged, self.format);
+            if says_the_same(&self.device, &again.device) {
+                return Some(self.source().encode(again.source().text()).map_err(EditError::from));
+            }
+        }
+        Some(Err(EditError::OtherMeaning(self.source().name().to_owned())))
+    }
+
     /// The edits of the text that a fix makes, in its order: what stands in each span becomes the text beside it. `None`
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
@@ -258,4 +280,14 @@ impl Description {
         }
         findings
     }
+}
+
+/// Whether two devices are the same, but for the order of the sections that the model does not know.
+fn says_the_same(one: &Device, other: &Device) -> bool {
+    let sorted = |device: &Device| {
+        let mut device = device.clone();
+        device.extra.sort_by_key(|section| section.name.to_ascii_lowercase());
+        device
+    };
+    one == other || sorted(one) == sorted(other)
 }

@@ -5,7 +5,6 @@ mod demands;
 mod drive;
 mod facts;
 mod index_set;
-mod lists;
 mod options;
 mod respell;
 mod rule;
@@ -13,6 +12,7 @@ mod rules;
 mod severities;
 mod srdo;
 mod stated;
+mod supply;
 
 use crate::compat;
 use crate::diagnostic::Findings;
@@ -21,13 +21,13 @@ use crate::model::{Device, Object};
 pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
-pub(crate) use lists::{MAX_LIST_FIXES, list_of, with_members};
 pub use options::Options;
 pub(crate) use respell::{nearest_access, respell};
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_others};
 pub(crate) use rules::RULES;
 pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
+pub(crate) use supply::{MAX_LIST_FIXES, list_of, sub_0, with_members};
 
 /// All rules on one device.
 pub fn check(device: &Device, options: &Options) -> Findings {

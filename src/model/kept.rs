@@ -124,13 +124,21 @@ pub struct Misfit {
 }
 
 /// The misfits of one part of the model. The typed fields hold no value for them.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, Eq, Serialize)]
 #[allow(
     clippy::box_collection,
     reason = "every entry has them, mostly none: a pointer instead of three words"
 )]
 #[serde(transparent)]
 pub struct Misfits(Option<Box<Vec<Misfit>>>);
+
+/// In whatever order they stand.
+impl PartialEq for Misfits {
+    fn eq(&self, other: &Self) -> bool {
+        self.iter().len() == other.iter().len()
+            && self.iter().all(|misfit| other.iter().any(|other| other == misfit))
+    }
+}
 
 impl Misfits {
     /// Whether there are none.

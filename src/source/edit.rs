@@ -32,6 +32,9 @@ pub enum EditError {
     /// A new name, value or text has a character that XML cannot hold there.
     #[error("`{}` cannot be written in XML", .0.escape_debug())]
     NotXml(String),
+    /// Something else would be read of the new text.
+    #[error("`{0}` cannot be put in order without changing what it says")]
+    OtherMeaning(String),
     /// A new text has a character that the encoding of the file lacks.
     #[error(transparent)]
     Unencodable(#[from] Unencodable),

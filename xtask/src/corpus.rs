@@ -1,6 +1,5 @@
-//! A run over a folder of real files: nothing may panic, every file prints back byte-identical, converts there
-//! and back without a loss, and the table shows
-//! which rules fire how often.
+//! A run over a folder of real files: nothing may panic, every file prints back byte-identical, converts there and back
+//! without a loss, is mended and put in order without harm, and the table shows which rules fire how often.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -99,7 +98,8 @@ fn read(file: &Path) -> Result<Option<Outcome>, String> {
     }
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
     let round_trip = description.print() == bytes;
-    let lost = crate::round_trip::problems(description.device(), description.format());
+    let mut lost = crate::round_trip::problems(description.device(), description.format());
+    lost.extend(crate::changes::problems(description, &findings));
     Ok(Some(Outcome { bytes: bytes.len(), round_trip, errors, lost, rules, time }))
 }
 

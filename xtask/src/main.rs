@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
+mod changes;
 mod corpus;
 mod docs;
 mod generated;

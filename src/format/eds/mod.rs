@@ -1,5 +1,6 @@
 //! EDS and DCF (CiA 306-1).
 
+pub(crate) mod arrange;
 mod configure;
 pub(crate) mod file_name;
 pub(crate) mod findings;

@@ -36,7 +36,8 @@ impl Rank {
             Part::Commissioning => general(5),
             Part::DynamicChannels => general(6),
             Part::Tools => general(7),
-            Part::Tool(number) => Self { index: number, ..general(8) },
+            // they are numbered by their order
+            Part::Tool(_) => general(8),
             Part::SupportedModules => general(9),
             Part::Module(number, part) => module(number, part),
             Part::ConnectedModules => general(TYPES - 1),

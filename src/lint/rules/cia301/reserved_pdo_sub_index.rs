@@ -36,7 +36,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let fix = with.clone().fold(Fix::risky("remove the section"), |fix, (pdo, _)| {
         let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
         let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
-        fix.remove(place(pdo.communication_index())).set(number, described.to_string())
+        let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
+        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else { return fix };
+        let highest = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4).max().unwrap_or_default();
+        let count = Place::entry(pdo.communication_index(), 0).field(Field::DefaultValue);
+        fix.set(count, highest.to_string())
     });
     let finding = finding.fix(fix);
     let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")));

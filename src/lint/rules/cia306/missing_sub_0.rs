@@ -1,6 +1,6 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{rule, stated};
-use crate::model::{Device, Field, Object, ObjectType, Part, Place};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::lint::{rule, stated, sub_0};
+use crate::model::{Device, Field, Object, ObjectType, Place};
 
 rule! {
     /// an ARRAY or RECORD has no sub-index 0
@@ -38,23 +38,14 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let message = format!("{index:04X}h is {article} {object_type} without sub-index 0");
     let highest = object.highest_sub().unwrap_or_default();
     let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-    let finding = finding.fix(add_sub_0(index, object, highest));
+    let finding = finding.fix(add_sub_0(index, object));
     findings
         .push(finding.help(format!("add `[{index:X}sub0]` of type UNSIGNED8 with `DefaultValue={highest}`")));
 }
 
-/// Sub-index 0 as most devices have it.
-fn add_sub_0(index: u16, object: &Object, highest: u8) -> Fix {
-    let keys = [
-        (Field::ParameterName, "Highest sub-index supported".to_owned()),
-        (Field::ObjectType, "0x7".to_owned()),
-        (Field::DataType, "0x0005".to_owned()),
-        (Field::AccessType, "ro".to_owned()),
-        (Field::DefaultValue, highest.to_string()),
-        (Field::PdoMapping, "0".to_owned()),
-    ];
-    let add = Change::Add(Part::Entry(index, 0), keys.to_vec());
-    let fix = Fix::risky(format!("add `[{index:X}sub0]`")).with(add);
+/// Sub-index 0, and `SubNumber` with it counted.
+fn add_sub_0(index: u16, object: &Object) -> Fix {
+    let fix = Fix::risky(format!("add `[{index:X}sub0]`")).with(sub_0(index, object));
     let described = stated::described_subs(object) + 1;
     if object.sub_number.map(usize::from) == Some(described) {
         return fix;

@@ -44,7 +44,11 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     } else {
         let title = format!("write `SubNumber={described}`");
         let place = Place::object(index).field(Field::SubNumber);
-        let finding = finding.fix(Fix::safe(title.clone()).set(place, described.to_string()));
+        // where sub-index 0 says the same as `SubNumber`, a section got lost
+        let value = object.value(0).and_then(|value| value.as_integer());
+        let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
+        let fix = Fix::safe(title.clone()).set(place, described.to_string());
+        let finding = if is_lost { finding } else { finding.fix(fix) };
         finding.help(if stated > described { format!("describe the others, or {title}") } else { title })
     });
 }

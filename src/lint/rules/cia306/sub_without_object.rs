@@ -1,5 +1,5 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{list_of, rule, stated, with_members};
+use crate::lint::{list_of, rule, stated, sub_0, with_members};
 use crate::model::{Device, Field, Object, Part, Place};
 
 rule! {
@@ -30,12 +30,17 @@ fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) 
     let message = format!("sub-indexes of {index:04X}h are described, the object is not");
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
     let title = format!("add a section `[{index:X}]` with name, object type and `SubNumber`");
+    let fix = Fix::risky(title.clone());
+    let (fix, described) = match object.subs.get(0) {
+        Some(_) => (fix, stated::described_subs(object)),
+        None => (fix.with(sub_0(index, object)), stated::described_subs(object) + 1),
+    };
     let keys = [
         (Field::ParameterName, format!("Object {index:04X}h")),
         (Field::ObjectType, "0x9".to_owned()),
-        (Field::SubNumber, stated::described_subs(object).to_string()),
+        (Field::SubNumber, described.to_string()),
     ];
-    let fix = Fix::risky(title.clone()).with(Change::Add(Part::Object(index), keys.to_vec()));
+    let fix = fix.with(Change::Add(Part::Object(index), keys.to_vec()));
     let is_listed = device.lists.iter().any(|(_, listed)| listed == index);
     let list = list_of(index).filter(|&list| !is_listed && !device.lists.get(list).is_empty());
     let fix = match list {

@@ -1,6 +1,7 @@
-//! The three lists of objects (CiA 306-1 §4.6.3.1): where an object belongs, and lists with what they lack.
+//! What fixes add: lists of objects (CiA 306-1 §4.6.3.1) with what they lack, and sub-index 0.
 
-use crate::model::ObjectList;
+use crate::diagnostic::Change;
+use crate::model::{Field, Object, ObjectList, Part};
 
 /// So many findings of a list carry the whole new list as their fix; the others go with them.
 pub(crate) const MAX_LIST_FIXES: usize = 50;
@@ -24,6 +25,19 @@ pub(crate) fn with_members(list: &[u16], others: impl IntoIterator<Item = u16>) 
         members.sort_unstable();
     }
     members
+}
+
+/// Sub-index 0 of an object as most devices have it.
+pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
+    let keys = [
+        (Field::ParameterName, "Highest sub-index supported".to_owned()),
+        (Field::ObjectType, "0x7".to_owned()),
+        (Field::DataType, "0x0005".to_owned()),
+        (Field::AccessType, "ro".to_owned()),
+        (Field::DefaultValue, object.highest_sub().unwrap_or_default().to_string()),
+        (Field::PdoMapping, "0".to_owned()),
+    ];
+    Change::Add(Part::Entry(index, 0), keys.to_vec())
 }
 
 #[cfg(test)]

@@ -1,0 +1,136 @@
+//! `objdict fmt`.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::args::FmtArgs;
+use super::files::{File, gather};
+use super::input::Candidate;
+use super::output::Output;
+use super::parallel::in_order;
+use super::save::{Saved, save};
+use super::{Failure, Outcome, diff, tell};
+use crate::report::plural;
+use crate::source::{SourceFile, SourceOptions};
+
+pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (files, failures) = gather(&args.files);
+    failures.iter().for_each(Failure::print);
+    let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
+    in_order(&files, None, |file| arrange(args, file), |arranged| done.take(args, arranged, out))?;
+    done.tell(args);
+    Ok(match done {
+        Done { has_failed: true, .. } => Outcome::Failed,
+        Done { changed: 1.., .. } if args.is_dry() => Outcome::Findings,
+        _ => Outcome::Clean,
+    })
+}
+
+impl FmtArgs {
+    /// Whether nothing is written.
+    fn is_dry(&self) -> bool {
+        self.check || self.diff
+    }
+}
+
+/// A file before and after.
+struct Arranged {
+    file: std::path::PathBuf,
+    before: SourceFile,
+    after: SourceFile,
+    bytes: Vec<u8>,
+}
+
+/// Puts one file in order; `None` for one of a folder that has no sections and keys.
+fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
+    let description = match args.input.candidate(&file.path)? {
+        Candidate::Description(description) => *description,
+        Candidate::Foreign(..) if !file.is_named => return Ok(None),
+        Candidate::Foreign(_, failure) => return Err(failure),
+    };
+    let source = description.source();
+    let name = source.name().to_owned();
+    let bytes = match description.arranged() {
+        Some(bytes) => bytes.map_err(Failure::new)?,
+        None if !file.is_named => return Ok(None),
+        None => {
+            let format = description.format().name();
+            return Err(Failure::new(format_args!(
+                "only EDS and DCF can be put in order, and `{name}` is an {format}"
+            )));
+        }
+    };
+    let mut options = SourceOptions::default();
+    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
+    let read = |bytes| SourceFile::from_bytes(&*name, bytes, &options).map_err(Failure::new);
+    let (before, after) = (read(source.to_bytes())?, read(bytes.clone())?);
+    Ok(Some(Arranged { file: file.path.clone(), before, after, bytes }))
+}
+
+/// What became of the files.
+struct Done {
+    has_failed: bool,
+    changed: usize,
+    same: usize,
+}
+
+impl Done {
+    fn take(
+        &mut self,
+        args: &FmtArgs,
+        arranged: Result<Option<Arranged>, Failure>,
+        out: &mut Output,
+    ) -> Result<(), Failure> {
+        let arranged = match arranged {
+            Ok(Some(arranged)) => arranged,
+            Ok(None) => return Ok(()),
+            Err(failure) => {
+                failure.print();
+                self.has_failed = true;
+                return Ok(());
+            }
+        };
+        let is_changed = arranged.before.text() != arranged.after.text();
+        let written = write(args, &arranged, is_changed, out);
+        match written {
+            Ok(()) if is_changed => self.changed += 1,
+            Ok(()) => self.same += 1,
+            Err(failure) => {
+                failure.print();
+                self.has_failed = true;
+            }
+        }
+        Ok(())
+    }
+
+    fn tell(&self, args: &FmtArgs) {
+        if args.files.iter().any(|file| file == Path::new("-")) && !args.is_dry() {
+            return;
+        }
+        let verb = if args.is_dry() { "would put" } else { "put" };
+        let same = match self.same {
+            0 => String::new(),
+            count => format!(", {} in order already", plural(count, "file")),
+        };
+        tell(&format!("{verb} {} in order{same}\n", plural(self.changed, "file")));
+    }
+}
+
+/// Writes a file, or what is asked for instead. The standard input goes to the standard output.
+fn write(args: &FmtArgs, arranged: &Arranged, is_changed: bool, out: &mut Output) -> Result<(), Failure> {
+    let is_stdin = arranged.file == Path::new("-");
+    if args.diff {
+        if is_changed {
+            diff::print(&arranged.before, &arranged.after, out)?;
+        }
+    } else if args.check {
+        if is_changed {
+            writeln!(out, "{}", arranged.file.display())?;
+        }
+    } else if is_stdin {
+        out.write_all(&arranged.bytes)?;
+    } else if is_changed {
+        let _: Saved = save(&arranged.file, &arranged.bytes)?;
+    }
+    Ok(())
+}
