@@ -9,12 +9,15 @@ use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
 use super::save::{Saved, save};
+use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, diff, tell};
 use crate::report::plural;
 use crate::source::{SourceFile, SourceOptions};
 
 pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (files, failures) = gather(&args.files);
+    // what a configuration excludes from folders is left alone
+    let settings = SettingsArgs::default();
+    let (files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
     failures.iter().for_each(Failure::print);
     let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
     in_order(&files, None, |file| arrange(args, file), |arranged| done.take(args, arranged, out))?;

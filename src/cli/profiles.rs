@@ -10,7 +10,7 @@ use crate::report::problem;
 use crate::source::{SourceFile, SourceOptions};
 
 /// The argument `--profile`.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub(super) struct ProfileArgs {
     /// A document that devices shall follow though they do not say so, such as 401, or a file with a profile of your own
     /// (docs/profiles.md); may be given several times

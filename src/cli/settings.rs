@@ -17,7 +17,7 @@ use crate::profile::Profile;
 use crate::registry;
 
 /// What a check is told.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct SettingsArgs {
     /// The configuration for all files; without it, the nearest `objdict.toml` in the folder of each file or above
