@@ -360,6 +360,8 @@ pub(super) enum ProfileFormat {
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,
+}
+
 /// Put EDS and DCF files in the canonical order and spelling
 ///
 /// Sections and keys are moved with the comments that belong to them; keys, section names, hex numbers and formulas are
