@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, Srdo, rule};
 
 rule! {
     /// two SRDOs of the device have the same COB-ID
@@ -27,7 +27,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         // the second COB-ID follows the first, or is reported
         let Some(cob_id) = srdo.cob_id(facts, 5) else { continue };
         let place = |at: usize| {
-            let index = facts.srdos.get(at).map_or(0x1301, |srdo| srdo.communication_index());
+            let index = facts.srdos.get(at).map_or(0x1301, Srdo::communication_index);
             facts.device.value_place(index, 5)
         };
         match seen.iter().find(|(other, _)| *other == cob_id) {

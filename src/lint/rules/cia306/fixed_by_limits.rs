@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::{EntryAt, rule, stated};
-use crate::model::{Access, Field};
+use crate::model::{Access, DataType, Field};
 
 rule! {
     /// the limits of an entry leave one value
@@ -26,7 +26,7 @@ rule! {
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
-    let is_number = at.entry.data_type.is_some_and(|data_type| data_type.is_numeric());
+    let is_number = at.entry.data_type.is_some_and(DataType::is_numeric);
     let is_writable = at.entry.access.is_some_and(Access::is_writable);
     // a command such as `save` takes one value
     if !is_number || !is_writable || !at.holds_value() || at.entry.flags().refuses_write() {

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::{EntryAt, rule, stated};
-use crate::model::{Field, ObjectType};
+use crate::model::{DataType, Field, ObjectType};
 
 rule! {
     /// an entry has one limit and lacks the other
@@ -29,7 +29,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         (None, Some(_)) => (Field::HighLimit, Field::LowLimit),
         _ => return,
     };
-    let is_number = entry.data_type.is_some_and(|data_type| data_type.is_numeric());
+    let is_number = entry.data_type.is_some_and(DataType::is_numeric);
     let is_domain = at.object_type() == Some(ObjectType::Domain);
     if !is_number || is_domain || !at.holds_value() || stated::is_misfit(entry, &missing) {
         return;

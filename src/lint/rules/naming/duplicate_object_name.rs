@@ -33,7 +33,7 @@ fn check(device: &Device, findings: &mut Findings) {
         }
         let first = *seen.entry(name).or_insert(index);
         // the same object of another axis stands 800h further
-        let is_copy = index >= 0x6000 && (index - first) % 0x800 == 0;
+        let is_copy = index >= 0x6000 && (index - first).is_multiple_of(0x800);
         (first != index && !is_copy).then_some((first, index, name))
     });
     let Some((first, second, name)) = repeated.next() else { return };
