@@ -387,6 +387,9 @@ pub(super) struct RulesArgs {
     /// How to write them
     #[arg(long, value_enum, default_value = "text")]
     pub format: RulesFormat,
+    /// Only the rules of this group, such as cia301; may be given several times, or with commas between
+    #[arg(long, value_name = "GROUP", value_delimiter = ',')]
+    pub group: Vec<String>,
 }
 
 /// How rules are listed.

@@ -8,7 +8,7 @@ use super::args::{ExplainArgs, RulesArgs, RulesFormat};
 use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
-use crate::diagnostic::{RuleInfo, Severity};
+use crate::diagnostic::{RuleInfo, Safety, Severity, listing, nearest};
 use crate::registry;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
@@ -23,30 +23,41 @@ struct Document {
 #[derive(Serialize)]
 struct Rule {
     id: &'static str,
+    group: &'static str,
     severity: Severity,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fix: Option<Safety>,
+    source: String,
     summary: &'static str,
     docs: String,
 }
 
-/// All rules, a line each.
+/// The rules, or those of some groups, a line each.
 pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let rules = registry::rules();
+    let groups = args.group.iter().map(|name| group(name)).collect::<Result<Vec<_>, _>>()?;
+    let is_meant = |rule: &&RuleInfo| groups.is_empty() || groups.contains(&rule.group());
+    let rules = registry::rules().into_iter().filter(is_meant);
     match args.format {
         RulesFormat::Text => {
-            let mut table = Table::new(["Rule", "Severity", "Finds"], usize::MAX);
+            let mut table = Table::new(["Rule", "Severity", "Fix", "Finds", "Source"], usize::MAX);
             for rule in rules {
-                table.row([rule.id.to_owned(), rule.severity.to_string(), rule.summary().to_owned()]);
+                let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
+                let [id, finds] = [rule.id, rule.summary()].map(str::to_owned);
+                table.row([id, rule.severity.to_string(), fix, finds, source(rule)]);
             }
             table.write(out)?;
         }
         RulesFormat::Json => {
             let rule = |rule: &RuleInfo| Rule {
                 id: rule.id,
+                group: rule.group(),
                 severity: rule.severity,
+                fix: rule.fix,
+                source: source(rule),
                 summary: rule.summary(),
                 docs: rule.page(),
             };
-            let document = Document { version: VERSION, rules: rules.into_iter().map(rule).collect() };
+            let document = Document { version: VERSION, rules: rules.map(rule).collect() };
             serde_json::to_writer_pretty(&mut *out, &document).map_err(std::io::Error::from)?;
             out.write_all(b"\n")?;
         }
@@ -54,10 +65,30 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
     Ok(Outcome::Clean)
 }
 
+/// The documents that a rule comes from, as one line.
+fn source(rule: &RuleInfo) -> String {
+    rule.source().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The group of a name, whatever the case of its letters.
+fn group(name: &str) -> Result<&'static str, Failure> {
+    let groups = registry::groups();
+    let found = groups.iter().copied().find(|group| group.eq_ignore_ascii_case(name));
+    found.ok_or_else(|| {
+        let failure = Failure::new(format_args!("there is no group of rules `{name}`"));
+        failure.help(format!("the groups are {}", listing(groups)))
+    })
+}
+
 /// The page of one rule.
 pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let Some(rule) = find(&args.rule) else { return Err(unknown(&args.rule)) };
-    writeln!(out, "# {} ({})\n", rule.id, rule.severity)?;
+    let fix = match rule.fix {
+        None => "none",
+        Some(Safety::Safe) => "safe, `objdict check --fix` makes it",
+        Some(Safety::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
+    };
+    writeln!(out, "# {}\n\nSeverity: {}\nFix: {fix}\n", rule.id, rule.severity)?;
     out.write_all(rule.page().as_bytes())?;
     Ok(Outcome::Clean)
 }
@@ -73,9 +104,35 @@ fn find(name: &str) -> Option<&'static RuleInfo> {
 
 fn unknown(name: &str) -> Failure {
     let failure = Failure::new(format_args!("there is no rule `{name}`"));
-    match registry::nearest_rule(name) {
-        Some(rule) => failure.help(format!("did you mean `{}`? `objdict rules` lists all", rule.id)),
-        None => failure.help("`objdict rules` lists all"),
+    let lower = name.to_ascii_lowercase();
+    if let Some(group) = registry::groups().into_iter().find(|group| lower.trim_end_matches('/') == *group) {
+        return failure.help(format!("that is a group; `objdict rules --group {group}` lists its rules"));
+    }
+    match similar(&lower)[..] {
+        [] => failure.help("`objdict rules` lists all"),
+        ref rules => failure.help(format!("did you mean {}? `objdict rules` lists all", alternatives(rules))),
+    }
+}
+
+/// The rules that are most likely meant by a name, at most three: those of the nearest name, in whatever group, else those
+/// that have it in their name.
+fn similar(name: &str) -> Vec<&'static RuleInfo> {
+    let wanted = name.rsplit('/').next().unwrap_or(name);
+    let rules = registry::rules();
+    let near = nearest(wanted, rules.iter().map(|rule| rule.name()));
+    let is_meant = |rule: &&RuleInfo| match near {
+        Some(near) => rule.name() == near,
+        None => wanted.len() > 2 && rule.name().contains(wanted),
+    };
+    rules.into_iter().filter(is_meant).take(3).collect()
+}
+
+/// "`a`, `b` or `c`".
+fn alternatives(rules: &[&RuleInfo]) -> String {
+    let mut names: Vec<String> = rules.iter().map(|rule| format!("`{}`", rule.id)).collect();
+    match names.pop() {
+        Some(last) if !names.is_empty() => format!("{} or {last}", names.join(", ")),
+        last => last.unwrap_or_default(),
     }
 }
 
@@ -90,5 +147,7 @@ mod tests {
         assert!(
             unknown("cia306/duplicat-key").help.is_some_and(|help| help.contains("cia306/duplicate-key"))
         );
+        assert!(unknown("CiA306").help.is_some_and(|help| help.contains("`objdict rules --group cia306`")));
+        assert!(unknown("").help.is_some_and(|help| !help.contains("did you mean")));
     }
 }

@@ -1,6 +1,7 @@
 //! How a finding is mended: changes of the description, as data.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,15 @@ pub enum Safety {
     Safe,
     /// The most likely intention; somebody should look at it.
     Unsafe,
+}
+
+impl fmt::Display for Safety {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Safe => "safe",
+            Self::Unsafe => "unsafe",
+        })
+    }
 }
 
 /// One change of a description. Values are texts in the spelling of CiA 306-1; other formats translate them.

@@ -36,12 +36,8 @@ pub(super) fn uri(path: &str) -> String {
     }
     for byte in path.bytes() {
         match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'/' | b'-' | b'.' | b'_' | b'~' => {
-                uri.push(byte.into())
-            }
-            b'!' | b'$' | b'&' | b'\'' | b'(' | b')' | b'*' | b'+' | b',' | b';' | b'=' | b'@' => {
-                uri.push(byte.into());
-            }
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' => uri.push(byte.into()),
+            _ if b"/-._~!$&'()*+,;=@".contains(&byte) => uri.push(byte.into()),
             b':' if is_drive => uri.push(':'),
             _ => uri.push_str(&format!("%{byte:02X}")),
         }

@@ -24,8 +24,9 @@ struct Outcome {
     time: Duration,
 }
 
-/// Runs over `folder` and prints the table; fails when a file panics or does not print back.
-pub(crate) fn run(folder: &Path, generate: bool) -> Result<(), String> {
+/// Runs over `folder` and prints the table; fails when a file panics or does not print back. The number of files that each
+/// rule fires on goes into the file `shares`.
+pub(crate) fn run(folder: &Path, generate: bool, shares: Option<&Path>) -> Result<(), String> {
     let mut files = Vec::new();
     collect(folder, &mut files).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
     files.sort();
@@ -45,6 +46,10 @@ pub(crate) fn run(folder: &Path, generate: bool) -> Result<(), String> {
         }
     }
     print!("{}", table(&outcomes));
+    if let Some(file) = shares {
+        let fired = outcomes.iter().flat_map(|(_, outcome)| outcome.rules.keys().copied());
+        crate::shares::write(file, fired, outcomes.len())?;
+    }
     if generate {
         let sound: Vec<&Path> = outcomes
             .iter()

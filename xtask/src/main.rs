@@ -1,4 +1,4 @@
-//! Chores: `cargo xtask corpus FOLDER`, `cargo xtask docs [--check]`.
+//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask docs [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -7,22 +7,29 @@ mod corpus;
 mod docs;
 mod generated;
 mod round_trip;
+mod shares;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage:
-  cargo xtask corpus FOLDER [--generate]  read, print, check and convert there and back every description below
-                                          FOLDER, and print a table; with --generate also compile what is generated from each
-  cargo xtask docs [--check]              write docs/rules.md and docs/portability.md; with --check only compare";
+  cargo xtask corpus FOLDER [--generate] [--shares FILE]
+      read, print, check and convert there and back every description below FOLDER, and print a table; with --generate also
+      compile what is generated from each, with --shares write how many files each rule fires on (docs/rules-shares.tsv)
+  cargo xtask docs [--check]
+      write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
-        ["corpus", folder] => corpus::run(Path::new(folder), false),
-        ["corpus", folder, "--generate"] => corpus::run(Path::new(folder), true),
+        ["corpus", folder] => corpus::run(Path::new(folder), false, None),
+        ["corpus", folder, "--generate"] => corpus::run(Path::new(folder), true, None),
+        ["corpus", folder, "--shares", file] => corpus::run(Path::new(folder), false, Some(Path::new(file))),
+        ["corpus", folder, "--generate", "--shares", file] => {
+            corpus::run(Path::new(folder), true, Some(Path::new(file)))
+        }
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
         _ => Err(USAGE.to_owned()),

@@ -1,0 +1,51 @@
+//! docs/rules-shares.tsv: on how many of the files of a corpus each rule fires. The files themselves are not ours to show.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use objdict::registry;
+
+/// The number of files that each rule fires on, and of files in all.
+pub(crate) type Shares = BTreeMap<String, (usize, usize)>;
+
+/// Writes a row for each rule: its id, the files that it fires on, the files in all. `fired` has a rule once for each file.
+pub(crate) fn write<'a>(
+    file: &Path,
+    fired: impl Iterator<Item = &'a str>,
+    total: usize,
+) -> Result<(), String> {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for rule in fired {
+        *counts.entry(rule).or_default() += 1;
+    }
+    let mut text = String::from("rule\tfiles\tin all\n");
+    for rule in registry::rules() {
+        let _ = writeln!(text, "{}\t{}\t{total}", rule.id, counts.get(rule.id).copied().unwrap_or_default());
+    }
+    fs::write(file, text).map_err(|error| format!("cannot write {}: {error}", file.display()))
+}
+
+/// Reads what was written; nothing where there is no file yet.
+pub(crate) fn read(file: &Path) -> Result<Shares, String> {
+    let Ok(text) = fs::read_to_string(file) else { return Ok(Shares::new()) };
+    let row = |line: &str| -> Option<(String, (usize, usize))> {
+        let mut cells = line.split('\t');
+        let rule = cells.next()?.to_owned();
+        Some((rule, (cells.next()?.parse().ok()?, cells.next()?.parse().ok()?)))
+    };
+    text.lines()
+        .skip(1)
+        .map(|line| row(line).ok_or_else(|| format!("{}: `{line}` is no row", file.display())))
+        .collect()
+}
+
+/// A share as a percentage; a rule that was not counted has none.
+pub(crate) fn shown(share: Option<&(usize, usize)>) -> String {
+    match share {
+        None => "–".to_owned(),
+        Some((0, _) | (_, 0)) => "0".to_owned(),
+        Some(&(files, total)) => format!("{:.1} %", 100.0 * files as f64 / total as f64),
+    }
+}
