@@ -1,4 +1,5 @@
 //! Every output of findings, over all fixtures that have some: each is what its readers take.
+#![cfg(feature = "cli")]
 
 use std::collections::{BTreeMap, HashSet};
 use std::io::Read;
@@ -388,6 +389,7 @@ fn a_closed_pipe_is_no_failure() {
         (vec!["rules"], 0),
         (vec!["rules", "--format", "json"], 0),
         (vec!["explain", "cia306/duplicate-key"], 0),
+        (vec!["completions", "bash"], 0),
     ];
     for (arguments, code) in checks.into_iter().chain(others) {
         let mut child = Command::new(env!("CARGO_BIN_EXE_objdict"))

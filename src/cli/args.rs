@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
@@ -34,7 +35,7 @@ pub(super) struct Args {
     #[command(subcommand)]
     pub command: Command,
     /// When to use colours
-    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN")]
+    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
     pub color: Color,
 }
 
@@ -50,6 +51,8 @@ pub(super) enum Command {
     Fmt(FmtArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
+    Completions(CompletionsArgs),
+    Man(ManArgs),
 }
 
 /// Say what is wrong with descriptions, and where
@@ -406,6 +409,25 @@ pub(super) enum RulesFormat {
 pub(super) struct ExplainArgs {
     /// The rule, such as cia306/duplicate-key; the name alone is enough where it is the only one
     pub rule: String,
+}
+
+/// Print what makes a shell complete the arguments
+#[derive(Debug, Parser)]
+pub(super) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+/// Write the manual pages, one for each command
+///
+/// For packages. A page that is there with the same text is not touched.
+#[derive(Debug, Parser)]
+#[command(hide = true)]
+pub(super) struct ManArgs {
+    /// The folder that they go to, such as share/man/man1
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
 }
 
 /// A version of CiA 311, as an argument.

@@ -14,6 +14,7 @@ mod identify;
 mod input;
 mod new;
 mod output;
+mod packaging;
 mod parallel;
 mod profile;
 mod profiles;
@@ -57,6 +58,8 @@ pub fn run() -> ExitCode {
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
+        Command::Completions(command) => packaging::completions(command, &mut out),
+        Command::Man(command) => packaging::man(command),
     };
     outcome
         .and_then(|outcome| out.finish().map(|()| outcome))

@@ -256,4 +256,15 @@ mod tests {
         assert!(findings.iter().any(|finding| place(finding) == ("a.eds".to_owned(), Some(2), Some(1))));
         assert!(findings.iter().any(|finding| finding["file"] == "b.eds"));
     }
+
+    #[test]
+    fn a_fix_is_edits_of_the_text() {
+        let document = report(&[("a.eds", "[Comments]\nLines = 0\n")]);
+        let findings = document["findings"].as_array().unwrap();
+        let fixes: Vec<_> = findings.iter().filter(|f| f["rule"] == "cia306/blank-before-equals").collect();
+        let fix = &fixes[0]["fix"];
+        assert_eq!(fix["safety"], "safe");
+        let edit = serde_json::json!({ "line": 2, "column": 6, "end_line": 2, "end_column": 7, "text": "" });
+        assert_eq!(fix["edits"][0], edit, "{fix}");
+    }
 }

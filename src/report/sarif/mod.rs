@@ -298,4 +298,22 @@ mod tests {
         assert_eq!(invocation["executionSuccessful"], false);
         assert_eq!(invocation["toolExecutionNotifications"][0]["message"]["text"], "`x` is gone");
     }
+
+    #[test]
+    fn a_fix_is_a_replacement_in_utf_16() {
+        let text = "[Comments]\nLines=1\nLine1\u{1F600} =x\n";
+        let source = crate::source::SourceFile::from_text("a b.eds", text);
+        let description = crate::format::read(source, crate::format::Format::Eds);
+        let mut out = Vec::new();
+        let mut report = Sarif::new(&mut out);
+        report.file((&description).into(), &crate::check(&description)).unwrap();
+        report.finish().unwrap();
+        let log: serde_json::Value = serde_json::from_slice(&out).unwrap();
+        let results = log["runs"][0]["results"].as_array().unwrap();
+        let blank = results.iter().find(|result| result["ruleId"] == "cia306/blank-before-equals").unwrap();
+        let change = &blank["fixes"][0]["artifactChanges"][0];
+        assert_eq!(change["artifactLocation"]["uri"], "a%20b.eds");
+        let region = serde_json::json!({ "startLine": 3, "startColumn": 8, "endLine": 3, "endColumn": 9 });
+        assert_eq!(change["replacements"][0]["deletedRegion"], region);
+    }
 }

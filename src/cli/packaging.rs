@@ -1,0 +1,58 @@
+//! `objdict completions` and `objdict man`: what packages bring along, made from the declaration of the arguments.
+
+use clap::{Command, CommandFactory};
+use clap_mangen::Man;
+
+use super::args::{Args, CompletionsArgs, ManArgs};
+use super::output::Output;
+use super::save::save;
+use super::{Failure, Outcome};
+
+/// The completions of a shell.
+pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut command = Args::command();
+    let name = command.get_name().to_owned();
+    // the generator panics when it cannot write, and a vector always takes it
+    let mut text = Vec::new();
+    clap_complete::generate(args.shell, &mut command, name, &mut text);
+    std::io::Write::write_all(out, &text)?;
+    Ok(Outcome::Clean)
+}
+
+/// The manual pages.
+pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
+    let mut command = Args::command();
+    command.build();
+    let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
+    for page in std::iter::once(&command).chain(commands) {
+        let name = page.get_display_name().unwrap_or(page.get_name());
+        save(&args.folder.join(format!("{name}.1")), &render(page)?)?;
+    }
+    Ok(Outcome::Clean)
+}
+
+fn render(page: &Command) -> Result<Vec<u8>, Failure> {
+    let mut text = Vec::new();
+    let source = concat!("objdict ", env!("CARGO_PKG_VERSION"));
+    Man::new(page.clone()).manual("objdict").source(source).render(&mut text)?;
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_command_that_is_shown_has_a_page() {
+        let folder = tempfile::tempdir().unwrap();
+        man(&ManArgs { folder: folder.path().to_owned() }).unwrap();
+        let page = |name: &str| std::fs::read_to_string(folder.path().join(name));
+        let main = page("objdict.1").unwrap();
+        let check = page("objdict-check.1").unwrap();
+        assert!(main.contains("objdict\\-check(1)"), "{main}");
+        assert!(check.contains("\\fB\\-\\-deny\\fR"), "{check}");
+        assert!(page("objdict-man.1").is_err());
+        man(&ManArgs { folder: folder.path().to_owned() }).unwrap();
+        assert_eq!(page("objdict-check.1").unwrap(), check, "the same pages each time");
+    }
+}
