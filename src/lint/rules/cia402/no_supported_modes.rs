@@ -9,7 +9,7 @@ rule! {
     /// Whether a drive with the controlword 6040h has 6502h (supported drive modes).
     ///
     /// ## Why it matters
-    /// Masters read 6502h before they choose a mode, and many give the axis up when they cannot. Version 2 left the object to the drive, from version 3 on it is mandatory: of the real drives that were looked at every third lacks it, most of them of version 2, so it is a warning.
+    /// Masters read 6502h before they choose a mode, and many give the axis up when they cannot. Version 2 left the object to the drive, from version 3 on it is mandatory: of the real drives that were looked at more than a quarter lacks it, so it is a warning.
     ///
     /// ## Example
     /// `[6040]`, and no `[6502]`

@@ -7,7 +7,7 @@ rule! {
     /// The data types of the objects that CiA 402 defines; sub-index 0 is the matter of `cia306/sub-0-type`.
     ///
     /// ## Why it matters
-    /// A master reads and writes the value with the type of the profile: with another length the transfer is aborted and the mapping is refused; with another sign a speed backwards becomes the largest speed forwards. About one real drive in five has such an entry, mostly 60FFh as UNSIGNED32 or 608Fh as INTEGER32, and none that was looked at was right.
+    /// A master reads and writes the value with the type of the profile: with another length the transfer is aborted and the mapping is refused; with another sign a speed backwards becomes the largest speed forwards. Of the real drives that were looked at every third has such an entry, mostly 608Fh and 6090h as INTEGER32 or 60FFh as UNSIGNED32, and each of them was against the document.
     ///
     /// ## Example
     /// `DataType=0x0007` in `[60FF]`, which is UNSIGNED32 in the place of INTEGER32
