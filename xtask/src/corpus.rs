@@ -74,7 +74,7 @@ pub(crate) fn run(folder: &Path, generate: bool, shares: Option<&Path>) -> Resul
     if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
 }
 
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+pub(crate) fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() {

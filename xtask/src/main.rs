@@ -1,4 +1,5 @@
-//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask docs [--check]`.
+//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
+//! `cargo xtask docs [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -6,6 +7,8 @@ mod changes;
 mod corpus;
 mod docs;
 mod generated;
+mod mutants;
+mod mutate;
 mod round_trip;
 mod shares;
 
@@ -17,6 +20,8 @@ usage:
   cargo xtask corpus FOLDER [--generate] [--shares FILE]
       read, print, check and convert there and back every description below FOLDER, and print a table; with --generate also
       compile what is generated from each, with --shares write how many files each rule fires on (docs/rules-shares.tsv)
+  cargo xtask mutants FOLDER COUNT
+      damage the descriptions below FOLDER so often, and read, check, mend and arrange them; nothing may panic
   cargo xtask docs [--check]
       write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare";
 
@@ -30,6 +35,10 @@ fn main() -> ExitCode {
         ["corpus", folder, "--generate", "--shares", file] => {
             corpus::run(Path::new(folder), true, Some(Path::new(file)))
         }
+        ["mutants", folder, count] => match count.parse() {
+            Ok(count) => mutants::run(Path::new(folder), count),
+            Err(_) => Err(USAGE.to_owned()),
+        },
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
         _ => Err(USAGE.to_owned()),
