@@ -3,7 +3,7 @@
 use super::comments::{Directive, directives};
 use crate::config::unknown_rule;
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing, text_rule};
-use crate::format::Description;
+use crate::format::{Description, Format, Syntax};
 use crate::lint::Options;
 use crate::registry;
 use crate::source::Span;
@@ -35,7 +35,7 @@ text_rule! {
     /// a comment allows what is not there
     ///
     /// ## What it checks
-    /// Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools that the check was not told of, are not looked at.
+    /// Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools and profiles of a house that the check was not told of, are not looked at.
     ///
     /// ## Why it matters
     /// What was allowed is mended or has moved; the comment would hide the same mistake when somebody makes it again.
@@ -73,7 +73,8 @@ pub(super) fn apply(description: &Description, options: &Options, findings: &mut
     });
     // what no device of a network needs is not known here, where one of them is looked at
     if description.device_count() == 1 {
-        suppressions.iter().for_each(|suppression| suppression.report_unused(options, &mut about));
+        let format = description.format();
+        suppressions.iter().for_each(|suppression| suppression.report_unused(format, options, &mut about));
     }
     about
 }
@@ -133,8 +134,8 @@ impl Suppression {
         is_allowed
     }
 
-    fn report_unused(&self, options: &Options, about: &mut Findings) {
-        let is_unused = |allowed: &&Allowed| !allowed.is_used && is_active(allowed.rules, options);
+    fn report_unused(&self, format: Format, options: &Options, about: &mut Findings) {
+        let is_unused = |allowed: &&Allowed| !allowed.is_used && is_active(allowed.rules, format, options);
         let unused: Vec<&Allowed> = self.allowed.iter().filter(is_unused).collect();
         let place = match self.directive.scope {
             None => "in this file",
@@ -172,11 +173,16 @@ impl Suppression {
     }
 }
 
-/// Whether rules were looked at.
-fn is_active(rules: Selection, options: &Options) -> bool {
+/// Whether rules are looked at in files of this format.
+fn is_active(rules: Selection, format: Format, options: &Options) -> bool {
     let group = match rules {
         Selection::Group(group) => group,
         Selection::Rule(rule) => rule.group(),
     };
-    !options.severities.is_off(rules) && (group != "portability" || !options.tools.is_empty())
+    !options.severities.is_off(rules)
+        && match group {
+            "portability" => !options.tools.is_empty() && format.syntax() == Syntax::Ini,
+            "house" => !options.profiles.is_empty(),
+            _ => true,
+        }
 }
