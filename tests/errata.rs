@@ -12,9 +12,6 @@ use objdict::source::SourceOptions;
 
 /// A device, the findings that name its misprints, and those that follow from them or are a matter of taste. A finding
 /// is a rule and a place of the model; one that only the text shows has the text. Nothing else may be found.
-///
-/// What only the profiles CiA 401 and CiA 406 know (a4, a8-analogue-output-unsigned16, a18, the missing 6401h of a10
-/// and b1-b3, 6401h of c2-c4) comes with their rules.
 struct Device {
     name: &'static str,
     main: &'static [&'static str],
@@ -27,7 +24,14 @@ const DEVICES: &[Device] = &[
         main: &["cia306/sub-number-mismatch 0x1018 / SubNumber"],
         also: &[],
     },
-    Device { name: "a4-mapping-unsigned16", main: &[], also: &[] },
+    Device {
+        name: "a4-mapping-unsigned16",
+        main: &[
+            "cia401/wrong-data-type 0x6401sub1 / DataType",
+            "cia401/wrong-data-type 0x6401sub2 / DataType",
+        ],
+        also: &[],
+    },
     Device {
         name: "a7-mapping-from-sub0",
         main: &["cia301/mapping-of-count 0x1A02sub1 / DefaultValue"],
@@ -41,7 +45,17 @@ const DEVICES: &[Device] = &[
         ],
         also: &[],
     },
-    Device { name: "a8-analogue-output-unsigned16", main: &[], also: &[] },
+    Device {
+        name: "a8-analogue-output-unsigned16",
+        main: &[
+            "cia401/wrong-data-type 0x6411sub1 / DataType",
+            "cia401/wrong-data-type 0x6411sub2 / DataType",
+            "cia401/wrong-data-type 0x6411sub3 / DataType",
+            "cia401/wrong-data-type 0x6411sub4 / DataType",
+        ],
+        // the exercise maps two of the four
+        also: &["cia401/wrong-default-mapping 0x1601sub0 / DefaultValue"],
+    },
     Device {
         name: "a9-encoder-406",
         main: &["cia301/synchronous-pdo-without-sync 0x1801sub2 / DefaultValue"],
@@ -56,6 +70,11 @@ const DEVICES: &[Device] = &[
             "cia301/cob-id-collision 0x1401sub1 / DefaultValue",
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/wrong-mapping-count 0x1A01sub0 / DefaultValue",
+            "cia401/device-type-without-channels 0x1000 / DefaultValue",
+            "cia401/wrong-data-type 0x6410sub1 / DataType",
+            "cia401/wrong-data-type 0x6410sub2 / DataType",
+            "cia401/wrong-access 0x6410sub1 / AccessType",
+            "cia401/wrong-access 0x6410sub2 / AccessType",
         ],
         also: &["cia306/wrong-highest-sub-index 0x1401sub0 / DefaultValue"],
     },
@@ -86,7 +105,11 @@ const DEVICES: &[Device] = &[
             "cia301/restricted-can-id 0x181Bsub1 / DefaultValue",
         ],
     },
-    Device { name: "a18-e6-encoder", main: &[], also: &[] },
+    Device {
+        name: "a18-e6-encoder",
+        main: &["cia406/missing-object 0x1000"],
+        also: &["cia406/wrong-transmission-type 0x1801sub2 / DefaultValue"],
+    },
     Device {
         name: "b1-b3-cs5525",
         main: &[
@@ -98,12 +121,17 @@ const DEVICES: &[Device] = &[
             "cia301/obsolete-object 0x100F",
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/mapped-object-not-mappable 0x1A01sub2 / DefaultValue",
+            "cia401/missing-object 0x1000",
         ],
         also: &["cia301/emergency-without-cob-id 0x1003", "cia301/rtr-only-pdo 0x1801sub2 / DefaultValue"],
     },
     Device {
         name: "c2-c4-sensor-node",
-        main: &["cia301/cob-id-not-predefined 0x1800sub1 / DefaultValue"],
+        main: &[
+            "cia301/cob-id-not-predefined 0x1800sub1 / DefaultValue",
+            "cia401/wrong-data-type 0x6401sub1 / DataType",
+            "cia401/wrong-data-type 0x6401sub2 / DataType",
+        ],
         also: &[],
     },
     Device {

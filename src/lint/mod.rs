@@ -1,6 +1,7 @@
 //! The linter: rules about the model. A rule knows no files and no formats; it looks at a [`Device`] and speaks of
 //! [`Place`](crate::model::Place)s.
 
+mod channels;
 mod demands;
 mod drive;
 mod facts;

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoMapping, StackOptions, Value};
+use super::{
+    Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
+};
 
 /// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -108,6 +110,15 @@ impl Entry {
     /// Whether a PDO may carry the entry.
     pub fn is_mappable(&self) -> bool {
         self.pdo_mapping.is_some_and(PdoMapping::is_mappable)
+    }
+
+    /// Whether its access type and its mapping let PDOs of a direction carry it; true where it states no access type.
+    pub fn fits_pdo(&self, kind: PdoKind) -> bool {
+        match (kind, self.pdo_mapping) {
+            (PdoKind::Rpdo, Some(PdoMapping::Tpdo)) | (PdoKind::Tpdo, Some(PdoMapping::Rpdo)) => false,
+            (PdoKind::Rpdo, _) => self.access.is_none_or(Access::fits_rpdo),
+            (PdoKind::Tpdo, _) => self.access.is_none_or(Access::fits_tpdo),
+        }
     }
 
     /// The flags; none where the description has none.

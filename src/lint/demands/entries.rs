@@ -49,6 +49,8 @@ pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings:
 /// Entries are marked as mappable that no PDO may carry, or not where a PDO has to be able to carry them.
 pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let marked = at.entries().filter(|at| at.entry.is_mappable() && at.facts.mapping == Some(Mapping::No));
+    // sub-index 0 of an ARRAY or RECORD does no harm, nobody maps it;
+    let marked = marked.filter(|at| !at.counts());
     // constants and texts are never mappable, which is a rule of its own
     let marked = marked.filter(|at| {
         let length = at.entry.data_type.and_then(DataType::bit_length);
@@ -80,11 +82,7 @@ pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: 
         (low, high) => format!("{low} to {high}"),
     });
     let message = format!("`{number}` as value of {at}, {} allows {}", at.document(), series(ranges));
-    let field = match at.entry.configured_value() {
-        Some(_) => Field::ParameterValue,
-        None => Field::DefaultValue,
-    };
-    findings.push(Diagnostic::new(rule, at.place().field(field), message));
+    findings.push(Diagnostic::new(rule, at.place().field(at.value_field()), message));
 }
 
 /// The default is another one.

@@ -2,19 +2,25 @@
 //! device against the document of its own group (`cia401/…` against CiA 401, `house/…` against profiles that were
 //! loaded), so the rules of a group are a page each, and the looking is here.
 
+mod bits;
 mod entries;
+mod mapped;
 mod missing;
 mod objects;
 
 use std::sync::Arc;
 
 use super::{Options, stated};
-use crate::model::{Device, Entry, Object, Place};
+use crate::model::{Device, Entry, Field, Object, Place};
 use crate::profile::{self, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
 
+pub(crate) use bits::{reserved_bits, undefined_field_value};
 pub(crate) use entries::{wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_value};
+pub(crate) use mapped::mapped_in_wrong_direction;
 pub(crate) use missing::{is_there, missing_entry, missing_object};
-pub(crate) use objects::{misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type};
+pub(crate) use objects::{
+    different_channel_count, misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type,
+};
 
 /// A document that holds for a logical device.
 #[derive(Clone, Copy)]
@@ -143,8 +149,16 @@ impl Expected<'_> {
         self.against.applied.document()
     }
 
+    /// The field that holds the value of the entry.
+    pub(crate) fn value_field(&self) -> Field {
+        match self.entry.configured_value() {
+            Some(_) => Field::ParameterValue,
+            None => Field::DefaultValue,
+        }
+    }
+
     /// Whether it is sub-index 0 of an object with sub-indexes: a number of entries, and the matter of rules of its own.
-    fn counts(&self) -> bool {
+    pub(crate) fn counts(&self) -> bool {
         self.sub == Some(0) && self.against.object.object_type().has_subs()
     }
 }

@@ -1,8 +1,9 @@
 //! Objects beside what a document says of them.
 
 use super::Against;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity};
-use crate::model::{DataType, Field, ObjectType, Place};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity, counted};
+use crate::model::{DataType, Field, Object, ObjectType, Place};
+use crate::profile::index_in;
 
 /// The object type is another one.
 pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
@@ -28,10 +29,12 @@ fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
         || (is_var && (!object.subs.is_empty() || is_domain))
 }
 
-/// There is a sub-index that the document does not define. Any may be, where it defines none.
+/// There is a sub-index that the document does not define. Any may be, where it defines none, or adds to what another
+/// document says of the object, so that it does not say of what object type it is.
 pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     // a VAR with sub-indexes is the matter of another rule
-    if !at.has_its_shape() || !at.object.object_type().has_subs() || at.facts.entries.is_empty() {
+    let is_whole = at.facts.states_type() && !at.facts.entries.is_empty();
+    if !at.has_its_shape() || !at.object.object_type().has_subs() || !is_whole {
         return;
     }
     let highest = at.facts.highest_sub();
@@ -79,7 +82,7 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
     let highest = object.highest_sub().unwrap_or(0);
     let differs = value != i128::from(highest)
         && object.subs.get(0).and_then(|entry| entry.access).is_some_and(|access| !access.is_writable());
-    let has_rule = matches!(facts.first, 0x1018 | 0x1200..=0x12FF | 0x1400..=0x19FF);
+    let has_rule = matches!(facts.first, 0x1018 | 0x1200..=0x12FF | 0x1400..=0x19FF | 0x1F00..=0x1F9F);
     let missing = facts.entries.iter().any(|entry| entry.is_mandatory() && !object.has(entry.first));
     differs || highest > facts.highest_sub() || (has_rule && missing) || object.compact.is_some()
 }
@@ -92,6 +95,36 @@ pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findin
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
         findings.push(finding.help("leave the object out, or correct what the device says of itself"));
     }
+}
+
+/// The object has another number of elements than those that it goes with.
+pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let facts = at.facts;
+    if facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
+        return;
+    }
+    let block = at.applied.block;
+    let offset = at.index - index_in(block, facts.first);
+    let others = facts.as_many_as.iter().map(|&index| index_in(block, index) + offset);
+    let others: Vec<(u16, Option<u8>)> =
+        others.filter_map(|index| Some((index, count(at.device.object(index)?)))).collect();
+    let Some(own) = count(at.object) else { return };
+    let is_alike = others.iter().any(|&(_, number)| number.is_none_or(|number| number == own));
+    let Some(&(index, Some(number))) = others.first().filter(|_| !is_alike) else { return };
+    let message =
+        format!("{at} has {}, {index:04X}h has {number}", counted(own.into(), "element", "elements"));
+    let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
+    let finding =
+        finding.label(at.device.value_place(index, 0), counted(number.into(), "element", "elements"));
+    findings.push(finding.help(format!("describe {}", counted(number.into(), "element", "elements"))));
+}
+
+/// The number of elements, when sub-index 0 and the description agree about it. That there are none is the matter of
+/// another rule.
+fn count(object: &Object) -> Option<u8> {
+    let number = object.value(0)?.as_integer()?;
+    let highest = object.highest_sub()?;
+    (number == i128::from(highest) && highest > 0 && !object.orphan).then_some(highest)
 }
 
 /// A fix that gives a field the value that the document demands. Somebody should look whether the device is so.

@@ -298,7 +298,10 @@ fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, Str
         };
         format!("`{figure}` as default is no value of type {of}")
     };
-    let integer_type = data_type.unwrap_or(DataType::INTEGER64);
+    let integer_type = data_type.unwrap_or(match figure {
+        toml::Value::Integer(number) if *number >= 0 => DataType::UNSIGNED64,
+        _ => DataType::INTEGER64,
+    });
     let value = match figure {
         toml::Value::Integer(number) => match integer_type.kind() {
             TypeKind::Real32 => Some(Value::Real32(*number as f32)),

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::lint::{Facts, PdoFacts, Target, rule};
-use crate::model::{Access, Entry, Field, PdoKind, PdoMapping, Place};
+use crate::model::{Access, Field, PdoKind, Place};
 
 rule! {
     /// a PDO maps an object of the other direction
@@ -26,7 +26,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
         let Some(access) =
-            entry.access.filter(|&access| entry.is_mappable() && !fits(pdo.pdo.kind, access, entry))
+            entry.access.filter(|_| entry.is_mappable() && !entry.fits_pdo(pdo.pdo.kind))
         else {
             continue;
         };
@@ -41,14 +41,6 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             PdoKind::Rpdo => "map what can be written: `rww`, `rw` or `wo`",
             PdoKind::Tpdo => "map what can be read: `ro`, `rwr` or `rw`",
         }));
-    }
-}
-
-fn fits(kind: PdoKind, access: Access, entry: &Entry) -> bool {
-    match (kind, entry.pdo_mapping) {
-        (PdoKind::Rpdo, Some(PdoMapping::Tpdo)) | (PdoKind::Tpdo, Some(PdoMapping::Rpdo)) => false,
-        (PdoKind::Rpdo, _) => access.fits_rpdo(),
-        (PdoKind::Tpdo, _) => access.fits_tpdo(),
     }
 }
 
