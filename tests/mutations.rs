@@ -57,7 +57,7 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
     }
     if mends {
         let _ = description.arranged();
-        objdict::mend::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Safety::Unsafe, objdict::check);
     }
 }
 

@@ -12,6 +12,6 @@ fuzz_target!(|bytes: &[u8]| {
         let Ok(source) = SourceFile::from_bytes("fuzz", bytes.to_vec(), &SourceOptions::default()) else { return };
         let description = format::read(source, format);
         let _ = description.arranged();
-        objdict::mend::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Safety::Unsafe, objdict::check);
     }
 });

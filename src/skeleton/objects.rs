@@ -103,6 +103,8 @@ impl Maker<'_> {
             (0x1008, 0) => Value::Text(wanted.product_name.as_str().into()),
             (0x1014, 0) => predefined::per_node(predefined::EMCY).to_value(),
             (0x1017, 0) => Value::Unsigned(HEARTBEAT),
+            // an encoder sees at least one revolution
+            (0x6502, 0) => Value::Unsigned(1),
             (0x1018, 1) => Value::Unsigned(wanted.vendor_id.into()),
             (0x1018, 2) => Value::Unsigned(wanted.product_code.into()),
             (0x1018, 3) => Value::Unsigned(wanted.revision.into()),

@@ -20,7 +20,8 @@ const MAX_SIZE: u64 = 256 << 10;
 /// of them panics.
 pub(crate) fn run(folder: &Path, count: usize) -> Result<(), String> {
     let mut files = Vec::new();
-    crate::corpus::collect(folder, &mut files).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
+    crate::corpus::collect(folder, &mut files)
+        .map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
     files.sort();
     files.retain(|file| fs::metadata(file).is_ok_and(|data| data.len() <= MAX_SIZE));
     let texts: Vec<(Format, Vec<u8>)> = files
@@ -83,6 +84,6 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
     }
     if mends {
         let _ = description.arranged();
-        objdict::mend::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Safety::Unsafe, objdict::check);
     }
 }

@@ -125,7 +125,8 @@ impl Mutator {
     fn line(&mut self, bytes: &[u8]) -> (usize, usize) {
         let at = self.below(bytes.len());
         let start = bytes[..at].iter().rposition(|&byte| byte == b'\n').map_or(0, |found| found + 1);
-        let end = bytes[at..].iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |found| at + found + 1);
+        let end =
+            bytes[at..].iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |found| at + found + 1);
         (start, end)
     }
 }

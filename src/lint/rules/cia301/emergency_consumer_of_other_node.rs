@@ -34,7 +34,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         }
         let message = if can_id != 0x80 + node {
             let sub = sub_index(consumer.sub);
-            format!("sub-index {sub} of 1028h is for node {node}, and `{}` is of node {}", consumer.cob_id, can_id - 0x80)
+            format!(
+                "sub-index {sub} of 1028h is for node {node}, and `{}` is of node {}",
+                consumer.cob_id,
+                can_id - 0x80
+            )
         } else if facts.device.node_id() == Some(consumer.sub) {
             format!("sub-index {} of 1028h makes node {node} listen to its own EMCY", sub_index(consumer.sub))
         } else {

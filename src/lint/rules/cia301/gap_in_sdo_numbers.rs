@@ -26,7 +26,8 @@ fn check(device: &Device, findings: &mut Findings) {
     for (first, last, what) in [(0x1201_u16, 0x127F, "SDO server"), (0x1280, 0x12FF, "SDO client")] {
         for (&index, _) in device.objects.range(first + 1..=last) {
             if !stated::is_there(device, index - 1) {
-                let message = format!("{index:04X}h is there, and the {what} before it, {:04X}h, is not", index - 1);
+                let message =
+                    format!("{index:04X}h is there, and the {what} before it, {:04X}h, is not", index - 1);
                 let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
                 findings.push(finding.help("use the next free index, or describe those in between"));
                 break;

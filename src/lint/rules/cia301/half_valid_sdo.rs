@@ -30,11 +30,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         },
         _ => None,
     });
-    for (request, response) in
-        channels.filter(|(one, other)| one.is_in_use() != other.is_in_use())
-    {
-        let (valid, invalid) =
-            if request.is_in_use() { (request, response) } else { (response, request) };
+    for (request, response) in channels.filter(|(one, other)| one.is_in_use() != other.is_in_use()) {
+        let (valid, invalid) = if request.is_in_use() { (request, response) } else { (response, request) };
         let message = format!(
             "{} has a valid COB-ID `{}` in sub-index {} and none in sub-index {}",
             request.service, valid.cob_id, valid.sub, invalid.sub

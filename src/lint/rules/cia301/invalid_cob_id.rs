@@ -39,7 +39,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let finding = Diagnostic::new(&RULE.info, place.clone(), message).help(help(number));
         let meant = meant(number).filter(|_| !cob_id.cob_id.depends_on_node_id());
         findings.push(match meant {
-            Some(meant) => finding.fix(Fix::risky(format!("write `0x{meant:08X}`")).set(place, format!("0x{meant:08X}"))),
+            Some(meant) => {
+                finding.fix(Fix::risky(format!("write `0x{meant:08X}`")).set(place, format!("0x{meant:08X}")))
+            }
             None => finding,
         });
     }

@@ -25,7 +25,8 @@ rule! {
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let pdo = &pdo.pdo;
     let Some(object) = pdo.mapping.filter(|object| !object.orphan && is_unstated(object, 0)) else { return };
-    let Some(entry) = object.subs.get(0).filter(|entry| entry.access.is_some_and(|access| !Access::is_writable(access)))
+    let Some(entry) =
+        object.subs.get(0).filter(|entry| entry.access.is_some_and(|access| !Access::is_writable(access)))
     else {
         return;
     };

@@ -23,7 +23,9 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) else { return };
+    let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) else {
+        return;
+    };
     let by_module = modules
         .supported
         .values()

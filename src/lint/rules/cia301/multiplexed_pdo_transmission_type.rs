@@ -23,9 +23,12 @@ rule! {
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let pdo = &pdo.pdo;
-    let Some(transmission_type @ 0..=240) = pdo.transmission_type.filter(|_| pdo.is_multiplexed()) else { return };
+    let Some(transmission_type @ 0..=240) = pdo.transmission_type.filter(|_| pdo.is_multiplexed()) else {
+        return;
+    };
     let place = facts.device.value_place(pdo.communication_index(), 2);
-    let message = format!("{pdo} is a multiplexed PDO, and type `{transmission_type}` makes it wait for SYNC");
+    let message =
+        format!("{pdo} is a multiplexed PDO, and type `{transmission_type}` makes it wait for SYNC");
     let finding = Diagnostic::new(&RULE.info, place, message)
         .label(facts.device.value_place(pdo.mapping_index(), 0), "this makes it a multiplexed PDO");
     findings.push(finding.help("write 254 or 255"));

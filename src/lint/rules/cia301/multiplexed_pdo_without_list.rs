@@ -37,6 +37,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         }
         let message = format!("{pdo} is multiplexed by source address, and there is no {name}");
         let finding = Diagnostic::new(&RULE.info, device.value_place(pdo.mapping_index(), 0), message);
-        findings.push(finding.help(format!("add {first:04X}h ({name}), or count 255 for destination addresses")));
+        findings
+            .push(finding.help(format!("add {first:04X}h ({name}), or count 255 for destination addresses")));
     }
 }

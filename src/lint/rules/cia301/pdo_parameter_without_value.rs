@@ -23,7 +23,8 @@ rule! {
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let pdo = &pdo.pdo;
-    let Some(object) = pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs()) else {
+    let Some(object) = pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
+    else {
         return;
     };
     let index = pdo.communication_index();

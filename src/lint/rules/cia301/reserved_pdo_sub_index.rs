@@ -37,7 +37,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
         let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
         let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
-        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else { return fix };
+        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else {
+            return fix;
+        };
         let highest = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4).max().unwrap_or_default();
         let count = Place::entry(pdo.communication_index(), 0).field(Field::DefaultValue);
         fix.set(count, highest.to_string())

@@ -29,7 +29,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     if pdo.kind != PdoKind::Tpdo || !allows_rtr {
         return;
     }
-    let message = format!("{pdo} has transmission type `{transmission_type}`, and is sent on remote frames only");
+    let message =
+        format!("{pdo} has transmission type `{transmission_type}`, and is sent on remote frames only");
     let place = facts.device.value_place(pdo.communication_index(), 2);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("use 254 or 255 with an event timer, or a synchronous type"));

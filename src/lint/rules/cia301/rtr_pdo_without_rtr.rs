@@ -35,7 +35,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             .label(facts.device.value_place(index, 1), "no RTR allowed here");
         let flags = if cob_id.depends_on_node_id() { "$NODEID+" } else { "" };
         let number = cob_id.number() & !CobId::BIT_30;
-        let fix = Fix::risky("clear bit 30").set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
+        let fix = Fix::risky("clear bit 30")
+            .set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
         let finding = finding.fix(fix);
         findings.push(finding.help(format!("use another type, or clear bit 30: `{flags}0x{number:X}`")));
     }

@@ -38,7 +38,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = format!("`{}` switches {} on in every new device", cob_id.cob_id, cob_id.service);
-        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
+        let finding =
+            Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help("write `0x80000000` into both COB-IDs"));
     }
 }

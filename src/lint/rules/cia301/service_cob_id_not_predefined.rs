@@ -40,7 +40,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 cob_id.cob_id, cob_id.service
             );
             let finding = Diagnostic::new(&RULE.info, place.clone(), message);
-            let fix = Fix::risky("take the CAN-ID of the predefined connection set").set(place, expected.to_string());
+            let fix = Fix::risky("take the CAN-ID of the predefined connection set")
+                .set(place, expected.to_string());
             findings.push(finding.help(format!("write `{expected}`")).fix(fix));
         }
     }

@@ -32,10 +32,12 @@ fn check(device: &Device, findings: &mut Findings) {
             .chain(described.map(|(sub, entry)| (Some(sub), entry)))
             .filter_map(|(sub, entry)| Some((sub, number(entry).filter(|number| number & !known != 0)?)));
         let Some((sub, value)) = wrong.next() else { continue };
-        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::DefaultValue);
+        let place =
+            sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::DefaultValue);
         let which = sub.map_or_else(String::new, |sub| format!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
-            let message = format!("`0x{value:08X}` is what is written to {index:04X}h{which}, not what is read");
+            let message =
+                format!("`0x{value:08X}` is what is written to {index:04X}h{which}, not what is read");
             Diagnostic::new(&RULE.info, place.clone(), message)
         } else {
             let message = format!("`0x{value:08X}` of {index:04X}h{which} has bits that mean nothing");

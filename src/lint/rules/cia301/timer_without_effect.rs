@@ -30,7 +30,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         (3, "inhibit time", pdo.inhibit_time, is_cyclic || pdo.kind == PdoKind::Rpdo),
         (5, "event timer", pdo.event_timer, is_cyclic),
     ];
-    let mut idle = timers.into_iter().filter(|(_, _, time, is_idle)| *is_idle && time.is_some_and(|time| time > 0));
+    let mut idle =
+        timers.into_iter().filter(|(_, _, time, is_idle)| *is_idle && time.is_some_and(|time| time > 0));
     let Some((sub, name, Some(time), _)) = idle.next() else { return };
     let place = facts.device.value_place(index, sub);
     let finding = match pdo.transmission_type.filter(|_| is_cyclic) {

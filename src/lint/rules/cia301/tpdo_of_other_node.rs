@@ -33,8 +33,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let number = (can_id >> 8) & 0x7;
-        let message = format!("{} of node {own} is sent as `{can_id:03X}h`, the TPDO {number} of node {node}", cob_id.service);
-        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
+        let message = format!(
+            "{} of node {own} is sent as `{can_id:03X}h`, the TPDO {number} of node {node}",
+            cob_id.service
+        );
+        let finding =
+            Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help("use a CAN-ID of this node, and let the other node listen to it"));
     }
 }

@@ -25,8 +25,7 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
-        let Some(access) =
-            entry.access.filter(|_| entry.is_mappable() && !entry.fits_pdo(pdo.pdo.kind))
+        let Some(access) = entry.access.filter(|_| entry.is_mappable() && !entry.fits_pdo(pdo.pdo.kind))
         else {
             continue;
         };

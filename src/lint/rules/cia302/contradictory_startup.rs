@@ -24,7 +24,11 @@ rule! {
 
 /// Two bits, and what they say together.
 const CONTRADICTIONS: [(u8, u8, &str); 2] = [
-    (4, 6, "all nodes are reset and all are stopped on an error of a mandatory slave, and the second decides"),
+    (
+        4,
+        6,
+        "all nodes are reset and all are stopped on an error of a mandatory slave, and the second decides",
+    ),
     (1, 3, "slaves are started all at once and are not started, so the first means nothing"),
 ];
 

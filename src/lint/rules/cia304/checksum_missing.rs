@@ -23,7 +23,8 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
-    let Some(object) = facts.device.object(0x13FF).filter(|object| !object.orphan && object.object_type().has_subs())
+    let Some(object) =
+        facts.device.object(0x13FF).filter(|object| !object.orphan && object.object_type().has_subs())
     else {
         return;
     };

@@ -32,8 +32,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         match seen.iter().find(|(other, _)| *other == cob_id) {
             Some(&(_, first)) => {
-                let message = format!("{srdo} has the COB-IDs of SRDO {}", facts.srdos.get(first).map_or(0, |srdo| srdo.number));
-                let finding = Diagnostic::new(&RULE.info, place(at), message).label(place(first), "first here");
+                let message = format!(
+                    "{srdo} has the COB-IDs of SRDO {}",
+                    facts.srdos.get(first).map_or(0, |srdo| srdo.number)
+                );
+                let finding =
+                    Diagnostic::new(&RULE.info, place(at), message).label(place(first), "first here");
                 findings.push(finding.help("give each SRDO its own pair of COB-IDs"));
             }
             None => seen.push((cob_id, at)),

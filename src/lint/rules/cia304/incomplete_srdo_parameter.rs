@@ -33,7 +33,8 @@ rule! {
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for srdo in &facts.srdos {
-        let Some(object) = srdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
+        let Some(object) =
+            srdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
         else {
             continue;
         };

@@ -36,7 +36,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let message = format!("`{plain:X}h` as COB-ID 1 of {srdo}, which is odd and from 101h to 17Fh");
             Diagnostic::new(&RULE.info, place(5), message)
         } else if inverted != plain + 1 {
-            let message = format!("`{inverted:X}h` as COB-ID 2 of {srdo} does not follow `{plain:X}h`, COB-ID 1");
+            let message =
+                format!("`{inverted:X}h` as COB-ID 2 of {srdo} does not follow `{plain:X}h`, COB-ID 1");
             Diagnostic::new(&RULE.info, place(6), message).label(place(5), "COB-ID 1")
         } else {
             continue;

@@ -23,7 +23,9 @@ rule! {
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for srdo in &facts.srdos {
-        let Some(direction) = srdo.number(1).filter(|direction| !(0..=2).contains(direction)) else { continue };
+        let Some(direction) = srdo.number(1).filter(|direction| !(0..=2).contains(direction)) else {
+            continue;
+        };
         let place = facts.device.value_place(srdo.communication_index(), 1);
         let message = format!("`{direction}` is no information direction of {srdo}");
         let finding = Diagnostic::new(&RULE.info, place, message);

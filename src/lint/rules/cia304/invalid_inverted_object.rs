@@ -27,7 +27,9 @@ fn check(device: &Device, findings: &mut Findings) {
         for (sub, entry) in object.described().filter(|(_, entry)| entry.safety.is_some()) {
             let Some(srad) = entry.safety.as_ref().and_then(|safety| safety.inverted_srad) else { continue };
             let part = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
-            let Some(what) = problem(device, (index, sub.unwrap_or(0)), srad, entry.data_type) else { continue };
+            let Some(what) = problem(device, (index, sub.unwrap_or(0)), srad, entry.data_type) else {
+                continue;
+            };
             let message = format!("`0x{srad:06X}` as entry with the inverted value: {what}");
             let finding = Diagnostic::new(&RULE.info, part.field(Field::InvertedSrad), message);
             findings.push(finding.help("write index and sub-index of the inverted entry as six hex digits"));
@@ -48,7 +50,9 @@ fn problem(device: &Device, own: (u16, u8), srad: u32, data_type: Option<DataTyp
         return (!device.is_modular()).then(|| "there is no such entry".to_owned());
     };
     match (data_type, inverted.data_type) {
-        (Some(plain), Some(other)) if plain != other => Some(format!("it is {other}, and the entry is {plain}")),
+        (Some(plain), Some(other)) if plain != other => {
+            Some(format!("it is {other}, and the entry is {plain}"))
+        }
         _ => None,
     }
 }

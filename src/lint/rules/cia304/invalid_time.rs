@@ -28,7 +28,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let name = if srdo.number(1) == Some(2) { "safeguard cycle time" } else { "refresh time" };
         let finding = match (cycle, validation) {
             (Some(0), _) => Diagnostic::new(&RULE.info, place(2), format!("the {name} of {srdo} is 0 ms")),
-            (_, Some(0)) => Diagnostic::new(&RULE.info, place(3), format!("the validation time of {srdo} is 0 ms")),
+            (_, Some(0)) => {
+                Diagnostic::new(&RULE.info, place(3), format!("the validation time of {srdo} is 0 ms"))
+            }
             (Some(cycle), Some(validation)) if validation > cycle => {
                 let message =
                     format!("{srdo} has {validation} ms to be validated, and its {name} is {cycle} ms");

@@ -31,7 +31,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for (index, name) in [(0x13FE, "configuration valid"), (0x13FF, "safety configuration checksum")] {
         if !stated::is_there(facts.device, index) {
             let message = format!("the device has SRDOs, and no {index:04X}h ({name})");
-            findings.push(Diagnostic::new(&RULE.info, place.clone(), message).help(format!("add {index:04X}h")));
+            findings
+                .push(Diagnostic::new(&RULE.info, place.clone(), message).help(format!("add {index:04X}h")));
         }
     }
 }

@@ -32,7 +32,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
                 continue;
             }
-            let message = format!("{srdo} maps {:04X}h:{:02X}, which is not for SRDOs", mapped.index, mapped.sub);
+            let message =
+                format!("{srdo} maps {:04X}h:{:02X}, which is not for SRDOs", mapped.index, mapped.sub);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help("write `SRDOMapping=1` there, or map an entry that is made for it"));
@@ -41,6 +42,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 fn uses_srdo_mapping(device: &Device) -> bool {
-    let says = |entry: &crate::model::Entry| entry.safety.as_ref().is_some_and(|safety| safety.srdo_mapping == Some(true));
+    let says = |entry: &crate::model::Entry| {
+        entry.safety.as_ref().is_some_and(|safety| safety.srdo_mapping == Some(true))
+    };
     device.objects.values().any(|object| object.described().any(|(_, entry)| says(entry)))
 }

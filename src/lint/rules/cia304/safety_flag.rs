@@ -27,9 +27,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(supported) = info.and_then(|info| info.safety_supported) else { return };
     let place = Place::of(Part::DeviceInfo).field(Field::CanOpenSafetySupported);
     let finding = match (supported, facts.srdos.first()) {
-        (true, None) => Diagnostic::new(&RULE.info, place, "the device supports SRDOs, and has no object for one"),
+        (true, None) => {
+            Diagnostic::new(&RULE.info, place, "the device supports SRDOs, and has no object for one")
+        }
         (false, Some(srdo)) => {
-            let finding = Diagnostic::new(&RULE.info, place, format!("the device has {srdo}, and does not support SRDOs"));
+            let finding = Diagnostic::new(
+                &RULE.info,
+                place,
+                format!("the device has {srdo}, and does not support SRDOs"),
+            );
             finding.label(Place::object(srdo.first_index()), "the SRDO")
         }
         _ => return,

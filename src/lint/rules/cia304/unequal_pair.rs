@@ -26,7 +26,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         for (plain, inverted) in srdo.pairs().filter(|(plain, inverted)| plain.1.bits != inverted.1.bits) {
             let place = |sub| facts.device.value_place(srdo.mapping_index(), sub);
             let message = format!("{srdo} maps {}, and inverted {}", plain.1, inverted.1);
-            let finding = Diagnostic::new(&RULE.info, place(inverted.0), message).label(place(plain.0), "the plain object");
+            let finding = Diagnostic::new(&RULE.info, place(inverted.0), message)
+                .label(place(plain.0), "the plain object");
             findings.push(finding.help("map the inverted object that belongs to the plain one"));
         }
     }

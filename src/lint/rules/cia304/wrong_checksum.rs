@@ -27,7 +27,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
     for srdo in facts.srdos.iter().filter(|srdo| srdo.is_on()) {
         let Ok(sub) = u8::try_from(srdo.number) else { continue };
-        let (Some(stated), Some(right)) = (facts.number(0x13FF, sub), checksum(facts, srdo)) else { continue };
+        let (Some(stated), Some(right)) = (facts.number(0x13FF, sub), checksum(facts, srdo)) else {
+            continue;
+        };
         if stated != i128::from(right) {
             let message = format!("`0x{stated:04X}` as checksum of {srdo}, which is 0x{right:04X}");
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x13FF, sub), message)
@@ -61,7 +63,10 @@ fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
 /// CRC of 16 bits, polynomial 1021h, from 0, most significant bit first.
 fn crc(bytes: &[u8]) -> u16 {
     bytes.iter().fold(0, |crc, &byte| {
-        (0..8).fold(crc ^ u16::from(byte) << 8, |crc, _| if crc & 0x8000 == 0 { crc << 1 } else { crc << 1 ^ 0x1021 })
+        (0..8).fold(
+            crc ^ u16::from(byte) << 8,
+            |crc, _| if crc & 0x8000 == 0 { crc << 1 } else { crc << 1 ^ 0x1021 },
+        )
     })
 }
 

@@ -33,11 +33,19 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let message = format!("{srdo} maps `{count}` objects, which are no pairs");
             Diagnostic::new(&RULE.info, place, message).help("map the inverted object of each plain one")
         } else {
-            let is_filled = |sub: u8| srdo.slots.iter().any(|slot| slot.sub == sub && slot.object.is_some_and(|object| !object.is_unused()));
+            let is_filled = |sub: u8| {
+                srdo.slots
+                    .iter()
+                    .any(|slot| slot.sub == sub && slot.object.is_some_and(|object| !object.is_unused()))
+            };
             let Some(sub) = (1..=count).find(|&sub| !is_filled(sub)) else { continue };
             let what = if object.has(sub) { "names no object" } else { "is not described" };
-            let message = format!("{srdo} maps `{count}` objects, but sub-index {} of {index:04X}h {what}", sub_index(sub));
-            Diagnostic::new(&RULE.info, place, message).help("describe the entry with its object, or count less")
+            let message = format!(
+                "{srdo} maps `{count}` objects, but sub-index {} of {index:04X}h {what}",
+                sub_index(sub)
+            );
+            Diagnostic::new(&RULE.info, place, message)
+                .help("describe the entry with its object, or count less")
         };
         findings.push(finding);
     }

@@ -24,7 +24,9 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let supports_lss = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(true));
-    let Some(object) = device.object(0x1018).filter(|object| supports_lss && object.compact.is_none()) else { return };
+    let Some(object) = device.object(0x1018).filter(|object| supports_lss && object.compact.is_none()) else {
+        return;
+    };
     for (sub, name) in [(2, "product code"), (3, "revision number")] {
         let has_type = object.subs.get(sub).is_some_and(|entry| entry.data_type.is_some());
         if has_type && is_unstated(object, sub) {

@@ -25,7 +25,10 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let supports_lss = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(true));
     let serial_number = device.identity().serial_number.filter(|&number| number != 0);
-    let Some(serial_number) = serial_number.filter(|_| supports_lss && device.kind == DeviceKind::Type) else { return };
+    let Some(serial_number) = serial_number.filter(|_| supports_lss && device.kind == DeviceKind::Type)
+    else {
+        return;
+    };
     let message = format!("every device of the type has the serial number `{serial_number}`");
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, 4), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs different ones");

@@ -23,7 +23,8 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let number = device.commissioning.as_ref().and_then(|node| node.lss_serial_number).filter(|&number| number != 0);
+    let number =
+        device.commissioning.as_ref().and_then(|node| node.lss_serial_number).filter(|&number| number != 0);
     let refuses = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(false));
     let Some(number) = number.filter(|_| refuses) else { return };
     let message = format!("LSS shall find the node by `{number}`, and it does not support LSS");

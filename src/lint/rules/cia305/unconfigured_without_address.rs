@@ -24,7 +24,9 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(node) = device.commissioning.as_ref().filter(|node| node.node_id == Some(255)) else { return };
-    let Some(info) = device.device_info.as_ref().filter(|info| info.lss_supported != Some(false)) else { return };
+    let Some(info) = device.device_info.as_ref().filter(|info| info.lss_supported != Some(false)) else {
+        return;
+    };
     let identity = device.identity();
     let known = |number: Option<u32>| number.is_some_and(|number| number != 0);
     let numbers = [
@@ -33,7 +35,8 @@ fn check(device: &Device, findings: &mut Findings) {
         ("revision number", identity.revision_number.or(info.revision_number).is_some()),
         ("serial number", known(identity.serial_number) || known(node.lss_serial_number)),
     ];
-    let missing: Vec<&str> = numbers.into_iter().filter(|(_, is_known)| !is_known).map(|(name, _)| name).collect();
+    let missing: Vec<&str> =
+        numbers.into_iter().filter(|(_, is_known)| !is_known).map(|(name, _)| name).collect();
     if missing.is_empty() {
         return;
     }

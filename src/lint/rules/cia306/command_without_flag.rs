@@ -42,9 +42,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let message = format!("writing {index:04X}h {command}, but no flag keeps a tool from it");
     let finding = Diagnostic::new(&RULE.info, place, message);
     let fix = Fix::risky("write `ObjFlags=0x1` into its writable entries");
-    let fix = places.into_iter().fold(fix, |fix, (place, flags)| {
-        fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1))
-    });
+    let fix = places
+        .into_iter()
+        .fold(fix, |fix, (place, flags)| fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1)));
     findings.push(finding.help("write `ObjFlags=0x1` into its writable entries").fix(fix));
 }
 

@@ -30,16 +30,22 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let list = device.objects.range(0x1FA0..=0x1FFF).next();
     let finding = match (flag, multiplexed, list) {
         (false, Some(pdo), _) => {
-            let finding = Diagnostic::new(&RULE.info, place, format!("{pdo} is a multiplexed PDO, and the flag denies them"));
+            let finding = Diagnostic::new(
+                &RULE.info,
+                place,
+                format!("{pdo} is a multiplexed PDO, and the flag denies them"),
+            );
             finding.label(device.value_place(pdo.mapping_index(), 0), "makes it one")
         }
         (false, None, Some((&index, _))) => {
             let message = format!("{index:04X}h is for multiplexed PDOs, and the flag denies them");
             Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the list")
         }
-        (true, None, None) if !can_be_made(facts) => {
-            Diagnostic::new(&RULE.info, place, "no PDO of the device is a multiplexed one, or can be made one")
-        }
+        (true, None, None) if !can_be_made(facts) => Diagnostic::new(
+            &RULE.info,
+            place,
+            "no PDO of the device is a multiplexed one, or can be made one",
+        ),
         _ => return,
     };
     findings.push(finding.help("write what the device supports"));
@@ -47,7 +53,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
 
 /// Whether a PDO is there, or implied, whose number of mapped objects can be written.
 fn can_be_made(facts: &Facts<'_>) -> bool {
-    let writable = |object: &Object| object.subs.get(0).is_some_and(|entry| entry.access.is_none_or(Access::is_writable));
-    let is_implied = facts.device.device_info.as_ref().is_some_and(|info| info.compact_pdo.is_some_and(|mask| mask != 0));
+    let writable = |object: &Object| {
+        object.subs.get(0).is_some_and(|entry| entry.access.is_none_or(Access::is_writable))
+    };
+    let is_implied =
+        facts.device.device_info.as_ref().is_some_and(|info| info.compact_pdo.is_some_and(|mask| mask != 0));
     is_implied || facts.pdos.iter().filter_map(|facts| facts.pdo.mapping).any(writable)
 }

@@ -27,8 +27,10 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.file_info else { return };
-    let dates = [(Field::CreationDate, info.creation_date), (Field::ModificationDate, info.modification_date)];
-    let early = dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
+    let dates =
+        [(Field::CreationDate, info.creation_date), (Field::ModificationDate, info.modification_date)];
+    let early =
+        dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
     let Some((field, date)) = early else { return };
     let message = format!("there were no such files in {}", date.year);
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::FileInfo).field(field), message);

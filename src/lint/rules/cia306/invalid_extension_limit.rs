@@ -35,8 +35,11 @@ fn check(device: &Device, findings: &mut Findings) {
                 let message = "`255` as highest sub-index of an element, which is 254 at most";
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
             } else if count > limit {
-                let message = format!("each module {number} adds {count} sub-indexes to {index:04X}h, which takes {limit}");
-                Diagnostic::new(&RULE.info, place(Field::ObjExtend), message).label(place(Field::Count), "so many are added")
+                let message = format!(
+                    "each module {number} adds {count} sub-indexes to {index:04X}h, which takes {limit}"
+                );
+                Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
+                    .label(place(Field::Count), "so many are added")
             } else {
                 continue;
             };

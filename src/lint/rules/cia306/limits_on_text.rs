@@ -39,10 +39,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let message = format!("`{field}` of a {data_type} means nothing");
         let finding = Diagnostic::new(&RULE.info, at.field(field), message)
             .label(at.field(Field::DataType), "no number");
-        let stated = [
-            (Field::LowLimit, entry.low_limit.is_some()),
-            (Field::HighLimit, entry.high_limit.is_some()),
-        ];
+        let stated =
+            [(Field::LowLimit, entry.low_limit.is_some()), (Field::HighLimit, entry.high_limit.is_some())];
         let stated = stated.into_iter().filter(|(_, stated)| *stated);
         let fix = stated.fold(Fix::safe("remove the limits"), |fix, (field, _)| fix.remove(at.field(field)));
         findings.push(finding.help("remove the limits").fix(fix));

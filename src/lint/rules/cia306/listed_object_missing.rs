@@ -27,7 +27,8 @@ fn check(device: &Device, findings: &mut Findings) {
         return nothing_described(device, findings);
     }
     for list in ObjectList::ALL {
-        let described = || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
+        let described =
+            || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
         for (number, index) in (1..).zip(device.lists.get(list)) {
             if !device.objects.contains_key(index) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));

@@ -29,7 +29,10 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::Commissioning).field(Field::CanOpenManager);
-    let finding = Diagnostic::new(&RULE.info, place, "the node manages the network, and cannot be its master")
-        .label(Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster), "says so, and there is no 1F80h");
+    let finding =
+        Diagnostic::new(&RULE.info, place, "the node manages the network, and cannot be its master").label(
+            Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster),
+            "says so, and there is no 1F80h",
+        );
     findings.push(finding.help("write `CANopenManager=0`, or what the device supports"));
 }

@@ -30,7 +30,11 @@ fn check(device: &Device, findings: &mut Findings) {
     let objects = device.objects.range(0x1000..).filter(|(_, object)| !object.orphan);
     let unlisted: Vec<u16> =
         objects.map(|(&index, _)| index).filter(|&index| !listed.contains(index)).collect();
-    let whole = [(ObjectList::Mandatory, mandatory), (ObjectList::Optional, optional), (ObjectList::Manufacturer, manufacturer)];
+    let whole = [
+        (ObjectList::Mandatory, mandatory),
+        (ObjectList::Optional, optional),
+        (ObjectList::Manufacturer, manufacturer),
+    ];
     for (list, _) in whole.into_iter().filter(|(_, exists)| *exists) {
         let members = unlisted.iter().copied().filter(|&index| list_of(index) == Some(list));
         for (number, index) in members.clone().enumerate() {

@@ -34,7 +34,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         let message = format!("{index:04X}h is linked with {link:04X}h twice");
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let place = Place::of(Part::Links(index)).field(Field::Item(item));
-        findings.push(Diagnostic::new(&RULE.info, place, message).help("remove the link, and count one less"));
+        findings
+            .push(Diagnostic::new(&RULE.info, place, message).help("remove the link, and count one less"));
         return;
     }
 }

@@ -55,7 +55,8 @@ fn moved(
     stands_in: &impl Fn(u16, ObjectList) -> bool,
 ) -> Fix {
     let belongs = |index: &u16| right_list(*index, from) == to && !stands_in(*index, to);
-    let (wrong, right): (Vec<u16>, Vec<u16>) = device.lists.get(from).iter().partition(|index| belongs(index));
+    let (wrong, right): (Vec<u16>, Vec<u16>) =
+        device.lists.get(from).iter().partition(|index| belongs(index));
     let members = with_members(device.lists.get(to), wrong);
     let fix = Fix::safe(format!("move to `[{to}]` what belongs there"));
     fix.with(Change::List(from, right)).with(Change::List(to, members))

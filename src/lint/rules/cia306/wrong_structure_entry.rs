@@ -24,8 +24,11 @@ rule! {
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(entry) = object.subs.get(0xFF) else { return };
-    let object_type = stated::object_type(object).filter(|kind| matches!(kind, ObjectType::Array | ObjectType::Record));
-    let Some(object_type) = object_type.filter(|_| entry.object_type.is_none_or(|kind| kind == ObjectType::Var)) else {
+    let object_type =
+        stated::object_type(object).filter(|kind| matches!(kind, ObjectType::Array | ObjectType::Record));
+    let Some(object_type) =
+        object_type.filter(|_| entry.object_type.is_none_or(|kind| kind == ObjectType::Var))
+    else {
         return;
     };
     // an object may have 255 elements where sub-index 0 says so
@@ -34,18 +37,23 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let place = |field| Place::entry(index, 0xFF).field(field);
-    let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32) {
+    let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32)
+    {
         let message = format!("sub-index FFh of {index:04X}h is {other}, and the structure is an UNSIGNED32");
         Diagnostic::new(&RULE.info, place(Field::DataType), message)
     } else if let Some(code) = stated_code(entry).filter(|&code| code != i128::from(object_type.code())) {
-        let message = format!("sub-index FFh of {index:04X}h gives object code {code}, and the object is {object_type}");
+        let message = format!(
+            "sub-index FFh of {index:04X}h gives object code {code}, and the object is {object_type}"
+        );
         let finding = Diagnostic::new(&RULE.info, place(Field::DefaultValue), message);
         finding.label(Place::object(index).field(Field::ObjectType), "the object type")
     } else {
         return;
     };
     let code = object_type.code();
-    findings.push(finding.help(format!("write an UNSIGNED32 such as `0x0000{{data type}}{code:02X}`, the data type in four digits")));
+    findings.push(finding.help(format!(
+        "write an UNSIGNED32 such as `0x0000{{data type}}{code:02X}`, the data type in four digits"
+    )));
 }
 
 /// The object code in the value, the lowest byte.

@@ -28,7 +28,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let device = facts.device;
     let enable = index_in(applied.block, 0x6423);
     let value = device.object(enable).and_then(|object| object.value(0));
-    let is_off = value.is_some_and(|value| matches!(*value, Value::Boolean(false)) || value.as_integer() == Some(0));
+    let is_off =
+        value.is_some_and(|value| matches!(*value, Value::Boolean(false)) || value.as_integer() == Some(0));
     if device.kind == DeviceKind::Type || !is_off {
         return;
     }
@@ -39,7 +40,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         is_sent && on_event_only && pdo.mapped().any(|mapped| inputs.contains(&mapped.index))
     });
     if let Some(pdo) = waits {
-        let message = format!("{pdo} is never sent: analogue inputs make no events until {enable:04X}h is true");
+        let message =
+            format!("{pdo} is never sent: analogue inputs make no events until {enable:04X}h is true");
         let finding = Diagnostic::new(rule, device.value_place(enable, 0), message);
         let finding = finding.label(device.value_place(pdo.communication_index(), 2), "sent on events");
         findings.push(finding.help("write `ParameterValue=1`, or set the event timer of the TPDO"));

@@ -45,7 +45,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let kind = kind.name();
-        let message = format!("{index:04X}h has {number} elements, and {kind}s 1 to 4 carry the first {room} only");
+        let message =
+            format!("{index:04X}h has {number} elements, and {kind}s 1 to 4 carry the first {room} only");
         let finding = Diagnostic::new(rule, facts.device.value_place(index, 0), message);
         findings.push(finding.help(format!("add {kind}s from {kind} 5 on for the others")));
     }

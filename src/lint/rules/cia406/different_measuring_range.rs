@@ -34,7 +34,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let right = steps * turned;
     let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
-        let message = format!("`{stated}` as measuring range, {steps} steps by {turned} revolutions make {right}");
+        let message =
+            format!("`{stated}` as measuring range, {steps} steps by {turned} revolutions make {right}");
         let place = device.value_place(range, 0);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(device.value_place(resolution, 0), "steps of a revolution");

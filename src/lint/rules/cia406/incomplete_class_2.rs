@@ -43,8 +43,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let has_timer = block == 0 && device.object(0x1800).is_some_and(|object| object.has(5));
     let timer = (!has_timer).then_some(0x6200);
     let all = std::iter::once(of_type).chain(timer).chain(ALL);
-    let missing: Vec<String> =
-        all.filter(|&index| !is_there(index)).map(|index| format!("{:04X}h", index_in(block, index))).collect();
+    let missing: Vec<String> = all
+        .filter(|&index| !is_there(index))
+        .map(|index| format!("{:04X}h", index_in(block, index)))
+        .collect();
     if !missing.is_empty() {
         let message = format!("the encoder has scaling and preset of class C2, and not {}", series(missing));
         findings.push(Diagnostic::new(rule, Place::object(index_in(block, 0x6003)), message));

@@ -52,7 +52,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             findings.push(finding.help("map other values into further TPDOs").fix(fix));
             continue;
         }
-        let message = format!("{} carries {:04X}h:{:02X} first, not the position", pdo.pdo, first.object.index, first.object.sub);
+        let message = format!(
+            "{} carries {:04X}h:{:02X} first, not the position",
+            pdo.pdo, first.object.index, first.object.sub
+        );
         let finding = Diagnostic::new(rule, device.value_place(index, first.slot), message);
         let (is_there, number) = match device.object(0x6004) {
             Some(_) => (true, "0x60040020"),

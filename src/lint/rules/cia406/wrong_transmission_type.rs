@@ -35,7 +35,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     for (number, right, allowed) in TYPES.into_iter().filter(|(number, ..)| *number == 1 || !has_third) {
         let Some(pdo) = device.pdo(PdoKind::Tpdo, number) else { continue };
         // types that no PDO has are reported as that
-        let wrong = pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
+        let wrong =
+            pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
         let Some(found) = wrong else { continue };
         let message = format!("`{found}` as transmission type of {pdo}, CiA 406 has {right}");
         let place = device.value_place(pdo.communication_index(), 2);

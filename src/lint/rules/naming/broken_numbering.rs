@@ -45,7 +45,8 @@ fn disorder(object: &Object) -> Option<(u8, u8)> {
     let mut elements = object.subs.iter().filter(|&(sub, _)| sub > 0 && sub < 0xFF);
     let (sub, entry) = elements.next()?;
     let (stem, start) = numbered(&entry.name)?;
-    let (mut last, mut lowest, mut highest, mut sum, mut count) = ((sub, start), start, start, u64::from(start), 1u64);
+    let (mut last, mut lowest, mut highest, mut sum, mut count) =
+        ((sub, start), start, start, u64::from(start), 1u64);
     let mut broken = None;
     for (sub, entry) in elements {
         let (_, number) = numbered(&entry.name).filter(|(other, _)| *other == stem)?;
@@ -64,7 +65,8 @@ fn disorder(object: &Object) -> Option<(u8, u8)> {
 fn is_unique(object: &Object, lowest: u64) -> bool {
     let mut seen = [false; 256];
     object.subs.iter().filter(|&(sub, _)| sub > 0 && sub < 0xFF).all(|(_, entry)| {
-        let at = numbered(&entry.name).and_then(|(_, number)| usize::try_from(u64::from(number) - lowest).ok());
+        let at =
+            numbered(&entry.name).and_then(|(_, number)| usize::try_from(u64::from(number) - lowest).ok());
         at.and_then(|at| seen.get_mut(at)).is_some_and(|seen| !std::mem::replace(seen, true))
     })
 }

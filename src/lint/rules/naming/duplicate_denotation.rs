@@ -39,8 +39,13 @@ fn check(device: &Device, findings: &mut Findings) {
     for (&index, object) in &device.objects {
         for (sub, entry) in object.described() {
             let Some(configured) = &entry.configured else { continue };
-            let Some(name) = configured.denotation.as_deref().filter(|name| !name.is_empty()) else { continue };
-            take(name, sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::Denotation));
+            let Some(name) = configured.denotation.as_deref().filter(|name| !name.is_empty()) else {
+                continue;
+            };
+            take(
+                name,
+                sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::Denotation),
+            );
         }
         for (sub, name) in object.compact.iter().flat_map(|compact| &compact.denotations) {
             if !name.is_empty() {

@@ -40,6 +40,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = |index| Place::object(index).field(Field::ParameterName);
     let message = format!("{first:04X}h and {second:04X}h are both called `{name}`");
     let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
-    let others = repeated.map(|(first, index, _)| (place(index), format!("and {index:04X}h like {first:04X}h")));
+    let others =
+        repeated.map(|(first, index, _)| (place(index), format!("and {index:04X}h like {first:04X}h")));
     findings.push(with_others(finding, others).help("add a number or a word to the names"));
 }

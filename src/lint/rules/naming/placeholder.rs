@@ -3,8 +3,20 @@ use crate::lint::{EntryAt, rule};
 use crate::model::Field;
 
 const PLACEHOLDERS: [&str; 14] = [
-    "new object", "new entry", "new item", "unnamed", "untitled", "no name", "noname", "todo", "tbd", "fixme", "xxx",
-    "asdf", "foo", "bar",
+    "new object",
+    "new entry",
+    "new item",
+    "unnamed",
+    "untitled",
+    "no name",
+    "noname",
+    "todo",
+    "tbd",
+    "fixme",
+    "xxx",
+    "asdf",
+    "foo",
+    "bar",
 ];
 
 rule! {

@@ -47,8 +47,12 @@ fn named_type(name: &str) -> Option<(TypeKind, &str)> {
     let bits: u8 = word.get(kind.len()..)?.parse().ok()?;
     let matches = |words: &[&str]| words.iter().any(|known| known.eq_ignore_ascii_case(kind));
     let named = match bits {
-        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["u", "uint", "unsigned"]) => TypeKind::Unsigned(bits),
-        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["int", "integer", "sint"]) => TypeKind::Signed(bits),
+        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["u", "uint", "unsigned"]) => {
+            TypeKind::Unsigned(bits)
+        }
+        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["int", "integer", "sint"]) => {
+            TypeKind::Signed(bits)
+        }
         32 if matches(&["real", "float"]) => DataType::REAL32.kind(),
         64 if matches(&["real", "float"]) => DataType::REAL64.kind(),
         _ => return None,

@@ -28,6 +28,8 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactDenotations(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "the denotations of these sub-indexes are not known to all tools").help("use `[xxxxName]`, or describe the sub-indexes one by one");
+    let finding =
+        Diagnostic::new(&RULE.info, first, "the denotations of these sub-indexes are not known to all tools")
+            .help("use `[xxxxName]`, or describe the sub-indexes one by one");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }

@@ -24,11 +24,14 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| !compact.names.is_empty() && !has_gap(compact));
+        let is_meant =
+            object.compact.as_ref().is_some_and(|compact| !compact.names.is_empty() && !has_gap(compact));
         is_meant.then(|| Place::of(Part::CompactNames(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "the names of these sub-indexes are not known to all tools").help("describe the sub-indexes one by one");
+    let finding =
+        Diagnostic::new(&RULE.info, first, "the names of these sub-indexes are not known to all tools")
+            .help("describe the sub-indexes one by one");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }
 

@@ -24,10 +24,16 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| compact.values.is_empty()) && object.main.configured_value().is_some();
+        let is_meant = object.compact.as_ref().is_some_and(|compact| compact.values.is_empty())
+            && object.main.configured_value().is_some();
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`ParameterValue` of a compact object configures all its sub-indexes").help("write the values into `[xxxxValue]`");
+    let finding = Diagnostic::new(
+        &RULE.info,
+        first,
+        "`ParameterValue` of a compact object configures all its sub-indexes",
+    )
+    .help("write the values into `[xxxxValue]`");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }

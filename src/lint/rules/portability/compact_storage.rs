@@ -24,11 +24,17 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| is_plain(compact)) && object.main.configured_value().is_none();
+        let is_meant = object.compact.as_ref().is_some_and(|compact| is_plain(compact))
+            && object.main.configured_value().is_none();
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`CompactSubObj` is not understood as the standard has it by all tools").help("describe the sub-indexes one by one");
+    let finding = Diagnostic::new(
+        &RULE.info,
+        first,
+        "`CompactSubObj` is not understood as the standard has it by all tools",
+    )
+    .help("describe the sub-indexes one by one");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }
 

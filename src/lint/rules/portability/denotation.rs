@@ -24,9 +24,12 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = stated::entries(device)
-        .filter(|(_, entry)| entry.configured.as_ref().is_some_and(|configured| configured.denotation.is_some()))
+        .filter(|(_, entry)| {
+            entry.configured.as_ref().is_some_and(|configured| configured.denotation.is_some())
+        })
         .map(|(place, _)| place.field(Field::Denotation));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`Denotation` is not known to all tools").help("repeat what matters in `ParameterName`");
+    let finding = Diagnostic::new(&RULE.info, first, "`Denotation` is not known to all tools")
+        .help("repeat what matters in `ParameterName`");
     findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
 }

@@ -30,9 +30,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         (Field::DataType, "0x000F", at.entry.data_type.is_some()),
         (Field::AccessType, "rw", at.entry.access.is_some()),
     ];
-    let missing = stated
-        .into_iter()
-        .filter(|(field, _, stated)| !stated && !stated::is_misfit(at.entry, field));
+    let missing =
+        stated.into_iter().filter(|(field, _, stated)| !stated && !stated::is_misfit(at.entry, field));
     let missing: Vec<(Field, &str)> = missing.map(|(field, value, _)| (field, value)).collect();
     if missing.is_empty() {
         return;

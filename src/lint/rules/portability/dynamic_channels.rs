@@ -24,7 +24,11 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if device.dynamic_channels.is_some() {
-        let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), "`[DynamicChannels]` is a section of CiA 302");
+        let finding = Diagnostic::new(
+            &RULE.info,
+            Place::of(Part::DynamicChannels),
+            "`[DynamicChannels]` is a section of CiA 302",
+        );
         findings.push(finding.help("give the tool a copy without the section"));
     }
 }

@@ -23,8 +23,7 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let mut places =
-        stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
+    let mut places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "a file holds the data of this entry")
         .help("let the application load the file");

@@ -24,7 +24,8 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = stated::entries(device).filter(|(_, entry)| is_long(entry)).map(|(place, entry)| {
-        let field = if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+        let field =
+            if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
         place.field(field)
     });
     let Some(first) = places.next() else { return };

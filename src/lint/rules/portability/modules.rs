@@ -24,7 +24,12 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if device.modules.is_some() {
-        let finding = Diagnostic::new(&RULE.info, Place::of(Part::SupportedModules), "the device is described with its modules");
-        findings.push(finding.help("give the tool the description of the device with the modules that it has"));
+        let finding = Diagnostic::new(
+            &RULE.info,
+            Place::of(Part::SupportedModules),
+            "the device is described with its modules",
+        );
+        findings
+            .push(finding.help("give the tool the description of the device with the modules that it has"));
     }
 }

@@ -27,6 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
         .filter(|(_, entry)| entry.flags().0 != 0)
         .map(|(place, _)| place.field(Field::ObjFlags));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`ObjFlags` says what a configuration tool must not do").help("check what the tool writes when it configures the device");
+    let finding = Diagnostic::new(&RULE.info, first, "`ObjFlags` says what a configuration tool must not do")
+        .help("check what the tool writes when it configures the device");
     findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
 }

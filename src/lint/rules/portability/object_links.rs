@@ -28,6 +28,7 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Links(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "object links are unknown to some tools").help("give the tool a copy without the section");
+    let finding = Diagnostic::new(&RULE.info, first, "object links are unknown to some tools")
+        .help("give the tool a copy without the section");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }

@@ -24,9 +24,12 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = stated::entries(device)
-        .filter(|(_, entry)| entry.configured.as_ref().is_some_and(|configured| configured.reference_designator.is_some()))
+        .filter(|(_, entry)| {
+            entry.configured.as_ref().is_some_and(|configured| configured.reference_designator.is_some())
+        })
         .map(|(place, _)| place.field(Field::ParamRefd));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`ParamRefd` is not known to all tools").help("keep the original file");
+    let finding = Diagnostic::new(&RULE.info, first, "`ParamRefd` is not known to all tools")
+        .help("keep the original file");
     findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
 }

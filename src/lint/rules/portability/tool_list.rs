@@ -24,7 +24,8 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if !device.tools.is_empty() {
-        let finding = Diagnostic::new(&RULE.info, Place::of(Part::Tools), "`[Tools]` lists programs for the device");
+        let finding =
+            Diagnostic::new(&RULE.info, Place::of(Part::Tools), "`[Tools]` lists programs for the device");
         findings.push(finding.help("give the tool a copy without the sections"));
     }
 }

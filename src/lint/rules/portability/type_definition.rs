@@ -28,6 +28,8 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "data types that the file defines are unknown to some tools").help("use static types, and remove the definition");
+    let finding =
+        Diagnostic::new(&RULE.info, first, "data types that the file defines are unknown to some tools")
+            .help("use static types, and remove the definition");
     findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
 }
