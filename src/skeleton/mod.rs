@@ -70,8 +70,10 @@ pub const MAX_ANALOG: u8 = 254;
 
 /// What an encoder of class C2 has beside one of class C1: scaling, preset, cyclic timer, alarms, warnings, versions,
 /// operating time, offset (CiA 406).
-const OF_CLASS_2: [u16; 13] =
-    [0x6001, 0x6002, 0x6003, 0x6005, 0x6200, 0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6508, 0x6509, 0x650A];
+const OF_CLASS_2: [u16; 14] = [
+    0x6001, 0x6002, 0x6003, 0x6005, 0x6200, 0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6508, 0x6509, 0x650A,
+    0x650B,
+];
 
 /// An encoder (CiA 406).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
