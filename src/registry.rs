@@ -60,7 +60,7 @@ mod tests {
         assert_eq!(name(select("cia306/file-name")), Some("cia306/file-name"));
         assert_eq!(name(select("cia306")), Some("cia306"));
         assert_eq!(name(select("file-name")), None);
-        assert_eq!(name(nearest_selection("cia360")), Some("cia306"));
+        assert_eq!(name(nearest_selection("cia3066")), Some("cia306"));
         assert_eq!(name(nearest_selection("cia306/filename")), Some("cia306/file-name"));
         assert_eq!(name(nearest_selection("duplicate-kei")), Some("cia306/duplicate-key"));
         assert_eq!(name(nearest_selection("")), None);

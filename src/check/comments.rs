@@ -201,7 +201,7 @@ mod tests {
         let text = "[A]\n; objdict: allow a";
         assert_eq!(
             found(text, Format::Eds),
-            [(words(&["a"]), " ".to_owned(), "; objdict: allow a".to_owned())]
+            [(words(&["a"]), String::new(), "; objdict: allow a".to_owned())]
         );
         let text = "; objdict: allow a";
         assert_eq!(found(text, Format::Eds)[0].1, "file");
