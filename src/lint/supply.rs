@@ -1,6 +1,6 @@
 //! What fixes add: lists of objects (CiA 306-1 §4.6.3.1) with what they lack, and sub-index 0.
 
-use crate::diagnostic::Change;
+use crate::diagnostic::{Change, Fix};
 use crate::model::{Field, Object, ObjectList, Part};
 
 /// So many findings of a list carry the whole new list as their fix; the others go with them.
@@ -48,5 +48,23 @@ mod tests {
     fn members_come_where_they_belong() {
         assert_eq!(with_members(&[1, 5], [3]), [1, 3, 5]);
         assert_eq!(with_members(&[5, 1], [3]), [5, 1, 3]);
+    }
+}
+
+/// The fixes of a rule that write lists anew. Each is a copy of its list, and a hostile list is long: only the first
+/// [`MAX_LIST_FIXES`] findings get one, and none whose list has more members than there are indexes.
+pub(crate) struct ListFixes(usize);
+
+impl ListFixes {
+    /// None yet.
+    pub(crate) fn new() -> Self {
+        Self(0)
+    }
+
+    /// The fix of one more finding, unless there are enough.
+    pub(crate) fn next(&mut self, list: &[u16], fix: impl FnOnce() -> Fix) -> Option<Fix> {
+        self.0 += 1;
+        let is_sane = list.len() <= usize::from(u16::MAX);
+        (self.0 <= MAX_LIST_FIXES && is_sane).then(fix)
     }
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix, counted};
-use crate::lint::rule;
+use crate::lint::{ListFixes, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -26,6 +26,7 @@ fn check(device: &Device, findings: &mut Findings) {
     if device.objects.is_empty() {
         return nothing_described(device, findings);
     }
+    let mut fixes = ListFixes::new();
     for list in ObjectList::ALL {
         let described =
             || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
@@ -34,9 +35,12 @@ fn check(device: &Device, findings: &mut Findings) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h is listed, but there is no section `[{index:X}]`");
                 let finding = Diagnostic::new(&RULE.info, place, message);
-                let fix = Fix::risky("take off the list what is not described");
-                let fix = fix.with(Change::List(list, described().collect()));
-                findings.push(finding.help("describe the object, or take it off the list").fix(fix));
+                let mut finding = finding.help("describe the object, or take it off the list");
+                finding.fix = fixes.next(device.lists.get(list), || {
+                    let fix = Fix::risky("take off the list what is not described");
+                    fix.with(Change::List(list, described().collect()))
+                });
+                findings.push(finding);
             }
         }
     }

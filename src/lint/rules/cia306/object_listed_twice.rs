@@ -1,7 +1,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{list_of, rule};
+use crate::lint::{ListFixes, list_of, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -25,6 +25,7 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
+    let mut fixes = ListFixes::new();
     let mut first: HashMap<u16, (ObjectList, u32)> = HashMap::new();
     for list in ObjectList::ALL {
         for (number, &index) in (1..).zip(device.lists.get(list)) {
@@ -39,9 +40,12 @@ fn check(device: &Device, findings: &mut Findings) {
                 format!("{index:04X}h stands in `[{other}]` and in `[{list}]`")
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
-            let fix = if other == list { once(device, list) } else { elsewhere(device, list, other, index) };
-            let finding = finding.label(place(other, at), "first here").help("keep one of the two");
-            findings.push(finding.fix(fix));
+            let mut finding = finding.label(place(other, at), "first here").help("keep one of the two");
+            finding.fix = fixes.next(device.lists.get(list), || match other == list {
+                true => once(device, list),
+                false => elsewhere(device, list, other, index),
+            });
+            findings.push(finding);
         }
     }
 }

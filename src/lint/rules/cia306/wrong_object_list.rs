@@ -1,5 +1,5 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity};
-use crate::lint::{IndexSet, rule, with_members};
+use crate::lint::{IndexSet, ListFixes, rule, with_members};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -30,6 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
         ObjectList::Optional => optional.contains(index),
         ObjectList::Manufacturer => manufacturer.contains(index),
     };
+    let mut fixes = ListFixes::new();
     for list in ObjectList::ALL {
         for (number, &index) in (1..).zip(device.lists.get(list)) {
             let right = right_list(index, list);
@@ -37,9 +38,10 @@ fn check(device: &Device, findings: &mut Findings) {
             if right != list && !stands_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
-                let finding =
+                let mut finding =
                     Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
-                let finding = finding.fix(moved(device, list, right, &stands_in));
+                let members = device.lists.get(list);
+                finding.fix = fixes.next(members, || moved(device, list, right, &stands_in));
                 let missed = right == ObjectList::Mandatory;
                 findings.push(if missed { finding.severity(Severity::Error) } else { finding });
             }
