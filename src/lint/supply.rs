@@ -51,20 +51,24 @@ mod tests {
     }
 }
 
-/// The fixes of a rule that write lists anew. Each is a copy of its list, and a hostile list is long: only the first
-/// [`MAX_LIST_FIXES`] findings get one, and none whose list has more members than there are indexes.
-pub(crate) struct ListFixes(usize);
+/// The fixes of a rule that write lists anew. Each changes as many lines as its list has, and a hostile list is long: all of
+/// them together have a bound.
+pub(crate) struct ListFixes {
+    lines: usize,
+}
+
+/// Lines that the fixes of a rule change at most.
+const MAX_LINES: usize = 50_000;
 
 impl ListFixes {
     /// None yet.
     pub(crate) fn new() -> Self {
-        Self(0)
+        Self { lines: MAX_LINES }
     }
 
     /// The fix of one more finding, unless there are enough.
     pub(crate) fn next(&mut self, list: &[u16], fix: impl FnOnce() -> Fix) -> Option<Fix> {
-        self.0 += 1;
-        let is_sane = list.len() <= usize::from(u16::MAX);
-        (self.0 <= MAX_LIST_FIXES && is_sane).then(fix)
+        self.lines = self.lines.checked_sub(list.len().max(1))?;
+        Some(fix())
     }
 }
