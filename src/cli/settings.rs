@@ -178,11 +178,7 @@ impl<'a> Settings<'a> {
     pub(super) fn options(&self, path: &Path, project: Option<&Project>) -> Options {
         let mut options = match project {
             Some(project) => project.config.options(path, &self.severities),
-            None => {
-                let mut options = Options::default();
-                options.severities = self.severities.clone();
-                options
-            }
+            None => Options { severities: self.severities.clone(), ..Options::default() },
         };
         let of_project = project.map(|project| &project.profiles[..]).unwrap_or_default();
         options.profiles = of_project.iter().chain(&self.profiles).cloned().collect();

@@ -83,7 +83,7 @@ impl Config {
         let folder = absolute(folder.as_ref());
         let mut findings = Findings::new();
         let settings = read::read(source.text(), &mut findings);
-        findings.sort_by_key(|finding| read::start_of(finding));
+        findings.sort_by_key(read::start_of);
         let is_toml = settings.is_some();
         Self { source, findings, is_toml, folder, settings: settings.unwrap_or_default() }
     }
@@ -121,11 +121,8 @@ impl Config {
         for &rules in ignored.flat_map(|(_, rules)| rules) {
             severities.set(rules, Level::Off);
         }
-        let mut options = Options::default();
-        options.node_id = self.settings.node_id;
-        options.tools.clone_from(&self.settings.tools);
-        options.severities = severities;
-        options
+        let (node_id, tools) = (self.settings.node_id, self.settings.tools.clone());
+        Options { node_id, tools, severities, ..Options::default() }
     }
 
     /// The profiles that descriptions shall follow beside those that they say themselves; paths of files are relative to

@@ -79,7 +79,7 @@ pub(crate) fn default_pdos<'a>(
 pub(crate) fn of_device(device: &Device) -> Option<Channels> {
     let number = |index: u16| {
         let object = device.object(index).filter(|object| !object.orphan);
-        object.and_then(|object| object.highest_sub()).unwrap_or(0)
+        object.and_then(crate::model::Object::highest_sub).unwrap_or(0)
     };
     (!device.is_modular()).then(|| Channels {
         digital_inputs: number(0x6000),

@@ -26,7 +26,7 @@ fn check(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     if at.against.index != 0x1F81 || at.counts() {
         return;
     }
-    let Some(value) = at.entry.value().and_then(|value| value.as_integer()) else { return };
+    let Some(value) = at.entry.value().and_then(crate::model::Value::as_integer) else { return };
     let (retries, time) = (value >> 8 & 0xFF, value >> 16 & 0xFFFF);
     let message = match (value & 1 == 1, time > 0, retries > 0) {
         (true, true, false) => format!("{at} has a guard time of {time} ms and no retries"),
