@@ -8,6 +8,8 @@ use divan::Bencher;
 use divan::counter::BytesCount;
 use objdict::format::ini::{LineKind, Lines};
 use objdict::format::{self, Format};
+use objdict::lint::Options;
+use objdict::profile;
 use objdict::source::SourceFile;
 
 fn main() {
@@ -54,6 +56,16 @@ fn read_and_check(bencher: Bencher<'_, '_>, megabytes: usize) {
         .counter(BytesCount::of_str(&text))
         .with_inputs(|| SourceFile::from_text("bench.eds", text.clone()))
         .bench_values(|source| objdict::check(&format::read(source, Format::Eds)).len());
+}
+
+/// All rules with all profiles, on what was read before: those about the text and those about the device.
+#[divan::bench(args = MEGABYTES)]
+fn check_with_all_profiles(bencher: Bencher<'_, '_>, megabytes: usize) {
+    let text = eds(megabytes);
+    let description = format::read(SourceFile::from_text("bench.eds", text.clone()), Format::Eds);
+    let mut options = Options::default();
+    options.profiles.extend(profile::standard().cloned());
+    bencher.counter(BytesCount::of_str(&text)).bench(|| objdict::check_with(&description, &options).len());
 }
 
 #[divan::bench(args = [1, 2])]

@@ -6,9 +6,9 @@ use std::fmt::Write;
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 
-/// How much address space the command may take: eight times the file, and what a process takes for nothing.
+/// How much memory the command may ask for: eight times the file, and what a process takes for nothing.
 fn limit_kib(bytes: usize) -> usize {
-    8 * bytes / 1024 + 48 * 1024
+    8 * bytes / 1024 + 16 * 1024
 }
 
 /// Checks a text with the command, with an upper limit on its memory. Exit code 101 is a panic; a process that runs
@@ -17,7 +17,7 @@ fn limit_kib(bytes: usize) -> usize {
 fn check(name: &str, text: &[u8]) {
     let mut file = tempfile::Builder::new().suffix(".eds").tempfile().unwrap();
     file.write_all(text).unwrap();
-    let script = format!("ulimit -v {} && exec \"$0\" check \"$1\" --format json", limit_kib(text.len()));
+    let script = format!("ulimit -d {} && exec \"$0\" check \"$1\" --format json", limit_kib(text.len()));
     let status = Command::new("sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_objdict")])
         .arg(file.path())

@@ -140,8 +140,12 @@ fn every_good_device_is_written_without_a_finding() {
             let written = write(&device, &options(|options| options.compact = compact));
             let source = SourceFile::from_bytes(name, written.bytes, &SourceOptions::default()).unwrap();
             let findings = objdict::check(&format::read(source, format_of(&device)));
-            let findings: Vec<_> =
-                findings.iter().map(|finding| (finding.rule.id, &finding.message)).collect();
+            let findings: Vec<_> = findings
+                .iter()
+                // the names of one fixture are hostile on purpose
+                .filter(|finding| name != "hostile.eds" || !finding.rule.id.starts_with("naming/"))
+                .map(|finding| (finding.rule.id, &finding.message))
+                .collect();
             assert_eq!(findings, [], "{name}");
         }
     }

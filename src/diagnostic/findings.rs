@@ -30,6 +30,16 @@ impl Findings {
         }
     }
 
+    /// Takes a finding of `rule`, or only counts it, without making it, when the rule has [`MAX_PER_RULE`] already.
+    pub(crate) fn push_with(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
+        if self.is_full(rule) {
+            let seen = self.seen.entry(rule.id).or_default();
+            *seen = seen.saturating_add(1);
+        } else {
+            self.push(make());
+        }
+    }
+
     /// The findings with a change made to each; those that become nothing are not counted either.
     pub(crate) fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
         let Self { kept, mut seen, suppressed } = self;

@@ -77,6 +77,10 @@ pub enum Tidy {
     Iso646,
 }
 
+/// So many lines a fix touches at most, and so many all fixes of one rule that write long lists. A hostile file has lists that
+/// no device has, and each of a thousand findings would hold one of them.
+pub(crate) const MAX_FIX_LINES: usize = 50_000;
+
 impl Fix {
     /// A fix without changes yet that keeps the meaning.
     pub fn safe(title: impl Into<Cow<'static, str>>) -> Self {

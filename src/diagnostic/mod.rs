@@ -19,6 +19,7 @@ use crate::model::Place;
 use crate::source::Span;
 
 pub use findings::{Findings, MAX_PER_RULE};
+pub(crate) use fix::MAX_FIX_LINES;
 pub use fix::{Change, Fix, Safety, Tidy};
 pub use rule::{HEADINGS, RuleInfo};
 pub(crate) use rule::{fix_of, text_rule};

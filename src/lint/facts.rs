@@ -158,6 +158,11 @@ impl<'a> PdoFacts<'a> {
         Self { pdo, mapped }
     }
 
+    /// The communication parameter, when it is described as the RECORD that it is.
+    pub(crate) fn communication_record(&self) -> Option<&'a Object> {
+        self.pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
+    }
+
     /// Its COB-ID, when it is stated.
     pub(crate) fn cob_id(&self) -> Option<CobIdUse> {
         let (index, service) = (self.pdo.communication_index(), Service::Pdo(self.pdo.kind, self.pdo.number));

@@ -28,7 +28,7 @@ pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, Rule, rule, with_other
 pub(crate) use rules::RULES;
 pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
-pub(crate) use supply::{ListFixes, MAX_LIST_FIXES, list_of, sub_0, with_members};
+pub(crate) use supply::{ListFixes, sub_0, with_members};
 
 /// All rules on one device.
 pub fn check(device: &Device, options: &Options) -> Findings {

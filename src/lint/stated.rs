@@ -27,7 +27,7 @@ pub(crate) fn is_structured(object: &Object) -> bool {
 
 /// Whether the device has an object: it is described, or listed, so that a missing section is reported.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
-    device.objects.contains_key(&index) || device.lists.iter().any(|(_, listed)| listed == index)
+    device.objects.contains_key(&index) || device.lists.contains(index)
 }
 
 /// Whether the text of a field is no value of it, so that `cia306/invalid-value` has spoken.

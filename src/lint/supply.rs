@@ -1,20 +1,7 @@
 //! What fixes add: lists of objects (CiA 306-1 §4.6.3.1) with what they lack, and sub-index 0.
 
-use crate::diagnostic::{Change, Fix};
-use crate::model::{Field, Object, ObjectList, Part};
-
-/// So many findings of a list carry the whole new list as their fix; the others go with them.
-pub(crate) const MAX_LIST_FIXES: usize = 50;
-
-/// The list that an object belongs to; none for the definition of a data type.
-pub(crate) const fn list_of(index: u16) -> Option<ObjectList> {
-    match index {
-        0x1000 | 0x1001 | 0x1018 => Some(ObjectList::Mandatory),
-        0x2000..=0x5FFF => Some(ObjectList::Manufacturer),
-        0x1000.. => Some(ObjectList::Optional),
-        _ => None,
-    }
-}
+use crate::diagnostic::{Change, Fix, MAX_FIX_LINES};
+use crate::model::{Field, Object, Part};
 
 /// A list with other members: where they belong in a list that is sorted, else at its end.
 pub(crate) fn with_members(list: &[u16], others: impl IntoIterator<Item = u16>) -> Vec<u16> {
@@ -57,13 +44,10 @@ pub(crate) struct ListFixes {
     lines: usize,
 }
 
-/// Lines that the fixes of a rule change at most.
-const MAX_LINES: usize = 50_000;
-
 impl ListFixes {
     /// None yet.
     pub(crate) fn new() -> Self {
-        Self { lines: MAX_LINES }
+        Self { lines: MAX_FIX_LINES }
     }
 
     /// The fix of one more finding, unless there are enough.

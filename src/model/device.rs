@@ -99,6 +99,18 @@ pub struct ObjectLists {
 }
 
 impl ObjectLists {
+    /// The lists that name these objects: all but definitions of data types.
+    pub fn naming(objects: impl IntoIterator<Item = u16>) -> Self {
+        let mut lists =
+            Self { mandatory: Some(Vec::new()), optional: Some(Vec::new()), manufacturer: Some(Vec::new()) };
+        for index in objects {
+            if let Some(members) = ObjectList::of(index).and_then(|list| lists.get_mut(list).as_mut()) {
+                members.push(index);
+            }
+        }
+        lists
+    }
+
     /// The indexes of a list; empty for one that the file does not have.
     pub fn get(&self, list: ObjectList) -> &[u16] {
         let indexes = match list {
@@ -116,6 +128,11 @@ impl ObjectLists {
             ObjectList::Optional => &mut self.optional,
             ObjectList::Manufacturer => &mut self.manufacturer,
         }
+    }
+
+    /// Whether an index stands in one of the lists. This looks at each item.
+    pub fn contains(&self, index: u16) -> bool {
+        ObjectList::ALL.into_iter().any(|list| self.get(list).contains(&index))
     }
 
     /// Every listed index with its list, in the order of the file.

@@ -114,6 +114,16 @@ impl ObjectList {
     /// The three lists, in the order of an EDS.
     pub const ALL: [Self; 3] = [Self::Mandatory, Self::Optional, Self::Manufacturer];
 
+    /// The list that an object belongs to; `None` for the definition of a data type, below 1000h.
+    pub const fn of(index: u16) -> Option<Self> {
+        match index {
+            0..=0x0FFF => None,
+            0x1000 | 0x1001 | 0x1018 => Some(Self::Mandatory),
+            0x2000..=0x5FFF => Some(Self::Manufacturer),
+            _ => Some(Self::Optional),
+        }
+    }
+
     /// The name in CiA 306-1.
     pub const fn name(self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::Condition;
-use crate::model::{Access, DataType, ObjectType, Value};
+use crate::model::{Access, DataType, Device, ObjectType, Value};
 
 /// What a document says of an object, or of a range of alike ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,7 +93,28 @@ pub struct BitField {
     pub values: Vec<(RangeInclusive<u64>, String)>,
 }
 
+impl Need {
+    /// Whether a logical device, see [`Condition::holds`], surely needs what has this need.
+    pub fn is_there(&self, device: &Device, block: u8) -> bool {
+        match self {
+            Self::Optional => false,
+            Self::Mandatory => true,
+            Self::When(condition) => condition.holds(device, block) == Some(true),
+        }
+    }
+}
+
 impl ObjectFacts {
+    /// Whether the object is surely one for a logical device, see [`Condition::holds`], and not only for others.
+    pub fn is_for(&self, device: &Device, block: u8) -> bool {
+        self.only.as_ref().is_none_or(|only| only.holds(device, block) == Some(true))
+    }
+
+    /// Whether a logical device has to have the object.
+    pub fn is_demanded(&self, device: &Device, block: u8) -> bool {
+        self.need.is_there(device, block) && self.is_for(device, block)
+    }
+
     /// The object type that the document gives it; VAR where it does not say.
     pub fn object_type(&self) -> ObjectType {
         self.object_types.first().copied().unwrap_or(ObjectType::Var)

@@ -108,9 +108,7 @@ impl Statistics {
 
 fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
     let fix = subject.description().zip(finding.fix.as_ref());
-    fix.is_some_and(|(description, fix)| {
-        description.edits(fix).is_some() || description.encoding_of(fix).is_some()
-    })
+    fix.is_some_and(|(description, fix)| description.can_mend(fix))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, DummyUsage, FileInfo, ObjectLists, PdoKind,
     Value,
 };
-use crate::profile::{self, Need, Profile};
+use crate::profile::{self, Profile};
 
 /// What a new device shall be.
 #[derive(Clone, Debug)]
@@ -175,38 +175,21 @@ pub fn skeleton(wanted: &Wanted) -> Device {
     if device.pdos().any(|pdo| pdo.is_synchronous()) {
         maker.add(&mut device, 0x1005);
     }
-    device.lists = lists(&device);
+    device.lists = ObjectLists::naming(device.objects.keys().copied());
     device.device_info = Some(device_info(wanted, &device));
     device
 }
 
 /// Whether a document has an object, and not only for other devices.
 fn is_for(document: &Profile, device: &Device, index: u16) -> bool {
-    let only = document.object(index).map(|facts| facts.only.as_ref());
-    only.is_some_and(|only| only.is_none_or(|only| only.holds(device, 0) == Some(true)))
+    document.object(index).is_some_and(|facts| facts.is_for(device, 0))
 }
 
 /// The first object that a document demands and the device does not have.
 fn missing(device: &Device, documents: &[&Profile]) -> Option<u16> {
-    let demanded =
-        documents.iter().flat_map(|document| &document.objects).filter(|facts| match &facts.need {
-            Need::Optional => false,
-            Need::Mandatory => true,
-            Need::When(condition) => condition.holds(device, 0) == Some(true),
-        });
-    let fits =
-        demanded.filter(|facts| facts.only.as_ref().is_none_or(|only| only.holds(device, 0) == Some(true)));
-    fits.map(|facts| facts.first).find(|index| !device.objects.contains_key(index))
-}
-
-fn lists(device: &Device) -> ObjectLists {
-    let is_mandatory = |index: &&u16| matches!(**index, 0x1000 | 0x1001 | 0x1018);
-    let (mandatory, optional): (Vec<&u16>, Vec<&u16>) = device.objects.keys().partition(is_mandatory);
-    ObjectLists {
-        mandatory: Some(mandatory.into_iter().copied().collect()),
-        optional: Some(optional.into_iter().copied().collect()),
-        manufacturer: Some(Vec::new()),
-    }
+    let objects = documents.iter().flat_map(|document| &document.objects);
+    let mut demanded = objects.filter(|facts| facts.is_demanded(device, 0)).map(|facts| facts.first);
+    demanded.find(|index| !device.objects.contains_key(index))
 }
 
 fn file_info(wanted: &Wanted) -> FileInfo {

@@ -51,11 +51,7 @@ impl Maker<'_> {
             // whoever looks a product up needs all of its identity
             let is_identity = index == 0x1018;
             facts.iter().filter_map(|facts| facts.entry(sub)).any(|facts| {
-                let is_demanded = match &facts.need {
-                    crate::profile::Need::Optional => false,
-                    crate::profile::Need::Mandatory => facts.first == sub,
-                    crate::profile::Need::When(condition) => condition.holds(device, 0) == Some(true),
-                };
+                let is_demanded = facts.first == sub && facts.need.is_there(device, 0);
                 is_demanded || is_identity || sub == 0 || (facts.last > facts.first && sub <= count)
             })
         };

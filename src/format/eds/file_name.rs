@@ -8,7 +8,7 @@ text_rule! {
     /// the file has another name than it says
     ///
     /// ## What it checks
-    /// Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name.
+    /// Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name. The share of files is high because whoever collected them gave them other names; before that one in five differed: a copy of another device's file, a title in the place of the name, or a `FileName` of the computer that it was made on.
     ///
     /// ## Why it matters
     /// The file was copied or renamed, and people look for a file that does not exist. Perhaps it is a changed copy that still passes for the original.

@@ -9,7 +9,7 @@ use self::section::SectionEdit;
 use super::Locator;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
-use crate::diagnostic::Change;
+use crate::diagnostic::{Change, MAX_FIX_LINES};
 use crate::format::ini::{self, Document, LineKind, Lines, Section};
 use crate::format::literal::{self, Quirks};
 use crate::model::{Device, Field, ModulePart, Part, Place};
@@ -178,7 +178,11 @@ impl<'a> Rewriter<'a> {
         self.locator.sections(self.document, part).into_iter().next()
     }
 
+    /// The keys of a section, to change them; `None` where there are too many.
     fn edit(&mut self, section: &Section) -> Option<&mut SectionEdit> {
+        if section.entries.len() > MAX_FIX_LINES {
+            return None;
+        }
         let start = section.header?.line.start;
         Some(self.sections.entry(start).or_insert_with(|| SectionEdit::new(self.document, section.clone())))
     }

@@ -58,16 +58,6 @@ impl Rank {
     }
 }
 
-/// The list that an object belongs to; none for the definition of a data type.
-pub(crate) const fn list_of(index: u16) -> Option<ObjectList> {
-    match index {
-        0x1000 | 0x1001 | 0x1018 => Some(ObjectList::Mandatory),
-        0x2000..=0x5FFF => Some(ObjectList::Manufacturer),
-        0x1000.. => Some(ObjectList::Optional),
-        _ => None,
-    }
-}
-
 const fn group_of_list(list: ObjectList) -> u16 {
     match list {
         ObjectList::Mandatory => MANDATORY,
@@ -77,7 +67,7 @@ const fn group_of_list(list: ObjectList) -> u16 {
 }
 
 fn object(index: u16, kind: u8, sub: u8) -> Rank {
-    Rank { group: list_of(index).map_or(TYPES, group_of_list), index, kind, sub }
+    Rank { group: ObjectList::of(index).map_or(TYPES, group_of_list), index, kind, sub }
 }
 
 /// Modules in the order of their numbers, each with its parts behind it.

@@ -111,12 +111,13 @@ pub(in crate::format::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Dia
 
 /// The key that the standard has and is the same but for blanks and the like.
 fn meant(item: &Item<'_>) -> Option<&'static str> {
-    let letters = |name: &str| {
-        let letters = name.chars().filter(char::is_ascii_alphanumeric);
-        letters.map(|c| c.to_ascii_lowercase()).collect::<String>()
-    };
-    let written = letters(item.name);
-    Field::NAMED.iter().map(|(name, _)| *name).find(|name| letters(name) == written)
+    let mut names = Field::NAMED.iter().map(|(name, _)| *name);
+    names.find(|name| letters(name).eq(letters(item.name)))
+}
+
+/// What a name is but for blanks, the like, and case.
+fn letters(name: &str) -> impl Iterator<Item = u8> {
+    name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
 }
 
 /// What a name's spelling shows.

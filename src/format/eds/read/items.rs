@@ -183,7 +183,8 @@ impl<'a> Items<'a> {
 
     /// A key that the section does not have: reported, and kept.
     pub(crate) fn unknown(&mut self, item: &Item<'a>, extra: &mut Extra) {
-        self.findings.push(findings::unknown_key(item, self.section_name()));
+        let section = self.section_name();
+        self.findings.push_with(&findings::UNKNOWN_KEY, || findings::unknown_key(item, section));
         extra.push(item.name, item.value);
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::{Item, Items, Reader};
-use crate::diagnostic::Fix;
+use crate::diagnostic::{Fix, MAX_FIX_LINES};
 use crate::format::eds::findings;
 use crate::format::eds::section::section_name;
 use crate::format::ini;
@@ -61,6 +61,7 @@ pub(super) fn numbered<'a, T>(
     let mut expected = 1;
     // the entries behind the first wrong one are wrong for the same cause
     let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
+    let can_be_mended = items.len() <= MAX_FIX_LINES;
     let mut entries = 0;
     let mut list = Vec::new();
     items.each(|items, item| {
@@ -74,7 +75,8 @@ pub(super) fn numbered<'a, T>(
         if item.number() != Some(expected) {
             let first = || (*item, expected, Fix::safe("number the entries 1, 2, 3 …"));
             let (first, number, fix) = wrong.take().unwrap_or_else(first);
-            wrong = Some((first, number, fix.replace(item.name_at, expected.to_string())));
+            let fix = if can_be_mended { fix.replace(item.name_at, expected.to_string()) } else { fix };
+            wrong = Some((first, number, fix));
         }
         expected += 1;
         entries += 1;

@@ -2,9 +2,9 @@
 
 use super::{text_of, value_of};
 use crate::format::xdd::layout::{Layout, Profile, below};
-use crate::format::xdd::read::{bit_rate, count_attribute, list_of};
+use crate::format::xdd::read::{bit_rate, count_attribute};
 use crate::format::xml::Element;
-use crate::model::{Field, Part};
+use crate::model::{Field, ObjectList, Part};
 use crate::source::Span;
 
 /// The span of a field of a part, else the tag of the part.
@@ -30,7 +30,7 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
                 Field::Item(number) => {
                     let of_list = |object: &Element<'_>| {
                         let index = super::super::read::EntryAttributes::of(*object).index();
-                        index.and_then(list_of) == Some(*list)
+                        index.and_then(ObjectList::of) == Some(*list)
                     };
                     let position = usize::try_from(*number).ok()?.checked_sub(1)?;
                     layout.objects().filter(of_list).nth(position).map(Element::tag_span)

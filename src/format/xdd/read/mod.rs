@@ -14,7 +14,7 @@ pub(crate) use self::entry::EntryAttributes;
 pub(crate) use self::network::{
     DIRECTIONS, count_attribute, default_rate_field, range_length, supported_field,
 };
-pub(crate) use self::objects::{count, list_of};
+pub(crate) use self::objects::count;
 pub(crate) use self::parameters::SUB;
 use self::parameters::Slot;
 use self::text::Text;

@@ -10,8 +10,8 @@ use crate::format::xdd::shape::take_stack_options;
 use crate::format::xdd::types;
 use crate::format::xml::Element;
 use crate::model::{
-    ApplicationProcess, DataTypeRef, Device, Entry, Field, Misfit, Misfits, Object, ObjectList, ObjectType,
-    Parameter, ParameterAccess, Place, VarDeclaration,
+    ApplicationProcess, DataTypeRef, Device, Entry, Field, Misfit, Misfits, Object, ObjectList, ObjectLists,
+    ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 
 impl<'a> Reader<'a> {
@@ -50,28 +50,14 @@ impl<'a> Reader<'a> {
         if self.device.objects.is_empty() {
             return;
         }
-        for list in ObjectList::ALL {
-            let indexes = self.device.objects.keys().copied();
-            *self.device.lists.get_mut(list) =
-                Some(indexes.filter(|&index| list_of(index) == Some(list)).collect());
-        }
-    }
-}
-
-/// The list that an object belongs to; none for definitions of data types.
-pub(crate) const fn list_of(index: u16) -> Option<ObjectList> {
-    match index {
-        0..=0x0FFF => None,
-        0x1000 | 0x1001 | 0x1018 => Some(ObjectList::Mandatory),
-        0x2000..=0x5FFF => Some(ObjectList::Manufacturer),
-        _ => Some(ObjectList::Optional),
+        self.device.lists = ObjectLists::naming(self.device.objects.keys().copied());
     }
 }
 
 /// How many of some indexes `CANopenObjectList` counts in a list. It has no other number for definitions of data types than
 /// that of the optional objects.
 pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
-    indexes.filter(|&&index| list_of(index).unwrap_or(ObjectList::Optional) == list).count()
+    indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }
 
 /// The entries of an object list, one after the other.

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::lint::rule;
+use crate::lint::{rule, stated};
 use crate::model::{Device, Place};
 
 rule! {
@@ -23,15 +23,14 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let is_there = |index| device.objects.contains_key(&index);
-    if is_there(0x1014) || device.lists.iter().any(|(_, index)| index == 0x1014) {
+    if stated::is_there(device, 0x1014) {
         return;
     }
     let help = "add 1014h (UNSIGNED32) with the default `$NODEID+0x80`";
-    if is_there(0x1015) {
+    if device.objects.contains_key(&0x1015) {
         let message = "1015h (inhibit time EMCY) is there, and 1014h (COB-ID EMCY) is not";
         findings.push(Diagnostic::new(&RULE.info, Place::object(0x1015), message).help(help));
-    } else if is_there(0x1003) {
+    } else if device.objects.contains_key(&0x1003) {
         let message = "1003h (pre-defined error field) is there, and 1014h (COB-ID EMCY) is not";
         let finding = Diagnostic::new(&RULE.info, Place::object(0x1003), message).help(help);
         findings.push(finding.severity(Severity::Note));

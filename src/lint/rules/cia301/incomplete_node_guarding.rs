@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{rule, stated};
 use crate::model::{Device, Place};
 
 rule! {
@@ -23,10 +23,9 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let listed = |index: u16| device.lists.iter().any(|(_, listed)| listed == index);
     let names = [(0x100C, "guard time"), (0x100D, "life time factor")];
     for ((index, name), (other, other_name)) in [(names[0], names[1]), (names[1], names[0])] {
-        if device.objects.contains_key(&index) && !device.objects.contains_key(&other) && !listed(other) {
+        if device.objects.contains_key(&index) && !stated::is_there(device, other) {
             let message = format!("{index:04X}h ({name}) is there without {other:04X}h ({other_name})");
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
             findings.push(finding.help(format!("add {other:04X}h, or remove {index:04X}h")));

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::lint::demands::Applied;
-use crate::lint::{Facts, rule};
+use crate::lint::{Facts, rule, stated};
 use crate::model::{ObjectList, Part, Place};
 use crate::profile::Need;
 
@@ -33,7 +33,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     for facts in applied.profile.objects.iter().filter(|facts| facts.need == Need::Mandatory) {
         let (index, name) = (facts.first, &facts.name);
         // what is listed and not described has a rule of its own
-        if device.objects.contains_key(&index) || device.lists.iter().any(|(_, listed)| listed == index) {
+        if stated::is_there(device, index) {
             continue;
         }
         let place = match device.lists.mandatory {

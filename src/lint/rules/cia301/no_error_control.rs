@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{rule, stated};
 use crate::model::{Device, Place};
 
 rule! {
@@ -23,10 +23,8 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let listed = |index: u16| device.lists.iter().any(|(_, listed)| listed == index);
-    let there = |index: u16| device.objects.contains_key(&index) || listed(index);
     // a file without a single communication object is a fragment, and that is reported
-    if [0x1017, 0x100C, 0x100D].into_iter().any(there)
+    if [0x1017, 0x100C, 0x100D].into_iter().any(|index| stated::is_there(device, index))
         || device.objects.range(0x1000..0x2000).next().is_none()
     {
         return;

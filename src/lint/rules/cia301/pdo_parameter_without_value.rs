@@ -22,11 +22,8 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let Some(object) = pdo.communication_record() else { return };
     let pdo = &pdo.pdo;
-    let Some(object) = pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
-    else {
-        return;
-    };
     let index = pdo.communication_index();
     for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
         let has_type = object.subs.get(sub).is_none_or(|entry| entry.data_type.is_some());

@@ -31,9 +31,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         _ => return,
     };
     let device = facts.device;
-    let is_listed = device.lists.iter().any(|(_, index)| index == missing);
     let mut modules = device.modules.iter().flat_map(|modules| modules.supported.values());
-    if is_listed || modules.any(|module| module.fixed.contains_key(&missing)) {
+    if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
         return;
     }
     let message = format!("{pdo} has {what}, {there:04X}h, and no {other}, {missing:04X}h");

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::rule;
+use crate::lint::{rule, stated};
 use crate::model::{Device, Object, Place};
 
 rule! {
@@ -29,7 +29,7 @@ fn check(device: &Device, index: u16, _: &Object, findings: &mut Findings) {
         0x1019 => "synchronous counter overflow value",
         _ => return,
     };
-    if device.objects.contains_key(&0x1005) || device.lists.iter().any(|(_, listed)| listed == 0x1005) {
+    if stated::is_there(device, 0x1005) {
         return;
     }
     let message = format!("{index:04X}h ({name}) is there, and 1005h for SYNC is not");

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, Service, rule};
+use crate::lint::{Facts, Service, rule, stated};
 
 rule! {
     /// the device sends SYNC and has no period for it
@@ -23,8 +23,7 @@ rule! {
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
-    let is_there =
-        device.objects.contains_key(&0x1006) || device.lists.iter().any(|(_, index)| index == 0x1006);
+    let is_there = stated::is_there(device, 0x1006);
     let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
     let Some(sync) = sync.filter(|sync| sync.is_sent() && !is_there) else { return };
     let message =

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::lint::{Facts, rule, with_others};
+use crate::lint::{Facts, rule, stated, with_others};
 
 rule! {
     /// a synchronous PDO on a device without SYNC
@@ -23,8 +23,7 @@ rule! {
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
-    let is_listed = device.lists.iter().any(|(_, index)| index == 0x1005);
-    if device.objects.contains_key(&0x1005) || is_listed {
+    if stated::is_there(device, 0x1005) {
         return;
     }
     let mut synchronous = facts

@@ -6,7 +6,7 @@ rule! {
     /// writing a command, and no flag keeps tools from it
     ///
     /// ## What it checks
-    /// Whether the writable entries of objects that do something when they are written (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, or the object as a whole has it.
+    /// Whether the writable entries of objects that do something when they are written (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, or the object as a whole has it. Hardly a real file has the flag: nearly half of them describe 1010h or 1011h and none of these with it. It stays a note, for a tool that checks the signature (`save`, `load`) before it writes is safe without it.
     ///
     /// ## Why it matters
     /// A tool that downloads a configuration writes every entry that has a value. With the flag it leaves those out that would store, restore or erase something.

@@ -1,12 +1,12 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, counted};
-use crate::lint::{list_of, rule};
+use crate::lint::rule;
 use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
 
 rule! {
     /// a section that every description has is missing
     ///
     /// ## What it checks
-    /// Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. An empty file has its own finding.
+    /// Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. In real files it is mostly a DCF without `[Comments]` or `[FileInfo]`, which is a note and does no harm; the errors are fragments, and lists without which whole ranges of objects are lost. An empty file has its own finding.
     ///
     /// ## Why it matters
     /// Objects of a missing list are in no list at all, so most tools do not see them. Without `[DeviceInfo]` nobody knows whose device it is. The other sections may be empty, but some readers refuse a file without them.
@@ -60,7 +60,7 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         if indexes.is_some() {
             continue;
         }
-        let members = device.objects.keys().copied().filter(|&index| list_of(index) == Some(list));
+        let members = device.objects.keys().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let fix = Fix::safe("add the list").with(Change::List(list, members.clone().collect()));
         let objects = members.count();
         if objects == 0 {

@@ -1,7 +1,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{ListFixes, list_of, rule};
+use crate::lint::{ListFixes, rule};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 
 rule! {
@@ -59,7 +59,7 @@ fn once(device: &Device, list: ObjectList) -> Fix {
 
 /// An object off the one of two lists into which it does not belong.
 fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
-    let wrong = if list_of(index) == Some(list) { other } else { list };
+    let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
     let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
     Fix::risky(format!("take it off `[{wrong}]`")).with(Change::List(wrong, members))
 }

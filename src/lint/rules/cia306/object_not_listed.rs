@@ -1,5 +1,5 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{IndexSet, MAX_LIST_FIXES, list_of, rule, with_members};
+use crate::lint::{IndexSet, ListFixes, rule, with_members};
 use crate::model::{Device, ObjectList, Place};
 
 rule! {
@@ -24,30 +24,27 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let lists = &device.lists;
-    let [mandatory, optional, manufacturer] =
-        [&lists.mandatory, &lists.optional, &lists.manufacturer].map(Option::is_some);
     let listed: IndexSet = lists.iter().map(|(_, index)| index).collect();
     let objects = device.objects.range(0x1000..).filter(|(_, object)| !object.orphan);
     let unlisted: Vec<u16> =
         objects.map(|(&index, _)| index).filter(|&index| !listed.contains(index)).collect();
-    let whole = [
-        (ObjectList::Mandatory, mandatory),
-        (ObjectList::Optional, optional),
-        (ObjectList::Manufacturer, manufacturer),
-    ];
-    for (list, _) in whole.into_iter().filter(|(_, exists)| *exists) {
-        let members = unlisted.iter().copied().filter(|&index| list_of(index) == Some(list));
-        for (number, index) in members.clone().enumerate() {
+    let mut fixes = ListFixes::new();
+    for (list, members) in
+        ObjectList::ALL.into_iter().zip([&lists.mandatory, &lists.optional, &lists.manufacturer])
+    {
+        // where the whole list is missing, that is the finding
+        let Some(members) = members else { continue };
+        let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
+        let all = with_members(members, others.clone());
+        for index in others {
             let message = format!("{index:04X}h is described, but in no list of objects");
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-            let finding = finding.help(format!("add `0x{index:04X}` to `[{list}]`"));
-            findings.push(if number < MAX_LIST_FIXES {
-                let all = with_members(device.lists.get(list), members.clone());
+            let mut finding = finding.help(format!("add `0x{index:04X}` to `[{list}]`"));
+            finding.fix = fixes.next(&all, || {
                 let fix = Fix::safe(format!("add to `[{list}]` what is described"));
-                finding.fix(fix.with(Change::List(list, all)))
-            } else {
-                finding
+                fix.with(Change::List(list, all.clone()))
             });
+            findings.push(finding);
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
-use crate::lint::{list_of, rule, stated, sub_0, with_members};
-use crate::model::{Device, Field, Object, Part, Place};
+use crate::lint::{IndexSet, ListFixes, rule, stated, sub_0, with_members};
+use crate::model::{Device, Field, Object, ObjectList, Part, Place};
 
 rule! {
     /// a sub-index belongs to no object
@@ -19,18 +19,41 @@ rule! {
     ///
     /// ## Source
     /// CiA 306-1 §4.6.3.2
-    "cia306/sub-without-object", Error, Object(check), fix Unsafe
+    "cia306/sub-without-object", Error, Device(check), fix Unsafe
 }
 
-fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) {
-    if !object.orphan {
+fn check(device: &Device, findings: &mut Findings) {
+    let mut orphans = device.objects.iter().filter(|(_, object)| object.orphan).peekable();
+    if orphans.peek().is_none() {
         return;
     }
-    let Some((sub, _)) = object.subs.iter().next() else { return };
-    let message = format!("sub-indexes of {index:04X}h are described, the object is not");
-    let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-    let title = format!("add a section `[{index:X}]` with name, object type and `SubNumber`");
-    let fix = Fix::risky(title.clone());
+    let listed: IndexSet = device.lists.iter().map(|(_, index)| index).collect();
+    let mut fixes = ListFixes::new();
+    for (&index, object) in orphans {
+        let Some((sub, _)) = object.subs.iter().next() else { continue };
+        let message = format!("sub-indexes of {index:04X}h are described, the object is not");
+        let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
+        let title = format!("add a section `[{index:X}]` with name, object type and `SubNumber`");
+        let mut finding = finding.help(title.clone());
+        let list = ObjectList::of(index)
+            .filter(|&list| !listed.contains(index) && !device.lists.get(list).is_empty());
+        finding.fix = match list {
+            Some(list) => {
+                let members = device.lists.get(list);
+                fixes.next(members, || {
+                    let others = with_members(members, [index]);
+                    section(title, index, object).with(Change::List(list, others))
+                })
+            }
+            None => Some(section(title, index, object)),
+        };
+        findings.push(finding);
+    }
+}
+
+/// The section that the object lacks, and sub-index 0 if it lacks that too.
+fn section(title: String, index: u16, object: &Object) -> Fix {
+    let fix = Fix::risky(title);
     let (fix, described) = match object.subs.get(0) {
         Some(_) => (fix, stated::described_subs(object)),
         None => (fix.with(sub_0(index, object)), stated::described_subs(object) + 1),
@@ -40,12 +63,5 @@ fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) 
         (Field::ObjectType, "0x9".to_owned()),
         (Field::SubNumber, described.to_string()),
     ];
-    let fix = fix.with(Change::Add(Part::Object(index), keys.to_vec()));
-    let is_listed = device.lists.iter().any(|(_, listed)| listed == index);
-    let list = list_of(index).filter(|&list| !is_listed && !device.lists.get(list).is_empty());
-    let fix = match list {
-        Some(list) => fix.with(Change::List(list, with_members(device.lists.get(list), [index]))),
-        None => fix,
-    };
-    findings.push(finding.help(title).fix(fix));
+    fix.with(Change::Add(Part::Object(index), keys.to_vec()))
 }

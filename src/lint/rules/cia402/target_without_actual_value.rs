@@ -1,7 +1,6 @@
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::lint::demands::Applied;
 use crate::lint::{Drive, Facts, rule};
-use crate::profile::Need;
 
 rule! {
     /// a target is there without its actual value
@@ -45,9 +44,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
 
 /// Whether the document demands an object, which is a rule of its own.
 fn is_demanded(facts: &Facts<'_>, applied: &Applied<'_>, index: u16) -> bool {
-    match applied.profile.object(index).map(|facts| &facts.need) {
-        Some(Need::Mandatory) => true,
-        Some(Need::When(condition)) => condition.holds(facts.device, applied.block) == Some(true),
-        _ => false,
-    }
+    let wanted = applied.profile.object(index);
+    wanted.is_some_and(|wanted| wanted.is_demanded(facts.device, applied.block))
 }
