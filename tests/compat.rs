@@ -5,7 +5,7 @@
 mod support;
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use objdict::compat::{Effect, REACTIONS};
 use objdict::diagnostic::{Findings, Severity, Tool};
@@ -14,7 +14,7 @@ use objdict::lint::Options;
 use objdict::registry;
 use objdict::source::SourceOptions;
 
-fn check(path: &PathBuf, tools: &[Tool]) -> Findings {
+fn check(path: &Path, tools: &[Tool]) -> Findings {
     let description = format::open(path, &SourceOptions::default()).unwrap();
     let mut options = Options::default();
     options.tools.extend(tools);

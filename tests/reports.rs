@@ -143,7 +143,7 @@ fn assert_shape(object: &str, value: &Value, path: &str) {
             Kind::Number => assert!(value.is_u64(), "{path}"),
             Kind::Truth => assert!(value.is_boolean(), "{path}"),
             Kind::Words(words) => {
-                assert!(value.as_str().is_some_and(|w| words.contains(&w)), "{path}: {value}")
+                assert!(value.as_str().is_some_and(|w| words.contains(&w)), "{path}: {value}");
             }
             Kind::One(object) => assert_shape(object, value, &path),
             Kind::Many(object) => items().iter().for_each(|item| assert_shape(object, item, &path)),
@@ -222,7 +222,7 @@ fn regions_of_sarif_are_right_in_bytes_and_in_utf_16() {
         let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
         let from = offset(text, number("startLine"), number("startColumn"));
         let to = offset(text, number("endLine"), number("endColumn"));
-        assert_eq!(text[from..to].as_bytes(), by_bytes, "{result}");
+        assert_eq!(&text.as_bytes()[from..to], by_bytes, "{result}");
         compared += 1;
         beyond_ascii += usize::from(!text.is_ascii());
     }

@@ -27,17 +27,6 @@ pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
     Change::Add(Part::Entry(index, 0), keys.to_vec())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn members_come_where_they_belong() {
-        assert_eq!(with_members(&[1, 5], [3]), [1, 3, 5]);
-        assert_eq!(with_members(&[5, 1], [3]), [5, 1, 3]);
-    }
-}
-
 /// The fixes of a rule that write lists anew. Each changes as many lines as its list has, and a hostile list is long: all of
 /// them together have a bound.
 pub(crate) struct ListFixes {
@@ -54,5 +43,16 @@ impl ListFixes {
     pub(crate) fn next(&mut self, list: &[u16], fix: impl FnOnce() -> Fix) -> Option<Fix> {
         self.lines = self.lines.checked_sub(list.len().max(1))?;
         Some(fix())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn members_come_where_they_belong() {
+        assert_eq!(with_members(&[1, 5], [3]), [1, 3, 5]);
+        assert_eq!(with_members(&[5, 1], [3]), [5, 1, 3]);
     }
 }

@@ -1,8 +1,10 @@
 //! The documents that come with the program.
 
+use std::ops::RangeInclusive;
 use std::sync::{Arc, LazyLock};
 
 use super::Profile;
+use crate::model::Device;
 
 macro_rules! documents {
     ($($group:ident $number:literal,)*) => {
@@ -64,10 +66,17 @@ pub(crate) fn of_number(number: u16) -> Option<&'static Profile> {
         .filter(|profile| profile.number == Some(number))
 }
 
-/// The documents that hold for devices of any profile.
-pub(crate) fn for_all() -> impl Iterator<Item = &'static Profile> {
-    DOCUMENTS.iter().filter(|(number, ..)| *number < FIRST_DEVICE_PROFILE).map(|(_, _, profile)| &****profile)
+/// The documents that hold for a device whatever its profile is. That of network managers is not even read for a device
+/// that has nothing of one: reading takes longer than the check of a small file.
+pub(crate) fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
+    let is_manager = device.objects.range(OF_MANAGERS).next().is_some();
+    let for_all = DOCUMENTS.iter().filter(|(number, ..)| *number < FIRST_DEVICE_PROFILE);
+    let for_it = for_all.filter(move |(number, ..)| is_manager || *number != 302);
+    for_it.map(|(_, _, profile)| &****profile)
 }
+
+/// All that CiA 302 describes lies here, and nothing of it is demanded of a device that has nothing else of it.
+const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
 
 /// What an object was for that CiA 301 had before version 4 and has given up since.
 pub fn obsolete(index: u16) -> Option<&'static str> {
@@ -98,6 +107,14 @@ mod tests {
             assert_eq!(profile.document, format!("CiA {number}"));
             assert_eq!(named(&number.to_string()).map(|profile| profile.group), Some(*group));
         }
+    }
+
+    #[test]
+    fn a_device_without_management_needs_no_document_about_it() {
+        let profile = named("302").unwrap();
+        assert!(profile.objects.iter().all(|facts| OF_MANAGERS.contains(&facts.first)));
+        let bare = Device::default();
+        assert!(profile.objects.iter().all(|facts| !facts.is_demanded(&bare, 0)));
     }
 
     #[test]

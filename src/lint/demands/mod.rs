@@ -58,7 +58,7 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
         let profile = number.filter(|&number| number != 0).and_then(profile::of_number);
         profile.map(|profile| Applied { profile, block })
     };
-    applied.extend(profile::for_all().map(|profile| Applied { profile, block: 0 }));
+    applied.extend(profile::for_all(device).map(|profile| Applied { profile, block: 0 }));
     applied.extend(of_number(0, number));
     for profile in options.profiles.iter().map(Arc::as_ref) {
         if !applied.iter().any(|one| one.profile == profile) {
