@@ -23,8 +23,10 @@
 
 mod c;
 mod concise;
+mod dictionary;
 mod escape;
 mod names;
+mod notes;
 mod resolve;
 mod rom;
 mod rust;

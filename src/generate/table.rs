@@ -11,11 +11,12 @@
 //!   access type `const`, type definitions, and sub-index 0 of RECORDs and compact objects that is not writable. The
 //!   elements of an ARRAY are one field where they are alike.
 
+use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use super::names::{Scope, words};
-use super::resolve::{Datum, Resolved, Resolver, Shape};
+use super::resolve::{Datum, Resolved, Shape};
 use super::rom::Rom;
 use super::{GenerateError, Note, Options};
-use crate::model::{Access, DataType, Device, Object, ObjectType, Part, Place};
+use crate::model::{Access, DataType, Device, Object, ObjectType};
 
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
@@ -117,18 +118,17 @@ impl Row {
 impl Table {
     /// The table of a device.
     pub(crate) fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
-        let node_id = options.node_id_of(device)?;
+        let dictionary = Dictionary::new(device, options)?;
         let mut builder = Builder {
-            resolver: Resolver::new(device, options),
             modules: Scope::of_lower_case("od"), // for the module that all this is in
             fields: Scope::of_lower_case("node_id"),
             rom: Rom::default(),
-            table: Self::empty(device, node_id),
+            table: Self::empty(&dictionary),
         };
-        for (&index, object) in &device.objects {
-            builder.object(index, object);
+        for object in dictionary.objects {
+            builder.object(object);
         }
-        builder.finish(device)
+        Ok(Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table })
     }
 
     /// Whether a field holds numbers of this data type.
@@ -136,12 +136,12 @@ impl Table {
         self.fields.iter().any(|field| field.shape == Shape::Word(data_type))
     }
 
-    fn empty(device: &Device, node_id: Option<u8>) -> Self {
-        let info = device.device_info.as_ref();
+    fn empty(dictionary: &Dictionary<'_>) -> Self {
+        let info = dictionary.device.device_info.as_ref();
         Self {
             product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
             vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
-            node_id,
+            node_id: dictionary.node_id,
             objects: Vec::new(),
             rows: Vec::new(),
             fields: Vec::new(),
@@ -151,55 +151,29 @@ impl Table {
     }
 }
 
-struct Builder<'a> {
-    resolver: Resolver<'a>,
+struct Builder {
     modules: Scope,
     fields: Scope,
     rom: Rom,
     table: Table,
 }
 
-impl Builder<'_> {
-    fn object(&mut self, index: u16, object: &Object) {
-        if object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true)) {
-            let note = Note::new(Place::object(index), "the description disables the object (`CO_disabled`)");
-            self.resolver.notes.push(note);
-            return;
-        }
-        if let Some(compact) = &object.compact {
-            // compact entries have no texts of their own: what is wrong stands with the object
-            let data_type = object.main.data_type.unwrap_or(DataType(0));
-            self.resolver.misfits(&Place::object(index), &object.main, data_type);
-            for misfit in compact.misfits.iter() {
-                let text = format!("`{}` is no value of {data_type}; the default is used", misfit.text);
-                let place = Place::of(Part::CompactValues(index)).field(misfit.field.clone());
-                self.resolver.notes.push(Note::new(place, text));
-            }
-        }
+impl Builder {
+    fn object(&mut self, resolved: ResolvedObject<'_>) {
+        let (index, object, single) = (resolved.index, resolved.object, resolved.is_single());
         let first = self.table.rows.len();
         let mut constants = Scope::of_constants("index");
-        let mut described = 0;
-        for (sub, entry) in object.entries() {
-            described += 1;
-            let Some(resolved) = self.resolver.entry(object, index, sub, &entry) else { continue };
+        for ResolvedEntry { sub, entry, resolved } in resolved.entries {
             let constant = constants.claim(&words(&entry.name), &format!("{sub:02x}"));
             let rom = self.rom.place(block(&resolved));
             let row = Row { index, sub, name: entry.name.to_string(), constant, resolved, slot: None, rom };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();
-        if described == 0 {
-            let note = Note::new(Place::object(index), "an object without entries is left out");
-            self.resolver.notes.push(note);
-        }
-        if rows.is_empty() {
-            return;
-        }
         let name = Some(words(object.name())).filter(|name| !name.is_empty());
         let name = name.unwrap_or_else(|| format!("x{index:04x}"));
         self.place_fields(object, &name, rows.clone());
         let module = self.modules.claim(&name, &format!("{index:04x}"));
-        let single = !object.object_type().has_subs() && object.compact.is_none() && rows.len() == 1;
         self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });
     }
 
@@ -250,59 +224,6 @@ impl Builder<'_> {
         }
         let name = self.fields.claim(&words, &suffix);
         self.table.fields.push(TableField { name, shape, rows, array });
-    }
-
-    fn finish(self, device: &Device) -> Result<Table, GenerateError> {
-        let Resolver { mut notes, mut errors, .. } = self.resolver;
-        let modular = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
-        if modular && device.node_id().is_none() {
-            let text = "objects that modules bring are no part of the table";
-            let note = Note::new(Part::SupportedModules, text);
-            notes.push(note.help("generate from the DCF of a node, where they stand as ordinary objects"));
-        }
-        notes.sort_by(|a, b| a.place.cmp(&b.place)); // stable: notes of one place stay in order
-        let notes = once_per_object(notes);
-        errors.sort_by(|a, b| a.place.cmp(&b.place));
-        if !errors.is_empty() {
-            return Err(GenerateError::Inexpressible(errors));
-        }
-        if self.table.rows.is_empty() {
-            return Err(GenerateError::NoEntries { notes });
-        }
-        Ok(Table { rom: self.rom.into_bytes(), notes, ..self.table })
-    }
-}
-
-/// Notes without those that say the same of further entries of an object: the first one counts them.
-fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
-    let mut kept: Vec<(Note, u32)> = Vec::new();
-    for note in notes {
-        let same = |(first, _): &&mut (Note, u32)| {
-            index_of(&first.place).is_some_and(|index| index_of(&note.place) == Some(index))
-                && first.place.field == note.place.field
-                && first.message == note.message
-        };
-        let recent = kept.iter_mut().rev().take(8); // the kinds of notes that entries of one object have
-        match recent.into_iter().find(same) {
-            Some((_, more)) => *more += 1,
-            None => kept.push((note, 0)),
-        }
-    }
-    let counted = kept.into_iter().map(|(mut note, more)| {
-        if more > 0 {
-            let entries = if more == 1 { "entry" } else { "entries" };
-            note.message = format!("{}; so for {more} more {entries} of the object", note.message);
-        }
-        note
-    });
-    counted.collect()
-}
-
-/// The index of the object whose entry a place is.
-fn index_of(place: &Place) -> Option<u16> {
-    match place.part {
-        Part::Entry(index, _) => Some(index),
-        _ => None,
     }
 }
 

@@ -1,0 +1,109 @@
+//! The dictionary that a device shows to the network, each entry resolved: what every backend of a stack begins with.
+
+use std::borrow::Cow;
+
+use super::notes::{in_order, once_per_object};
+use super::resolve::{Resolved, Resolver};
+use super::{GenerateError, Note, Options};
+use crate::model::{Device, Entry, Object, Part, Place};
+
+/// The objects of a device that a table can have.
+#[derive(Debug)]
+pub(crate) struct Dictionary<'a> {
+    /// The device that they are of.
+    pub(crate) device: &'a Device,
+    /// The node-ID that it is generated for.
+    pub(crate) node_id: Option<u8>,
+    /// At least one, by index.
+    pub(crate) objects: Vec<ResolvedObject<'a>>,
+    /// What is left out or assumed, in the order of places.
+    pub(crate) notes: Vec<Note>,
+}
+
+/// An object with its entries.
+#[derive(Debug)]
+pub(crate) struct ResolvedObject<'a> {
+    pub(crate) index: u16,
+    pub(crate) object: &'a Object,
+    /// At least one, by sub-index; the value of a VAR is sub-index 0.
+    pub(crate) entries: Vec<ResolvedEntry<'a>>,
+}
+
+/// An entry: as it is described, and what a table must know of it.
+#[derive(Debug)]
+pub(crate) struct ResolvedEntry<'a> {
+    pub(crate) sub: u8,
+    pub(crate) entry: Cow<'a, Entry>,
+    pub(crate) resolved: Resolved,
+}
+
+impl ResolvedObject<'_> {
+    /// Whether it is one value and no more, so that its name says all.
+    pub(crate) fn is_single(&self) -> bool {
+        !self.object.object_type().has_subs() && self.object.compact.is_none() && self.entries.len() == 1
+    }
+}
+
+impl<'a> Dictionary<'a> {
+    /// The dictionary of a device.
+    ///
+    /// # Errors
+    /// When the node-ID is none, when a value would come out wrong, and when there is no entry.
+    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Result<Self, GenerateError> {
+        let node_id = options.node_id_of(device)?;
+        let mut resolver = Resolver::new(device, options);
+        let objects = device.objects.iter();
+        let objects: Vec<_> =
+            objects.filter_map(|(&index, object)| resolve(&mut resolver, index, object)).collect();
+        let Resolver { mut notes, errors, .. } = resolver;
+        let modular = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
+        if modular && device.node_id().is_none() {
+            let text = "objects that modules bring are no part of the table";
+            let note = Note::new(Part::SupportedModules, text);
+            notes.push(note.help("generate from the DCF of a node, where they stand as ordinary objects"));
+        }
+        if !errors.is_empty() {
+            return Err(GenerateError::Inexpressible(in_order(errors)));
+        }
+        let notes = once_per_object(in_order(notes));
+        if objects.is_empty() {
+            return Err(GenerateError::NoEntries { notes });
+        }
+        Ok(Self { device, node_id, objects, notes })
+    }
+}
+
+/// An object with its entries; `None`, with a note, where a table can have none of them.
+fn resolve<'a>(resolver: &mut Resolver<'_>, index: u16, object: &'a Object) -> Option<ResolvedObject<'a>> {
+    if object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true)) {
+        let note = Note::new(Place::object(index), "the description disables the object (`CO_disabled`)");
+        resolver.notes.push(note);
+        return None;
+    }
+    compact_misfits(resolver, index, object);
+    let mut described = 0;
+    let mut entries = Vec::new();
+    for (sub, entry) in object.entries() {
+        described += 1;
+        if let Some(resolved) = resolver.entry(object, index, sub, &entry) {
+            entries.push(ResolvedEntry { sub, entry, resolved });
+        }
+    }
+    if described == 0 {
+        let note = Note::new(Place::object(index), "an object without entries is left out");
+        resolver.notes.push(note);
+    }
+    (!entries.is_empty()).then_some(ResolvedObject { index, object, entries })
+}
+
+/// Compact entries have no texts of their own: what is wrong with them stands with the object.
+fn compact_misfits(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
+    let Some(compact) = &object.compact else { return };
+    let data_type = object.main.data_type.unwrap_or(crate::model::DataType(0));
+    resolver.misfits(&Place::object(index), &object.main, data_type);
+    for misfit in compact.misfits.iter() {
+        let text = format!("`{}` is no value of {data_type}; the default is used", misfit.text);
+        let place = Place::of(Part::CompactValues(index)).field(misfit.field.clone());
+        resolver.notes.push(Note::new(place, text));
+    }
+}
