@@ -1,27 +1,26 @@
 //! The command line.
 
+mod generate;
 mod new;
 
 use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+pub(super) use self::generate::GenerateArgs;
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
 use super::fix::FixArgs;
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
 use super::settings::SettingsArgs;
-use super::show::Address;
 use crate::diagnostic::Severity;
 use crate::format::literal::RealSpelling;
 use crate::format::{WriteOptions, XddVersion};
-use crate::generate::Target;
-use crate::model::Device;
+use crate::model::{Address, Device};
 use crate::source::Encoding;
 
 /// The CANopen object-dictionary toolchain
@@ -164,38 +163,6 @@ pub(super) enum ShowFormat {
     Table,
     /// For programs: one JSON document, one entry a line (docs/json.md)
     Json,
-}
-
-/// Turn a description into what a product compiles or downloads
-///
-/// Checks the description first and generates nothing when there is an error in it. Files are only written when they
-/// change, and then as a whole.
-#[derive(Debug, Parser)]
-pub(super) struct GenerateArgs {
-    /// The description; `-` is the standard input
-    pub file: PathBuf,
-    /// What to generate; may be given several times, or with commas between
-    #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
-    pub targets: Vec<String>,
-    /// The folder that the files go to
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
-    /// The node-ID of the node; a DCF names its own
-    #[arg(long, value_name = "N", value_parser = node_id)]
-    pub node_id: Option<u8>,
-    /// Generate although there are errors in the description
-    #[arg(long)]
-    pub force: bool,
-    /// Room for a string that can be written and has a shorter default or none
-    #[arg(long, value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..))]
-    pub string_capacity: Option<u16>,
-    /// Room for a DOMAIN that can be written; without it, only for its default
-    #[arg(long, value_name = "BYTES")]
-    pub domain_capacity: Option<u16>,
-    #[command(flatten)]
-    pub expand: ExpandArgs,
-    #[command(flatten)]
-    pub input: InputArgs,
 }
 
 /// Turn files into another format, and say what it cannot carry
@@ -479,11 +446,6 @@ fn node_name(text: &str) -> Result<String, String> {
     } else {
         Ok(text.to_owned())
     }
-}
-
-fn targets() -> PossibleValuesParser {
-    let value = |target: Target| clap::builder::PossibleValue::new(target.name()).help(target.summary());
-    PossibleValuesParser::new(Target::all().map(value))
 }
 
 /// 1 to 127, in decimal or as `0x7F`.

@@ -11,10 +11,11 @@ use super::save::{Saved, save};
 use super::table::Table;
 use super::{Failure, Outcome, tell};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
-use crate::generate::{GenerateError, Generated, Note, Options, Target, generate};
+use crate::generate::{GenerateError, Generated, Note, Options, Target, generate, renames};
 use crate::lint;
-use crate::model::{Device, Place};
+use crate::model::{Address, Device, Place};
 use crate::report::{Report, Tally, Text};
+use crate::source::hash;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let (kind, input) = args.input.read_one(&args.file)?;
@@ -35,7 +36,11 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         return Ok(Outcome::Findings);
     }
     let device = args.expand.device(device);
-    let outputs = outputs(args, &device)?;
+    let source_hash = match &input {
+        Input::Description(description) => Some(hash(description.source().text().as_bytes())),
+        _ => None,
+    };
+    let outputs = outputs(args, &device, source_hash)?;
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &outputs {
         for file in &generated.files {
@@ -58,14 +63,12 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
 }
 
 /// Everything that is to be written, before anything is.
-fn outputs(args: &GenerateArgs, device: &Device) -> Result<Vec<(Target, Generated)>, Failure> {
-    let default = Options::default();
-    let options = Options {
-        node_id: args.node_id,
-        file_stem: stem(&args.file),
-        string_capacity: args.string_capacity.unwrap_or(default.string_capacity),
-        domain_capacity: args.domain_capacity.unwrap_or(default.domain_capacity),
-    };
+fn outputs(
+    args: &GenerateArgs,
+    device: &Device,
+    source_hash: Option<u64>,
+) -> Result<Vec<(Target, Generated)>, Failure> {
+    let options = options(args, source_hash)?;
     let mut outputs = Vec::new();
     let mut paths: BTreeMap<String, Target> = BTreeMap::new();
     for (position, name) in args.targets.iter().enumerate() {
@@ -84,6 +87,34 @@ fn outputs(args: &GenerateArgs, device: &Device) -> Result<Vec<(Target, Generate
         outputs.push((target, generated));
     }
     Ok(outputs)
+}
+
+fn options(args: &GenerateArgs, source_hash: Option<u64>) -> Result<Options, Failure> {
+    let default = Options::default();
+    Ok(Options {
+        node_id: args.node_id,
+        file_stem: stem(&args.file),
+        string_capacity: args.string_capacity.unwrap_or(default.string_capacity),
+        domain_capacity: args.domain_capacity.unwrap_or(default.domain_capacity),
+        names: args.names.into(),
+        renamed: args.rename.as_deref().map(names_in).transpose()?.unwrap_or_default(),
+        prefix: args.prefix.clone(),
+        module: args.module.clone(),
+        groups: args.groups.clone(),
+        source_hash,
+    })
+}
+
+/// The names that a file gives to objects and entries.
+fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Failure> {
+    let name = name_of(path);
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::new(format_args!("cannot read `{name}`: {error}")))?;
+    renames(&text).map_err(|error| {
+        let line = error.line.map(|line| format!(":{line}")).unwrap_or_default();
+        Failure::new(format_args!("{name}{line}: {error}"))
+            .help("write a line as `\"2000sub1\" = \"target speed\"` for each name")
+    })
 }
 
 fn refusal(target: Target, error: &GenerateError) -> Failure {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::notes::{in_order, once_per_object};
 use super::resolve::{Resolved, Resolver};
 use super::{GenerateError, Note, Options};
-use crate::model::{Device, Entry, Object, Part, Place};
+use crate::model::{Address, Device, Entry, Object, Part, Place};
 
 /// The objects of a device that a table can have.
 #[derive(Debug)]
@@ -25,6 +25,8 @@ pub(crate) struct Dictionary<'a> {
 pub(crate) struct ResolvedObject<'a> {
     pub(crate) index: u16,
     pub(crate) object: &'a Object,
+    /// What its identifiers are made of; empty: of the index.
+    pub(crate) name: Cow<'a, str>,
     /// At least one, by sub-index; the value of a VAR is sub-index 0.
     pub(crate) entries: Vec<ResolvedEntry<'a>>,
 }
@@ -34,6 +36,8 @@ pub(crate) struct ResolvedObject<'a> {
 pub(crate) struct ResolvedEntry<'a> {
     pub(crate) sub: u8,
     pub(crate) entry: Cow<'a, Entry>,
+    /// What its identifiers are made of; empty: of the sub-index.
+    pub(crate) name: String,
     pub(crate) resolved: Resolved,
 }
 
@@ -54,13 +58,21 @@ impl<'a> Dictionary<'a> {
         let mut resolver = Resolver::new(device, options);
         let objects = device.objects.iter();
         let objects: Vec<_> =
-            objects.filter_map(|(&index, object)| resolve(&mut resolver, index, object)).collect();
+            objects.filter_map(|(&index, object)| resolve(&mut resolver, options, index, object)).collect();
         let Resolver { mut notes, errors, .. } = resolver;
         let modular = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
         if modular && device.node_id().is_none() {
             let text = "objects that modules bring are no part of the table";
             let note = Note::new(Part::SupportedModules, text);
             notes.push(note.help("generate from the DCF of a node, where they stand as ordinary objects"));
+        }
+        let is_there = |&&Address { index, sub }: &&Address| {
+            let object = device.objects.get(&index);
+            object.is_some_and(|object| sub.is_none_or(|sub| object.has(sub)))
+        };
+        for &Address { index, sub } in options.renamed.keys().filter(|at| !is_there(at)) {
+            let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+            notes.push(Note::new(place, "there is nothing to rename"));
         }
         if !errors.is_empty() {
             return Err(GenerateError::Inexpressible(in_order(errors)));
@@ -74,7 +86,12 @@ impl<'a> Dictionary<'a> {
 }
 
 /// An object with its entries; `None`, with a note, where a table can have none of them.
-fn resolve<'a>(resolver: &mut Resolver<'_>, index: u16, object: &'a Object) -> Option<ResolvedObject<'a>> {
+fn resolve<'a>(
+    resolver: &mut Resolver<'_>,
+    options: &'a Options,
+    index: u16,
+    object: &'a Object,
+) -> Option<ResolvedObject<'a>> {
     if object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true)) {
         let note = Note::new(Place::object(index), "the description disables the object (`CO_disabled`)");
         resolver.notes.push(note);
@@ -86,14 +103,20 @@ fn resolve<'a>(resolver: &mut Resolver<'_>, index: u16, object: &'a Object) -> O
     for (sub, entry) in object.entries() {
         described += 1;
         if let Some(resolved) = resolver.entry(object, index, sub, &entry) {
-            entries.push(ResolvedEntry { sub, entry, resolved });
+            let name = options.name_of(Address { index, sub: Some(sub) }, &entry.name).into_owned();
+            entries.push(ResolvedEntry { sub, entry, name, resolved });
         }
     }
     if described == 0 {
         let note = Note::new(Place::object(index), "an object without entries is left out");
         resolver.notes.push(note);
     }
-    (!entries.is_empty()).then_some(ResolvedObject { index, object, entries })
+    (!entries.is_empty()).then_some(ResolvedObject {
+        index,
+        object,
+        name: options.name_of(Address { index, sub: None }, object.name()),
+        entries,
+    })
 }
 
 /// Compact entries have no texts of their own: what is wrong with them stands with the object.

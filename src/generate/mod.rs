@@ -27,6 +27,8 @@ mod dictionary;
 mod escape;
 mod names;
 mod notes;
+mod options;
+mod renames;
 mod resolve;
 mod rom;
 mod rust;
@@ -34,6 +36,9 @@ mod table;
 
 use std::borrow::Cow;
 use std::fmt;
+
+pub use options::{Choice, Group, Names, Options};
+pub use renames::{ChoiceError, renames};
 
 use crate::model::{Device, Place};
 
@@ -50,6 +55,9 @@ pub trait Backend: Sync {
 
     /// What the target is, in a line: lower case, no full stop.
     fn summary(&self) -> &'static str;
+
+    /// The options that make a difference to the files.
+    fn uses(&self) -> &'static [Choice];
 
     /// The files for `device`, and what they cannot express.
     ///
@@ -92,40 +100,6 @@ impl Target {
 impl fmt::Debug for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Target({})", self.name())
-    }
-}
-
-/// What the user may decide.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Options {
-    /// The node-ID, 1 to 127, of the node that is generated for. Formulas stay formulas all the same, the node-ID is only
-    /// named as the default. `None`: the one of the description, where it is a DCF.
-    pub node_id: Option<u8>,
-    /// The stem of the output's name, for targets whose files have no fixed names (`rust` and `c` have: `od`).
-    pub file_stem: String,
-    /// Room in bytes, 1 to 65535, for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING that can be written and has a
-    /// shorter default, or that has none.
-    pub string_capacity: u16,
-    /// Room in bytes for a DOMAIN; 0: only for the default, and none where there is no default, so that the application
-    /// has to transfer the data itself.
-    pub domain_capacity: u16,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { node_id: None, file_stem: "od".to_owned(), string_capacity: 32, domain_capacity: 0 }
-    }
-}
-
-impl Options {
-    /// The node-ID of these options, else of the device.
-    pub(crate) fn node_id_of(&self, device: &Device) -> Result<Option<u8>, GenerateError> {
-        match self.node_id {
-            Some(node_id) if !(1..=127).contains(&node_id) => Err(GenerateError::NodeId { node_id }),
-            Some(node_id) => Ok(Some(node_id)),
-            None => Ok(device.node_id()),
-        }
     }
 }
 
@@ -193,6 +167,16 @@ pub enum GenerateError {
         /// The number.
         node_id: u8,
     },
+    /// What stands before identifiers is none.
+    #[error(
+        "`{text}` is no identifier of at most 16 letters for `{option}`: write letters, digits and single `_`"
+    )]
+    Identifier {
+        /// The option, as the command line has it behind `--`.
+        option: &'static str,
+        /// The text.
+        text: String,
+    },
     /// The device has no entry that could be generated.
     #[error("the device has no entries")]
     NoEntries {
@@ -209,7 +193,7 @@ pub enum GenerateError {
     #[error("cannot render the template of `{file}`: {source}")]
     Template {
         /// The file that it is for.
-        file: &'static str,
+        file: String,
         /// What the template engine says.
         source: askama::Error,
     },
@@ -228,14 +212,22 @@ fn list(notes: &[Note]) -> String {
 /// # Errors
 /// When the device asks for something that would come out wrong, see [`GenerateError`].
 pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
-    target.0.generate(device, options)
+    let mut generated = target.0.generate(device, options)?;
+    let useless = options.chosen().filter(|choice| !target.0.uses().contains(choice));
+    let useless = useless.map(|choice| {
+        Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
+    });
+    generated.notes.splice(0..0, useless);
+    Ok(generated)
 }
 
 /// A rendered template as a file, with one line feed at its end.
-fn render(file: &'static str, template: &impl askama::Template) -> Result<OutputFile, GenerateError> {
-    let mut text = template.render().map_err(|source| GenerateError::Template { file, source })?;
-    text.push('\n'); // askama drops the last one of a template
-    Ok(OutputFile { path: file.to_owned(), contents: text.into_bytes() })
+fn render(file: impl Into<String>, template: &impl askama::Template) -> Result<OutputFile, GenerateError> {
+    let path = file.into();
+    match template.render() {
+        Ok(text) => Ok(OutputFile { path, contents: (text + "\n").into_bytes() }), // askama drops the last one
+        Err(source) => Err(GenerateError::Template { file: path, source }),
+    }
 }
 
 #[cfg(test)]
@@ -252,16 +244,5 @@ mod tests {
         let error = Target::named("cobol").map(Target::name).map_err(|error| error.to_string());
         let expected = "`cobol` is no target; known are `rust`, `c`";
         assert!(error.is_err_and(|error| error.starts_with(expected)));
-    }
-
-    #[test]
-    fn a_node_id_is_checked() {
-        let device = Device::default();
-        let options = |node_id| Options { node_id, ..Options::default() };
-        assert_eq!(options(Some(127)).node_id_of(&device).ok(), Some(Some(127)));
-        for node_id in [0, 128, 255] {
-            let error = options(Some(node_id)).node_id_of(&device);
-            assert!(matches!(error, Err(GenerateError::NodeId { .. })), "{node_id}");
-        }
     }
 }

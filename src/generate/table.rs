@@ -21,6 +21,8 @@ use crate::model::{Access, DataType, Device, Object, ObjectType};
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
 pub(crate) struct Table {
+    /// Who made the file of what, for its first line.
+    pub(crate) made_by: String,
     /// The product's name; empty where the description has none.
     pub(crate) product: String,
     /// The vendor's name; empty where the description has none.
@@ -123,7 +125,7 @@ impl Table {
             modules: Scope::of_lower_case("od"), // for the module that all this is in
             fields: Scope::of_lower_case("node_id"),
             rom: Rom::default(),
-            table: Self::empty(&dictionary),
+            table: Self::empty(&dictionary, options),
         };
         for object in dictionary.objects {
             builder.object(object);
@@ -136,9 +138,10 @@ impl Table {
         self.fields.iter().any(|field| field.shape == Shape::Word(data_type))
     }
 
-    fn empty(dictionary: &Dictionary<'_>) -> Self {
+    fn empty(dictionary: &Dictionary<'_>, options: &Options) -> Self {
         let info = dictionary.device.device_info.as_ref();
         Self {
+            made_by: options.made_by(),
             product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
             vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
             node_id: dictionary.node_id,
@@ -161,17 +164,17 @@ struct Builder {
 impl Builder {
     fn object(&mut self, resolved: ResolvedObject<'_>) {
         let (index, object, single) = (resolved.index, resolved.object, resolved.is_single());
+        let object_name = words(&resolved.name);
         let first = self.table.rows.len();
         let mut constants = Scope::of_constants("index");
-        for ResolvedEntry { sub, entry, resolved } in resolved.entries {
-            let constant = constants.claim(&words(&entry.name), &format!("{sub:02x}"));
+        for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
+            let constant = constants.claim(&words(&name), &format!("{sub:02x}"));
             let rom = self.rom.place(block(&resolved));
             let row = Row { index, sub, name: entry.name.to_string(), constant, resolved, slot: None, rom };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();
-        let name = Some(words(object.name())).filter(|name| !name.is_empty());
-        let name = name.unwrap_or_else(|| format!("x{index:04x}"));
+        let name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };
         self.place_fields(object, &name, rows.clone());
         let module = self.modules.claim(&name, &format!("{index:04x}"));
         self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });

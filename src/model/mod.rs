@@ -6,6 +6,7 @@
 //! the typed field stays empty and the text is among the [`Misfits`]; what the model does not know is in [`Extra`].
 
 mod access;
+mod address;
 mod application_process;
 mod cob_id;
 mod commissioning;
@@ -38,6 +39,7 @@ mod stack;
 mod value;
 
 pub use access::{Access, PdoMapping};
+pub use address::{Address, NoAddress};
 pub use application_process::{
     ApplicationProcess, Connection, Count, DataTypeRef, EnumValue, FunctionInstance, FunctionInstances,
     FunctionType, MemberRef, SimpleType, Subrange, TypeDefinition, TypeShape, VarDeclaration, VariableRef,

@@ -10,7 +10,7 @@ use crate::diagnostic::{At, Diagnostic};
 use crate::format::Description;
 use crate::format::ini::LineKind;
 use crate::model::{Field, ModulePart, Part, Place};
-use crate::source::Span;
+use crate::source::{Fnv, Span};
 
 /// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
 /// whoever stored fingerprints would take all findings for new ones otherwise.
@@ -174,31 +174,6 @@ impl Sections {
     }
 }
 
-/// FNV-1a with 64 bits: the same on every machine and in every version, and that is all that is asked of it.
-struct Fnv(u64);
-
-impl Fnv {
-    const fn new() -> Self {
-        Self(0xCBF2_9CE4_8422_2325)
-    }
-
-    fn byte(&mut self, byte: u8) {
-        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
-    }
-
-    /// Bytes, and a mark behind them that no text has.
-    fn field(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.byte(byte));
-        self.byte(0xFF);
-    }
-
-    /// A text without its blanks.
-    fn text(&mut self, text: &str) {
-        text.bytes().filter(|byte| !byte.is_ascii_whitespace()).for_each(|byte| self.byte(byte));
-        self.byte(0xFF);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::HashSet;
@@ -215,13 +190,6 @@ mod tests {
         let findings = crate::check(&description);
         let prints = fingerprints(&description, &findings);
         findings.iter().zip(prints).map(|(f, print)| (f.rule.id, f.message.clone(), print)).collect()
-    }
-
-    #[test]
-    fn the_hash_is_fnv_1a() {
-        let mut hash = Fnv::new();
-        b"foobar".iter().for_each(|&byte| hash.byte(byte));
-        assert_eq!(hash.0, 0x8594_4171_F739_67E8);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod edit;
 mod encoding;
+mod hash;
 mod iso646;
 mod line_index;
 mod span;
@@ -12,6 +13,8 @@ use std::{fs, io};
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
+pub(crate) use hash::Fnv;
+pub use hash::hash;
 pub(crate) use iso646::stand_in;
 pub use line_index::{LineColumn, LineIndex};
 pub use span::Span;

@@ -1,12 +1,12 @@
 /*
- * Made by objdict {{ version }}; do not edit.
+ * {{ table.made_by }}; do not edit.
  *
  * Object dictionary of {{ table.product|c_comment }} by {{ table.vendor|c_comment }}.
  *
- * od_data_t holds the values that can change, od_read() and od_write() serve an SDO.
+ * {{ lower }}_data_t holds the values that can change, {{ lower }}_read() and {{ lower }}_write() serve an SDO.
  */
-#ifndef OD_H
-#define OD_H
+#ifndef {{ upper }}_H
+#define {{ upper }}_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,16 +18,16 @@ extern "C" {
 {%- if let Some(node_id) = table.node_id %}
 
 /* The node-ID that the device was configured for. */
-#define OD_NODE_ID {{ node_id }}u
+#define {{ upper }}_NODE_ID {{ node_id }}u
 {%- endif %}
 
 /* Indexes of objects and sub-indexes of their entries. */
 {%- for view in objects %}
 
 /* {{ "{:04X}"|format(view.object.index) }}h: {{ view.object.name|c_comment }} */
-#define OD_{{ view.name|upper }} 0x{{ "{:04X}"|format(view.object.index) }}u
+#define {{ upper }}_{{ view.name|upper }} 0x{{ "{:04X}"|format(view.object.index) }}u
 {%- for (name, row) in view.entries %}
-#define OD_{{ name|upper }} 0x{{ "{:02X}"|format(row.sub) }}u /* {{ row.name|c_comment }} */
+#define {{ upper }}_{{ name|upper }} 0x{{ "{:02X}"|format(row.sub) }}u /* {{ row.name|c_comment }} */
 {%- endfor %}
 {%- endfor %}
 
@@ -35,112 +35,112 @@ extern "C" {
 typedef struct {
     uint32_t milliseconds; /* after midnight, 28 bits */
     uint16_t days;
-} od_time_t;
+} {{ lower }}_time_t;
 
 /* The values that can change; constants are in flash. */
 typedef struct {
-    uint8_t node_id; /* set by od_init() */
+    uint8_t node_id; /* set by {{ lower }}_init() */
 {%- for field in fields %}
     {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
     {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
 {%- endfor %}
-} od_data_t;
+} {{ lower }}_data_t;
 
-/* A place in od_data_t (0: none, for the value is in flash) or among the defaults and limits. */
-typedef {{ offset }} od_offset_t;
+/* A place in {{ lower }}_data_t (0: none, for the value is in flash) or among the defaults and limits. */
+typedef {{ offset }} {{ lower }}_offset_t;
 
 /* An entry of the dictionary. */
 typedef struct {
     uint16_t index;
     uint8_t sub;
-    uint8_t data_type; /* OD_UNSIGNED32 and the like */
-    uint16_t flags;    /* OD_READ and the like */
-    od_offset_t ram;
-    od_offset_t rom;
-} od_entry_t;
+    uint8_t data_type; /* {{ upper }}_UNSIGNED32 and the like */
+    uint16_t flags;    /* {{ upper }}_READ and the like */
+    {{ lower }}_offset_t ram;
+    {{ lower }}_offset_t rom;
+} {{ lower }}_entry_t;
 
 /* Flags of an entry. */
-#define OD_READ 0x001u            /* an SDO may read it */
-#define OD_WRITE 0x002u           /* an SDO may write it */
-#define OD_TPDO 0x004u            /* a TPDO may carry it */
-#define OD_RPDO 0x008u            /* an RPDO may carry it */
-#define OD_LOW 0x010u             /* it has a low limit */
-#define OD_HIGH 0x020u            /* it has a high limit */
-#define OD_NODE_ID_DEFAULT 0x040u /* the node-ID is added to the default */
-#define OD_LOW_NODE_ID 0x080u     /* the node-ID is added to the low limit */
-#define OD_HIGH_NODE_ID 0x100u    /* the node-ID is added to the high limit */
+#define {{ upper }}_READ 0x001u            /* an SDO may read it */
+#define {{ upper }}_WRITE 0x002u           /* an SDO may write it */
+#define {{ upper }}_TPDO 0x004u            /* a TPDO may carry it */
+#define {{ upper }}_RPDO 0x008u            /* an RPDO may carry it */
+#define {{ upper }}_LOW 0x010u             /* it has a low limit */
+#define {{ upper }}_HIGH 0x020u            /* it has a high limit */
+#define {{ upper }}_NODE_ID_DEFAULT 0x040u /* the node-ID is added to the default */
+#define {{ upper }}_LOW_NODE_ID 0x080u     /* the node-ID is added to the low limit */
+#define {{ upper }}_HIGH_NODE_ID 0x100u    /* the node-ID is added to the high limit */
 
 /* Data types, by their index in CiA 301. */
-#define OD_BLOCK 0x00u /* a type of the device's own */
-#define OD_BOOLEAN 0x01u
-#define OD_INTEGER8 0x02u
-#define OD_INTEGER16 0x03u
-#define OD_INTEGER32 0x04u
-#define OD_UNSIGNED8 0x05u
-#define OD_UNSIGNED16 0x06u
-#define OD_UNSIGNED32 0x07u
-#define OD_REAL32 0x08u
-#define OD_VISIBLE_STRING 0x09u
-#define OD_OCTET_STRING 0x0Au
-#define OD_UNICODE_STRING 0x0Bu
-#define OD_TIME_OF_DAY 0x0Cu
-#define OD_TIME_DIFFERENCE 0x0Du
-#define OD_DOMAIN 0x0Fu
-#define OD_INTEGER24 0x10u
-#define OD_REAL64 0x11u
-#define OD_INTEGER40 0x12u
-#define OD_INTEGER48 0x13u
-#define OD_INTEGER56 0x14u
-#define OD_INTEGER64 0x15u
-#define OD_UNSIGNED24 0x16u
-#define OD_UNSIGNED40 0x18u
-#define OD_UNSIGNED48 0x19u
-#define OD_UNSIGNED56 0x1Au
-#define OD_UNSIGNED64 0x1Bu
+#define {{ upper }}_BLOCK 0x00u /* a type of the device's own */
+#define {{ upper }}_BOOLEAN 0x01u
+#define {{ upper }}_INTEGER8 0x02u
+#define {{ upper }}_INTEGER16 0x03u
+#define {{ upper }}_INTEGER32 0x04u
+#define {{ upper }}_UNSIGNED8 0x05u
+#define {{ upper }}_UNSIGNED16 0x06u
+#define {{ upper }}_UNSIGNED32 0x07u
+#define {{ upper }}_REAL32 0x08u
+#define {{ upper }}_VISIBLE_STRING 0x09u
+#define {{ upper }}_OCTET_STRING 0x0Au
+#define {{ upper }}_UNICODE_STRING 0x0Bu
+#define {{ upper }}_TIME_OF_DAY 0x0Cu
+#define {{ upper }}_TIME_DIFFERENCE 0x0Du
+#define {{ upper }}_DOMAIN 0x0Fu
+#define {{ upper }}_INTEGER24 0x10u
+#define {{ upper }}_REAL64 0x11u
+#define {{ upper }}_INTEGER40 0x12u
+#define {{ upper }}_INTEGER48 0x13u
+#define {{ upper }}_INTEGER56 0x14u
+#define {{ upper }}_INTEGER64 0x15u
+#define {{ upper }}_UNSIGNED24 0x16u
+#define {{ upper }}_UNSIGNED40 0x18u
+#define {{ upper }}_UNSIGNED48 0x19u
+#define {{ upper }}_UNSIGNED56 0x1Au
+#define {{ upper }}_UNSIGNED64 0x1Bu
 
-/* What od_read() and od_write() answer: the abort codes of CiA 301. */
-#define OD_OK 0u
-#define OD_ABORT_OUT_OF_MEMORY 0x05040005u   /* the buffer is shorter than the value */
-#define OD_ABORT_WRITE_ONLY 0x06010001u      /* attempt to read an entry that can only be written */
-#define OD_ABORT_READ_ONLY 0x06010002u       /* attempt to write an entry that can only be read */
-#define OD_ABORT_NO_OBJECT 0x06020000u       /* there is no object with this index */
-#define OD_ABORT_LENGTH_MISMATCH 0x06070010u /* the number of bytes does not match the data type */
-#define OD_ABORT_TOO_LONG 0x06070012u        /* more bytes than the data type or the room has */
-#define OD_ABORT_TOO_SHORT 0x06070013u       /* fewer bytes than the data type has */
-#define OD_ABORT_NO_SUB_INDEX 0x06090011u    /* the object has no such sub-index */
-#define OD_ABORT_INVALID_VALUE 0x06090030u   /* no value of the data type */
-#define OD_ABORT_TOO_HIGH 0x06090031u        /* above the high limit */
-#define OD_ABORT_TOO_LOW 0x06090032u         /* below the low limit */
-#define OD_ABORT_CANNOT_STORE 0x08000020u    /* no room for the data, the application must take them */
-#define OD_ABORT_NO_DATA 0x08000024u         /* there are no data, the application must give them */
+/* What {{ lower }}_read() and {{ lower }}_write() answer: the abort codes of CiA 301. */
+#define {{ upper }}_OK 0u
+#define {{ upper }}_ABORT_OUT_OF_MEMORY 0x05040005u   /* the buffer is shorter than the value */
+#define {{ upper }}_ABORT_WRITE_ONLY 0x06010001u      /* attempt to read an entry that can only be written */
+#define {{ upper }}_ABORT_READ_ONLY 0x06010002u       /* attempt to write an entry that can only be read */
+#define {{ upper }}_ABORT_NO_OBJECT 0x06020000u       /* there is no object with this index */
+#define {{ upper }}_ABORT_LENGTH_MISMATCH 0x06070010u /* the number of bytes does not match the data type */
+#define {{ upper }}_ABORT_TOO_LONG 0x06070012u        /* more bytes than the data type or the room has */
+#define {{ upper }}_ABORT_TOO_SHORT 0x06070013u       /* fewer bytes than the data type has */
+#define {{ upper }}_ABORT_NO_SUB_INDEX 0x06090011u    /* the object has no such sub-index */
+#define {{ upper }}_ABORT_INVALID_VALUE 0x06090030u   /* no value of the data type */
+#define {{ upper }}_ABORT_TOO_HIGH 0x06090031u        /* above the high limit */
+#define {{ upper }}_ABORT_TOO_LOW 0x06090032u         /* below the low limit */
+#define {{ upper }}_ABORT_CANNOT_STORE 0x08000020u    /* no room for the data, the application must take them */
+#define {{ upper }}_ABORT_NO_DATA 0x08000024u         /* there are no data, the application must give them */
 
 /* All entries in ascending order of index and sub-index. */
-#define OD_ENTRY_COUNT {{ table.rows.len() }}u
-extern const od_entry_t od_entries[OD_ENTRY_COUNT];
+#define {{ upper }}_ENTRY_COUNT {{ table.rows.len() }}u
+extern const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT];
 
 /* Sets all values to the defaults of the node node_id: 1 to 127, only the lower seven bits count. */
-void od_init(od_data_t *data, uint8_t node_id);
+void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id);
 
 /* The entry of an index and a sub-index, by binary search; NULL when there is none. */
-const od_entry_t *od_find(uint16_t index, uint8_t sub);
+const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub);
 
 /* Bytes of a value in an SDO transfer, at most. */
-size_t od_size(const od_entry_t *entry);
+size_t {{ lower }}_size(const {{ lower }}_entry_t *entry);
 
 /* The bytes of the default; of a formula, of what is added to the node-ID. */
-const uint8_t *od_default(const od_entry_t *entry, size_t *length);
+const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *length);
 
 /* The number that is a limit on the node node_id, with the bits of the value; false when there is none. */
-bool od_low_limit(const od_entry_t *entry, uint8_t node_id, uint64_t *limit);
-bool od_high_limit(const od_entry_t *entry, uint8_t node_id, uint64_t *limit);
+bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
+bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
 
-/* Reads a value into a buffer of size bytes, as an SDO upload transfers it. Returns OD_OK and the number of its bytes in
+/* Reads a value into a buffer of size bytes, as an SDO upload transfers it. Returns {{ upper }}_OK and the number of its bytes in
    *length, or the code to abort the upload with. */
-uint32_t od_read(const od_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length);
+uint32_t {{ lower }}_read(const {{ lower }}_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length);
 
-/* Writes a value that an SDO download transferred, if the dictionary allows it. Returns OD_OK, or the code to abort the
+/* Writes a value that an SDO download transferred, if the dictionary allows it. Returns {{ upper }}_OK, or the code to abort the
    download with; then the value did not change. */
-uint32_t od_write(od_data_t *data, uint16_t index, uint8_t sub, const void *bytes, size_t length);
+uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub, const void *bytes, size_t length);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-// Made by objdict {{ version }}; do not edit.
+// {{ table.made_by }}; do not edit.
 //
 // Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
 //

@@ -1,6 +1,5 @@
 //! `objdict show`: the dictionary as a table, one object or one entry of it in detail.
 
-mod address;
 mod json;
 mod meaning;
 mod nodes;
@@ -10,7 +9,6 @@ mod value;
 use std::borrow::Cow;
 use std::io::Write;
 
-pub(super) use self::address::Address;
 use self::value::Reader;
 use super::args::{ShowArgs, ShowFormat};
 use super::input::{Input, name_of};
@@ -19,7 +17,7 @@ use super::table::fit;
 use super::{Failure, Outcome};
 use crate::download::{Configuration, Download};
 use crate::format::{concise, json as json_format};
-use crate::model::{Device, Entry, Object};
+use crate::model::{Address, Device, Entry, Object};
 
 /// A device to be shown.
 struct View<'a> {

@@ -3,7 +3,7 @@
 mod view;
 
 use super::table::Table;
-use super::{Backend, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;
 
 /// Tables for C.
@@ -18,10 +18,15 @@ impl Backend for C {
         "`od.h` and `od.c` in C99 (no malloc): dictionary, values, SDO access by index and sub-index"
     }
 
+    fn uses(&self) -> &'static [Choice] {
+        &[Choice::Names, Choice::Renamed, Choice::Prefix, Choice::StringCapacity, Choice::DomainCapacity]
+    }
+
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let table = Table::new(device, options)?;
-        let header = render("od.h", &view::Header::new(&table))?;
-        let source = render("od.c", &view::Source::new(&table))?;
+        let prefix = options.prefix_or("od")?;
+        let header = render(format!("{prefix}.h"), &view::Header::new(&table, &prefix))?;
+        let source = render(format!("{prefix}.c"), &view::Source::new(&table, &prefix))?;
         Ok(Generated { files: vec![header, source], notes: table.notes })
     }
 }

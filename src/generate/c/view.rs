@@ -8,11 +8,13 @@ use crate::generate::resolve::Shape;
 use crate::generate::table::{Row, Table, TableField, TableObject};
 use crate::model::{DataType, TypeKind};
 
-/// The file `od.h`.
+/// The header.
 #[derive(Template)]
 #[template(path = "c/od.h")]
 pub(super) struct Header<'a> {
-    version: &'static str,
+    /// What identifiers start with.
+    lower: &'a str,
+    upper: String,
     table: &'a Table,
     /// The integer type of places in RAM and flash.
     offset: &'static str,
@@ -20,11 +22,13 @@ pub(super) struct Header<'a> {
     fields: Vec<FieldView<'a>>,
 }
 
-/// The file `od.c`.
+/// The source.
 #[derive(Template)]
 #[template(path = "c/od.c")]
 pub(super) struct Source<'a> {
-    version: &'static str,
+    /// What identifiers start with.
+    lower: &'a str,
+    upper: String,
     table: &'a Table,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
@@ -41,7 +45,7 @@ struct ObjectView<'a> {
     entries: Vec<(String, &'a Row)>,
 }
 
-/// A member of `od_data_t`.
+/// A member of the struct of values.
 struct FieldView<'a> {
     declaration: String,
     first: &'a Row,
@@ -58,7 +62,7 @@ struct RowView<'a> {
     ram: String,
 }
 
-/// The macros of the templates, without `OD_`, in lower case.
+/// The macros of the templates, without the prefix, in lower case.
 const MACROS: &str = "
     h c ram rom_size entry_count node_id read write tpdo rpdo low high node_id_default low_node_id
     high_node_id block boolean integer8 integer16 integer24 integer32 integer40 integer48 integer56
@@ -70,35 +74,37 @@ const MACROS: &str = "
 ";
 
 impl<'a> Header<'a> {
-    pub(super) fn new(table: &'a Table) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str) -> Self {
         let mut macros = Scope::of_constants(MACROS);
         // objects first, so that no entry takes the name of one
         let names: Vec<String> = table
             .objects
             .iter()
-            .map(|object| macro_name(&mut macros, &object.module, &format!("{:04x}", object.index)))
+            .map(|object| macro_name(&mut macros, prefix, &object.module, &format!("{:04x}", object.index)))
             .collect();
         let objects = table
             .objects
             .iter()
             .zip(names)
-            .map(|(object, name)| object_view(table, object, name, &mut macros));
+            .map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)));
         Self {
-            version: env!("CARGO_PKG_VERSION"),
+            lower: prefix,
+            upper: prefix.to_ascii_uppercase(),
             table,
             offset: if is_wide(table) { "uint32_t" } else { "uint16_t" },
             objects: objects.collect(),
-            fields: by_alignment(table).into_iter().map(|field| field_view(table, field)).collect(),
+            fields: by_alignment(table).into_iter().map(|field| field_view(table, field, prefix)).collect(),
         }
     }
 }
 
 impl<'a> Source<'a> {
-    pub(super) fn new(table: &'a Table) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str) -> Self {
         Self {
-            version: env!("CARGO_PKG_VERSION"),
+            lower: prefix,
+            upper: prefix.to_ascii_uppercase(),
             table,
-            rows: table.rows.iter().map(|row| row_view(table, row)).collect(),
+            rows: table.rows.iter().map(|row| row_view(table, row, &prefix.to_ascii_uppercase())).collect(),
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             real32: table.keeps(DataType::REAL32),
             real64: table.keeps(DataType::REAL64),
@@ -110,20 +116,20 @@ fn object_view<'a>(
     table: &'a Table,
     object: &'a TableObject,
     name: String,
-    macros: &mut Scope,
+    (prefix, macros): (&str, &mut Scope),
 ) -> ObjectView<'a> {
     let rows = if object.single { &[] } else { &table.rows[object.rows.clone()] };
     let entries = rows.iter().map(|row| {
         let words = format!("{}_{}", name.trim_end_matches('_'), row.constant);
-        (macro_name(macros, &words, &format!("{:04x}_{:02x}", row.index, row.sub)), row)
+        (macro_name(macros, prefix, &words, &format!("{:04x}_{:02x}", row.index, row.sub)), row)
     });
     let entries = entries.collect();
     ObjectView { object, name, entries }
 }
 
-/// The name of a macro in lower case, short enough for `OD_` before it.
-fn macro_name(macros: &mut Scope, words: &str, suffix: &str) -> String {
-    let room = LONGEST - "OD_".len() - 1 - suffix.len(); // so that the suffix fits too
+/// The name of a macro in lower case, short enough for the prefix before it.
+fn macro_name(macros: &mut Scope, prefix: &str, words: &str, suffix: &str) -> String {
+    let room = LONGEST - prefix.len() - 2 - suffix.len(); // so that the suffix fits too
     macros.claim(&words[..words.len().min(room)], suffix)
 }
 
@@ -159,10 +165,11 @@ fn is_wide(table: &Table) -> bool {
     ram.max(table.rom.len()) > usize::from(u16::MAX)
 }
 
-fn field_view<'a>(table: &'a Table, field: &'a TableField) -> FieldView<'a> {
+fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {
     let array = if field.array { format!("[{}]", field.rows.len()) } else { String::new() };
     let name = &field.name;
     let declaration = match field.shape {
+        Shape::Word(data_type) if is_time(data_type) => format!("{prefix}_time_t {name}{array}"),
         Shape::Word(data_type) => format!("{} {name}{array}", word_type(data_type)),
         Shape::Bytes(_, capacity) => {
             format!("struct {{ uint16_t length; uint8_t bytes[{capacity}]; }} {name}{array}")
@@ -173,18 +180,18 @@ fn field_view<'a>(table: &'a Table, field: &'a TableField) -> FieldView<'a> {
     FieldView { declaration, first, last, array: field.array }
 }
 
-fn row_view<'a>(table: &Table, row: &'a Row) -> RowView<'a> {
+fn row_view<'a>(table: &Table, row: &'a Row, upper: &str) -> RowView<'a> {
     let type_ = match row.resolved.shape {
         Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
         Shape::Block(_) => "BLOCK",
     };
-    let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("OD_{flag}")).collect();
+    let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("{upper}_{flag}")).collect();
     let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
     let ram = row.slot.map_or("0u".to_owned(), |slot| {
         let name = &table.fields[slot.field].name;
         match slot.element {
-            Some(element) => format!("OD_RAM({name}[{element}])"),
-            None => format!("OD_RAM({name})"),
+            Some(element) => format!("{upper}_RAM({name}[{element}])"),
+            None => format!("{upper}_RAM({name})"),
         }
     });
     RowView { row, type_, flags, ram }
@@ -207,7 +214,6 @@ fn word_type(data_type: DataType) -> &'static str {
         TypeKind::Unsigned(17..=32) => "uint32_t",
         TypeKind::Real32 => "float",
         TypeKind::Real64 => "double",
-        TypeKind::TimeOfDay | TypeKind::TimeDifference => "od_time_t",
         _ => "uint64_t",
     }
 }

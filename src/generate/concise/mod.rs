@@ -1,6 +1,6 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
 
-use super::{Backend, GenerateError, Generated, Note, Options, OutputFile};
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile};
 use crate::download::{Configuration, Download, Plan, PlanError, PlanOptions, Step, encode, plan};
 use crate::model::{Device, Place};
 
@@ -14,6 +14,10 @@ impl Backend for Concise {
 
     fn summary(&self) -> &'static str {
         "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to what is configured"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[]
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {

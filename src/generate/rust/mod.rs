@@ -3,7 +3,7 @@
 mod view;
 
 use super::table::Table;
-use super::{Backend, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;
 
 /// Tables for Rust, with or without its standard library.
@@ -18,9 +18,14 @@ impl Backend for Rust {
         "one Rust file (no_std, no unsafe, no dependency): dictionary, values, SDO access by index and sub-index"
     }
 
+    fn uses(&self) -> &'static [Choice] {
+        &[Choice::Names, Choice::Renamed, Choice::Module, Choice::StringCapacity, Choice::DomainCapacity]
+    }
+
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let module = options.module_or("od")?;
         let table = Table::new(device, options)?;
-        let file = render("od.rs", &view::Od::new(&table))?;
+        let file = render(format!("{module}.rs"), &view::Od::new(&table))?;
         Ok(Generated { files: vec![file], notes: table.notes })
     }
 }

@@ -11,7 +11,6 @@ use crate::model::{DataType, Time, TypeKind};
 #[derive(Template)]
 #[template(path = "rust/od.rs")]
 pub(super) struct Od<'a> {
-    version: &'static str,
     table: &'a Table,
     /// The integer type of places in RAM and flash.
     offset: &'static str,
@@ -69,7 +68,6 @@ impl<'a> Od<'a> {
         });
         let wide = table.rom.len().max(next) > usize::from(u16::MAX);
         Self {
-            version: env!("CARGO_PKG_VERSION"),
             table,
             offset: if wide { "u32" } else { "u16" },
             objects: objects.collect(),

@@ -3,16 +3,26 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// An index, perhaps with a sub-index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::cli) struct Address {
-    pub(in crate::cli) index: u16,
-    pub(in crate::cli) sub: Option<u8>,
+/// An object, or an entry of it, as people name them.
+///
+/// ```
+/// use objdict::model::Address;
+///
+/// let address: Address = "1018sub1".parse()?;
+/// assert_eq!(address, Address { index: 0x1018, sub: Some(1) });
+/// # Ok::<(), objdict::model::NoAddress>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Address {
+    /// The index.
+    pub index: u16,
+    /// The sub-index; `None` for the object as a whole.
+    pub sub: Option<u8>,
 }
 
 /// A text that is no address.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::cli) struct NoAddress;
+pub struct NoAddress;
 
 impl fmt::Display for NoAddress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

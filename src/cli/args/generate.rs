@@ -1,0 +1,80 @@
+//! The arguments of `objdict generate`.
+
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Parser, ValueEnum};
+
+use super::{ExpandArgs, node_id};
+use crate::cli::input::InputArgs;
+use crate::generate::{Group, Names, Target};
+
+/// Turn a description into what a product compiles or downloads
+///
+/// Checks the description first and generates nothing when there is an error in it. Files are only written when they
+/// change, and then as a whole.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct GenerateArgs {
+    /// The description; `-` is the standard input
+    pub file: PathBuf,
+    /// What to generate; may be given several times, or with commas between
+    #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
+    pub targets: Vec<String>,
+    /// The folder that the files go to
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// The node-ID of the node; a DCF names its own
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// Generate although there are errors in the description
+    #[arg(long)]
+    pub force: bool,
+    /// Room for a string that can be written and has a shorter default or none
+    #[arg(long, value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..))]
+    pub string_capacity: Option<u16>,
+    /// Room for a DOMAIN that can be written; without it, only for its default
+    #[arg(long, value_name = "BYTES")]
+    pub domain_capacity: Option<u16>,
+    /// What identifiers are made of
+    #[arg(long, value_enum, default_value = "words", value_name = "OF")]
+    pub names: NamesArg,
+    /// Other names to make identifiers of: lines as `"2000sub1" = "target speed"`
+    #[arg(long, value_name = "FILE")]
+    pub rename: Option<PathBuf>,
+    /// What C identifiers and files start with, instead of `od`
+    #[arg(long, value_name = "WORD")]
+    pub prefix: Option<String>,
+    /// The name of the Rust module and its file, instead of `od`
+    #[arg(long, value_name = "WORD")]
+    pub module: Option<String>,
+    /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
+    #[arg(long = "group", value_name = "INDEXES=NAME")]
+    pub groups: Vec<Group>,
+    #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+/// What identifiers are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum NamesArg {
+    /// `ParameterName`
+    Words,
+    /// Index and sub-index
+    Index,
+}
+
+impl From<NamesArg> for Names {
+    fn from(names: NamesArg) -> Self {
+        match names {
+            NamesArg::Words => Self::Words,
+            NamesArg::Index => Self::Index,
+        }
+    }
+}
+
+fn targets() -> PossibleValuesParser {
+    let value = |target: Target| clap::builder::PossibleValue::new(target.name()).help(target.summary());
+    PossibleValuesParser::new(Target::all().map(value))
+}
