@@ -92,7 +92,7 @@ pub(crate) struct Facts {
     /// `None` for a type of the device's own.
     pub(crate) kind: Option<TypeKind>,
     pub(crate) access: Access,
-    mapping: PdoMapping,
+    pub(crate) mapping: PdoMapping,
     /// Bytes, at most.
     pub(crate) size: usize,
     value: Option<Value>,
@@ -154,12 +154,12 @@ impl Facts {
         if grows && !domain && self.access != Access::Const { length.max(STRING_ROOM) } else { length }
     }
 
-    fn has_no_data(&self) -> bool {
+    pub(crate) fn has_no_data(&self) -> bool {
         self.kind == Some(TypeKind::Domain) && self.size == 0
     }
 
     /// The bytes of the default on a node.
-    fn default_on(&self, node_id: u8) -> Vec<u8> {
+    pub(crate) fn default_on(&self, node_id: u8) -> Vec<u8> {
         let zeros = vec![
             0;
             usize::from(self.data_type.byte_length().unwrap_or(0)).max(if self.kind.is_none() {

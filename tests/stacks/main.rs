@@ -1,0 +1,38 @@
+//! What is generated for stacks that others wrote compiles with their declarations and, run, holds what the description
+//! says: each harness looks the entries up as its stack does and prints them, and the lines are compared with those that
+//! follow from the model alone. So one description is one truth for all stacks.
+//!
+//! The declarations are our own, and as few as the generated files need. Where a variable `OBJDICT_<STACK>_DIR` names a
+//! checkout of the real stack, the files are also compiled against its headers.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod canopennode;
+#[path = "../generate/compile.rs"]
+#[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
+mod compile;
+#[path = "../generate/devices.rs"]
+#[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
+mod devices;
+#[path = "../generate/odd.rs"]
+mod odd;
+#[path = "../generate/oracle.rs"]
+#[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
+mod oracle;
+#[path = "../support/mod.rs"]
+mod support;
+mod truth;
+
+use std::path::{Path, PathBuf};
+
+/// A file or folder beside the tests of a stack.
+fn beside(stack: &str, name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/stacks").join(stack).join(name)
+}
+
+/// The checkout of a real stack that the environment names, if it does.
+fn checkout(variable: &str) -> Option<PathBuf> {
+    let folder = PathBuf::from(std::env::var_os(variable)?);
+    assert!(folder.is_dir(), "`{variable}` names no folder: {}", folder.display());
+    Some(folder)
+}
