@@ -32,7 +32,7 @@ pub struct Reaction {
 /// Which findings of a rule a reaction is about.
 #[derive(Clone, Copy, Debug)]
 pub struct When {
-    /// In words: "in [DummyUsage]".
+    /// In words: "in `[DummyUsage]`".
     pub text: &'static str,
     /// Whether it is about this one.
     pub holds: fn(&Description, &Diagnostic) -> bool,
