@@ -22,6 +22,7 @@
 //! ```
 
 mod c;
+mod canopen_rs;
 mod concise;
 mod dictionary;
 mod escape;
@@ -43,7 +44,7 @@ pub use renames::{ChoiceError, renames};
 use crate::model::{Device, Place};
 
 /// Every backend, one line each, in the order in which help lists them.
-static BACKENDS: &[&dyn Backend] = &[&rust::Rust, &c::C, &concise::Concise];
+static BACKENDS: &[&dyn Backend] = &[&rust::Rust, &c::C, &concise::Concise, &canopen_rs::CanopenRs];
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;

@@ -5,6 +5,7 @@
 
 mod bench_table;
 mod compile;
+mod crates;
 mod devices;
 mod notes;
 mod odd;

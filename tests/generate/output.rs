@@ -70,7 +70,7 @@ fn no_name_changes_the_code() {
 }
 
 /// Lines without comments, identifiers and what the order of C's fields decides.
-fn bare(text: &str) -> Vec<String> {
+pub(crate) fn bare(text: &str) -> Vec<String> {
     let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let without_comment = lines
         .map(|line| line.split("/*").next().unwrap_or_default().split(" // ").next().unwrap_or_default());
@@ -130,7 +130,7 @@ fn large_dictionaries_get_longer_places() {
 }
 
 /// Whether a tool that Rust comes with is there; a word about it where it is not and that is no failure.
-fn has(tool: &mut Command) -> bool {
+pub(crate) fn has(tool: &mut Command) -> bool {
     let runs = tool.arg("--version").output().is_ok_and(|output| output.status.success());
     assert!(runs || std::env::var("CI").as_deref() != Ok("true"), "no {tool:?}");
     if !runs {

@@ -2,6 +2,8 @@
 
 mod view;
 
+pub(super) use view::{value_of, word_type};
+
 use super::table::Table;
 use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;

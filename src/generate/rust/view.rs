@@ -112,7 +112,7 @@ fn type_of(shape: Shape) -> String {
 }
 
 /// The type of a number: an integer of 24 to 56 bits is kept in the next longer one.
-fn word_type(data_type: DataType) -> &'static str {
+pub(in crate::generate) fn word_type(data_type: DataType) -> &'static str {
     match data_type.kind() {
         TypeKind::Boolean => "bool",
         TypeKind::Signed(0..=8) => "i8",
@@ -130,7 +130,7 @@ fn word_type(data_type: DataType) -> &'static str {
 }
 
 /// A value as a constant expression; formulas use the variable `node_id`.
-fn value_of(shape: Shape, datum: &Datum) -> String {
+pub(in crate::generate) fn value_of(shape: Shape, datum: &Datum) -> String {
     match (shape, datum) {
         (Shape::Word(data_type), Datum::Word(word)) => word_value(data_type, *word),
         (Shape::Word(data_type), Datum::Formula(offset)) => {

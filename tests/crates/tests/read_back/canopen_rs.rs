@@ -1,0 +1,149 @@
+//! canopen-rs: the function makes an `ObjectDictionary`, and the crate's node answers from it.
+
+use canopen_rs::node::Node;
+use canopen_rs::{
+    AccessType, Address, DataType, Entry, Error, NodeId, ObjectDictionary, SdoClient, SdoEvent, Value,
+};
+use objdict::model::TypeKind;
+
+use crate::truth::{Row, truth};
+use crate::{counted, devices, generated, noted};
+
+include!(concat!(env!("OUT_DIR"), "/canopen_rs.rs"));
+
+/// A dictionary of any size, in the node that serves it.
+pub(crate) trait Served {
+    fn capacity(&self) -> usize;
+    fn entry(&self, index: u16, sub: u8) -> Option<Entry>;
+    fn refuses_more(&mut self) -> bool;
+    /// What an SDO upload gives; the code of the abort if it fails.
+    fn upload(&mut self, index: u16, sub: u8, data_type: DataType) -> Result<Value, u32>;
+}
+
+impl<const N: usize> Served for Node<N> {
+    fn capacity(&self) -> usize {
+        N
+    }
+
+    fn entry(&self, index: u16, sub: u8) -> Option<Entry> {
+        self.od().entry(Address::new(index, sub)).copied()
+    }
+
+    fn refuses_more(&mut self) -> bool {
+        let more = Entry::rw(Value::Boolean(false));
+        self.od_mut().insert(Address::new(0xFFFF, 0xFF), more) == Err(Error::DictionaryFull)
+    }
+
+    fn upload(&mut self, index: u16, sub: u8, data_type: DataType) -> Result<Value, u32> {
+        let mut client = SdoClient::new(self.node_id());
+        let mut request = client.read(Address::new(index, sub), data_type);
+        loop {
+            let response = self.on_frame(client.request_cob_id(), &request).unwrap();
+            match client.on_response(response.data().try_into().unwrap()) {
+                SdoEvent::Send(next) => request = next,
+                SdoEvent::Complete(Some(value)) => return Ok(value),
+                SdoEvent::Aborted(code) => return Err(code),
+                SdoEvent::Complete(None) => panic!("no value was read"),
+            }
+        }
+    }
+}
+
+/// The node of a dictionary.
+fn served<const N: usize>(od: ObjectDictionary<N>, node_id: u8) -> Box<dyn Served> {
+    let mut node = Node::new(NodeId::new(node_id).unwrap(), od);
+    node.boot();
+    node.configure_pdos_from_od();
+    Box::new(node)
+}
+
+/// What becomes of the entries of a device.
+#[derive(Default)]
+struct Fates {
+    same: usize,
+    left_out: Vec<(u16, u8)>,
+    octets: Vec<(u16, u8)>,
+}
+
+fn bytes(value: Value) -> Vec<u8> {
+    let mut buffer = [0; 32];
+    let length = value.encode_le(&mut buffer).unwrap();
+    buffer[..length].to_vec()
+}
+
+fn compare(name: &str, row: &Row, node: &mut dyn Served, fates: &mut Fates) {
+    let at = (row.index, row.sub);
+    let Some(entry) = node.entry(row.index, row.sub) else {
+        fates.left_out.push(at);
+        return;
+    };
+    assert_eq!(bytes(entry.value), row.default.clone().unwrap(), "{name}: {row}");
+    let access = (entry.access.is_readable(), entry.access.is_writable());
+    assert_eq!(access, (row.read, row.write), "{name}: {row}");
+    let data_type = entry.value.data_type();
+    if row.data_type == Some(data_type.index()) {
+        fates.same += 1;
+    } else {
+        assert_eq!(data_type, DataType::OctetString, "{name}: {row}");
+        fates.octets.push(at);
+    }
+    let uploaded = node.upload(row.index, row.sub, data_type);
+    match (row.read, entry.value) {
+        (false, _) => assert_eq!(uploaded, Err(0x0601_0001), "{name}: {row}"),
+        (true, Value::Real32(number)) if number.is_nan() => {}
+        (true, Value::Real64(number)) if number.is_nan() => {}
+        (true, value) => assert_eq!(uploaded, Ok(value), "{name}: {row}"),
+    }
+}
+
+#[test]
+fn every_entry_is_read_back_or_has_its_note() {
+    let mut same = 0;
+    for ((name, device), &(known, make)) in devices::devices().iter().zip(DEVICES) {
+        assert_eq!(name, known);
+        let notes = generated(device, "canopen-rs").notes;
+        for node_id in [1, 5, 127] {
+            let mut node = make(node_id);
+            let mut fates = Fates::default();
+            let rows = truth(device, node_id);
+            rows.iter().for_each(|row| compare(name, row, node.as_mut(), &mut fates));
+            assert_eq!(
+                node.capacity(),
+                rows.len() - fates.left_out.len(),
+                "{name}: entries that nobody described"
+            );
+            assert!(node.refuses_more(), "{name}");
+            assert_eq!(counted(&fates.left_out), noted(&notes, "is left out: the crate holds"), "{name}");
+            assert_eq!(counted(&fates.octets), noted(&notes, "held as an octet string"), "{name}");
+            same += fates.same;
+        }
+    }
+    assert!(same > 3000, "only {same} entries were compared");
+}
+
+/// What an SDO may write is what the description allows, but for the limits, which the notes name.
+#[test]
+fn limits_have_their_notes() {
+    for (name, device) in devices::devices() {
+        let limited: Vec<(u16, u8)> = crate::oracle::facts_of(&device)
+            .filter(|(_, facts)| facts.low.is_some() || facts.high.is_some())
+            .filter(|(_, facts)| !matches!(facts.kind, None | Some(TypeKind::Domain)))
+            .map(|(at, _)| at)
+            .collect();
+        assert_eq!(counted(&limited), noted(&generated(&device, "canopen-rs").notes, "limits are"), "{name}");
+    }
+}
+
+/// The page docs/targets/canopen-rs.md shows this.
+#[test]
+fn the_example_of_the_page() {
+    use minimal::{address, od};
+
+    let mut node = Node::new(NodeId::new(5).unwrap(), od(5));
+    node.boot();
+    node.configure_pdos_from_od();
+    assert_eq!(node.od().read(address::PRODUCER_HEARTBEAT_TIME), Ok(Value::Unsigned16(1000)));
+    node.od_mut().write(address::PRODUCER_HEARTBEAT_TIME, Value::Unsigned16(500)).unwrap();
+    let access = node.od().entry(address::DEVICE_TYPE).unwrap().access;
+    assert!(matches!(access, AccessType::Ro | AccessType::Const));
+}

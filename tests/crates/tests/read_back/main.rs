@@ -1,0 +1,47 @@
+//! Every entry of the devices is read back through the crate that it was generated for, and compared with what follows
+//! from the model alone. An entry that is not as it is described must have its note, and each note its entry.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod canopen_rs;
+#[path = "../../src/devices.rs"]
+mod devices;
+#[path = "../../../generate/odd.rs"]
+mod odd;
+#[path = "../../../generate/oracle.rs"]
+#[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
+mod oracle;
+#[path = "../../../stacks/truth.rs"]
+#[allow(dead_code, reason = "shared with the tests of the stacks in C, which use more of it")]
+mod truth;
+
+use std::collections::BTreeMap;
+
+use objdict::generate::{Generated, Note, Options, Target, generate};
+use objdict::model::{Device, Part};
+
+/// What is generated for a device.
+fn generated(device: &Device, target: &str) -> Generated {
+    generate(device, Target::named(target).unwrap(), &Options::default()).unwrap()
+}
+
+/// How many entries of each object the notes with a text are about: a note may stand for several.
+fn noted(notes: &[Note], text: &str) -> BTreeMap<u16, usize> {
+    let mut noted = BTreeMap::new();
+    for note in notes.iter().filter(|note| note.message.contains(text)) {
+        let index = match note.place.part {
+            Part::Entry(index, _) | Part::Object(index) => index,
+            _ => panic!("{note}: not about an entry"),
+        };
+        let more = note.message.split("; so for ").nth(1).and_then(|rest| rest.split(' ').next());
+        *noted.entry(index).or_default() += 1 + more.map_or(0, |more| more.parse().unwrap());
+    }
+    noted
+}
+
+/// How many entries of each object there are among these.
+fn counted(entries: &[(u16, u8)]) -> BTreeMap<u16, usize> {
+    let mut counted = BTreeMap::new();
+    entries.iter().for_each(|(index, _)| *counted.entry(*index).or_default() += 1);
+    counted
+}

@@ -1,0 +1,104 @@
+//! What is generated for crates of others, as a text: always the same, well-formed, and no name of a description changes
+//! what it says. That it means what it shall is proved with the crates themselves, in tests/crates.
+
+use std::process::Command;
+
+use objdict::generate::{Generated, Options, Target, generate};
+use objdict::model::Device;
+
+use crate::compile::succeed;
+use crate::devices::{device, devices};
+use crate::output::{bare, has};
+use crate::support;
+
+fn generated(device: &Device, target: &str) -> Generated {
+    let generated = generate(device, Target::named(target).unwrap(), &Options::default()).unwrap();
+    assert_eq!(generated.files.len(), 1);
+    generated
+}
+
+fn text(generated: &Generated) -> &str {
+    std::str::from_utf8(&generated.files[0].contents).unwrap()
+}
+
+/// A device like another, but for its names, which are an attack.
+fn hostile(plain: &Device) -> Device {
+    let attack = "x */ } \"); system(\"id\"); // \u{202E} ??/ \\\n#error `\n\"\"\"\n]]\n'''";
+    let mut hostile = plain.clone();
+    for object in hostile.objects.values_mut() {
+        object.main.name = attack.into();
+        object.subs.iter_mut().for_each(|(_, entry)| entry.name = attack.into());
+    }
+    hostile
+}
+
+#[test]
+fn output_is_always_the_same_and_harmless() {
+    for (name, device) in devices() {
+        for target in TARGETS {
+            let first = generated(&device, target);
+            assert_eq!(first, generated(&device, target), "{name}: {target}");
+            let text = text(&first);
+            assert!(text.ends_with('\n') && !text.ends_with("\n\n"), "{name}: {target}");
+            for (number, line) in text.lines().enumerate() {
+                let plain = |c: char| c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric();
+                assert!(
+                    line.trim_end() == line && line.chars().all(plain),
+                    "{name}: {target}: {number}: {line}"
+                );
+            }
+        }
+    }
+}
+
+const TARGETS: [&str; 1] = ["canopen-rs"];
+
+#[test]
+fn canopen_rs_is_well_formed() {
+    let program = std::env::var("RUSTFMT").unwrap_or_else(|_| "rustfmt".to_owned());
+    if !has(&mut Command::new(&program)) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (name, device) in devices() {
+        let path = folder.path().join("od.rs");
+        std::fs::write(&path, &generated(&device, "canopen-rs").files[0].contents).unwrap();
+        let mut rustfmt = Command::new(&program);
+        rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null"]).arg(&path);
+        succeed(&mut rustfmt, "").unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+#[test]
+fn canopen_rs_is_not_changed_by_names() {
+    let plain = device(&support::fixtures().join("eds/io-401.eds"));
+    let code = |device: &Device| bare(text(&generated(device, "canopen-rs")));
+    assert_eq!(code(&plain), code(&hostile(&plain)));
+}
+
+#[test]
+fn canopen_rs_of_a_small_device() {
+    let minimal = device(&support::fixtures().join("eds/minimal.eds"));
+    let version = concat!("objdict ", env!("CARGO_PKG_VERSION"));
+    insta::assert_snapshot!(text(&generated(&minimal, "canopen-rs")).replace(version, "objdict [version]"));
+}
+
+/// The function is an identifier, whatever the module is called.
+#[test]
+fn canopen_rs_has_the_name_of_the_module() {
+    let minimal = device(&support::fixtures().join("eds/minimal.eds"));
+    for (module, function) in [("motor", "motor"), ("type", "type_"), ("put", "put_od")] {
+        let mut options = Options::default();
+        options.module = Some(module.to_owned());
+        let generated = generate(&minimal, Target::named("canopen-rs").unwrap(), &options).unwrap();
+        assert_eq!(generated.files[0].path, format!("{module}.rs"));
+        assert!(text(&generated).contains(&format!("pub fn {function}(node_id: u8)")), "{module}");
+    }
+}
+
+#[test]
+fn canopen_rs_names_what_it_cannot_hold() {
+    let odd = crate::odd::device();
+    let notes: Vec<String> = generated(&odd, "canopen-rs").notes.iter().map(ToString::to_string).collect();
+    insta::assert_snapshot!("canopen_rs_odd_notes", notes.join("\n"));
+}
