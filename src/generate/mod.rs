@@ -26,6 +26,7 @@ mod canopen_rs;
 mod concise;
 mod dictionary;
 mod escape;
+mod frames;
 mod names;
 mod notes;
 mod options;

@@ -160,6 +160,11 @@ impl Default for Data {
 }
 {%- endif %}
 
+{%- if !frames.is_empty() %}
+
+{% include "_pdo.rs" %}
+{%- endif %}
+
 {% include "_values.rs" %}
 
 {% include "_entry.rs" %}

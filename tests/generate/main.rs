@@ -11,6 +11,7 @@ mod notes;
 mod odd;
 mod oracle;
 mod output;
+mod pdo;
 mod script;
 #[path = "../support/mod.rs"]
 mod support;

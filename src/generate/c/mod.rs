@@ -1,7 +1,10 @@
 //! The target `c`: `od.h` and `od.c` in C99.
 
+mod pdo;
 mod view;
 
+use super::frames::frames;
+use super::notes::in_order;
 use super::table::Table;
 use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;
@@ -23,10 +26,18 @@ impl Backend for C {
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let table = Table::new(device, options)?;
         let prefix = options.prefix_or("od")?;
-        let header = render(format!("{prefix}.h"), &view::Header::new(&table, &prefix))?;
-        let source = render(format!("{prefix}.c"), &view::Source::new(&table, &prefix))?;
-        Ok(Generated { files: vec![header, source], notes: table.notes })
+        let mut table = Table::new(device, options)?;
+        let mut notes = std::mem::take(&mut table.notes);
+        let frames = frames(device, &table, &mut notes);
+        let mut files = vec![
+            render(format!("{prefix}.h"), &view::Header::new(&table, &prefix))?,
+            render(format!("{prefix}.c"), &view::Source::new(&table, &prefix))?,
+        ];
+        if !frames.is_empty() {
+            files.push(render(format!("{prefix}_pdo.h"), &pdo::PdoHeader::new(&table, &prefix, &frames))?);
+            files.push(render(format!("{prefix}_pdo.c"), &pdo::PdoSource::new(&table, &prefix, &frames))?);
+        }
+        Ok(Generated { files, notes: in_order(notes) })
     }
 }

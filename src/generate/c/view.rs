@@ -202,7 +202,7 @@ fn is_time(data_type: DataType) -> bool {
 }
 
 /// The type of a number: an integer of 24 to 56 bits is kept in the next longer one.
-fn word_type(data_type: DataType) -> &'static str {
+pub(super) fn word_type(data_type: DataType) -> &'static str {
     match data_type.kind() {
         TypeKind::Boolean => "bool",
         TypeKind::Signed(0..=8) => "int8_t",
@@ -218,6 +218,6 @@ fn word_type(data_type: DataType) -> &'static str {
     }
 }
 
-fn hex_bytes(bytes: &[u8]) -> String {
+pub(super) fn hex_bytes(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("0x{byte:02X}")).collect::<Vec<_>>().join(", ")
 }

@@ -1,9 +1,12 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
 
+mod pdo;
 mod view;
 
 pub(super) use view::{value_of, word_type};
 
+use super::frames::frames;
+use super::notes::in_order;
 use super::table::Table;
 use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;
@@ -26,8 +29,10 @@ impl Backend for Rust {
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let module = options.module_or("od")?;
-        let table = Table::new(device, options)?;
-        let file = render(format!("{module}.rs"), &view::Od::new(&table))?;
-        Ok(Generated { files: vec![file], notes: table.notes })
+        let mut table = Table::new(device, options)?;
+        let mut notes = std::mem::take(&mut table.notes);
+        let frames = frames(device, &table, &mut notes);
+        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames))?;
+        Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 }

@@ -2,7 +2,9 @@
 
 use askama::Template;
 
+use super::pdo::FrameView;
 use crate::generate::escape::{byte_string, filters};
+use crate::generate::frames::Frame;
 use crate::generate::resolve::{Datum, Shape};
 use crate::generate::table::{Row, Table, TableField, TableObject};
 use crate::model::{DataType, Time, TypeKind};
@@ -18,6 +20,7 @@ pub(super) struct Od<'a> {
     fields: Vec<FieldView<'a>>,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
+    frames: Vec<FrameView<'a>>,
 }
 
 /// An object with the constants that name its entries.
@@ -53,7 +56,7 @@ struct RowView<'a> {
 }
 
 impl<'a> Od<'a> {
-    pub(super) fn new(table: &'a Table) -> Self {
+    pub(super) fn new(table: &'a Table, frames: &'a [Frame]) -> Self {
         let mut next = 1;
         let mut fields = Vec::with_capacity(table.fields.len());
         for field in &table.fields {
@@ -74,6 +77,7 @@ impl<'a> Od<'a> {
             fields,
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
+            frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
         }
     }
 }
@@ -186,6 +190,11 @@ fn unsigned(number: u64) -> String {
     if number < 0x1_0000 {
         return grouped(&number.to_string(), 3);
     }
+    hex(number)
+}
+
+/// A number in hexadecimal.
+pub(super) fn hex(number: u64) -> String {
     format!("0x{}", grouped(&format!("{number:X}"), 4))
 }
 

@@ -1,0 +1,44 @@
+/*
+ * {{ table.made_by }}; do not edit.
+ *
+ * What the frames of PDOs carry by default: a struct for each, its members in the order of the frame.
+ *
+ * {{ lower }}_..._load() takes the values from the dictionary and {{ lower }}_..._store() puts them there, whatever the
+ * limits; {{ lower }}_..._pack() and {{ lower }}_..._unpack() turn them into a frame and back.
+ */
+#ifndef {{ upper }}_PDO_H
+#define {{ upper }}_PDO_H
+
+#include "{{ lower }}.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+{%- for frame in frames %}
+
+/* {{ frame.frame.title }} ({{ "{:04X}"|format(frame.frame.communication_index) }}h, {{ "{:04X}"|format(frame.frame.mapping_index) }}h) */
+#define {{ frame.macro_prefix }}_LENGTH {{ frame.frame.length }}u
+{%- if let Some(transmission_type) = frame.frame.transmission_type %}
+#define {{ frame.macro_prefix }}_TRANSMISSION_TYPE {{ transmission_type }}u
+{%- endif %}
+{%- if let Some(cob_id) = frame.cob_id %}
+#define {{ frame.macro_prefix }}_COB_ID(node_id) {{ cob_id }}
+{%- endif %}
+
+typedef struct {
+{%- for field in frame.fields %}
+    {{ field.declaration }}; /* {{ "{:04X}"|format(field.row.index) }}h sub-index {{ "{:02X}"|format(field.row.sub) }}h: {{ field.row.name|c_comment }} */
+{%- endfor %}
+} {{ frame.type_name }}_t;
+
+void {{ frame.type_name }}_load(const {{ lower }}_data_t *data, {{ frame.type_name }}_t *pdo);
+void {{ frame.type_name }}_store(const {{ frame.type_name }}_t *pdo, {{ lower }}_data_t *data);
+void {{ frame.type_name }}_pack(const {{ frame.type_name }}_t *pdo, uint8_t frame[{{ frame.frame.length }}]);
+void {{ frame.type_name }}_unpack(const uint8_t frame[{{ frame.frame.length }}], {{ frame.type_name }}_t *pdo);
+{%- endfor %}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
