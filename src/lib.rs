@@ -69,7 +69,17 @@
 //!
 //! # Generating
 //!
-//! [`generate`] makes tables that firmware compiles in, in a build script for example:
+//! [`build_script`] makes tables that firmware compiles in, checks what they are made of, and tells Cargo:
+//!
+//! ```no_run
+//! // build.rs
+//! fn main() -> Result<(), objdict::build_script::Error> {
+//!     objdict::build_script::generate("motor.eds")?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! Behind it is [`generate`], which sees a device and no files:
 //!
 //! ```
 //! use objdict::generate::{Options, Target, generate};
@@ -151,6 +161,7 @@
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 
 pub mod baseline;
+pub mod build_script;
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -164,6 +175,7 @@ pub mod generate;
 pub mod lint;
 mod mend;
 pub mod model;
+mod production;
 pub mod profile;
 pub mod registry;
 pub mod report;

@@ -220,7 +220,7 @@ impl<'a> Reporter<'a> {
     /// What is wrong in a configuration; a healthy one is not mentioned.
     fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
         for failure in &project.failures {
-            self.fail(failure)?;
+            self.fail(&failure.into())?;
         }
         let config = &project.config;
         self.has_failed |= !config.is_toml();

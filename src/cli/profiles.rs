@@ -5,9 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::Failure;
-use crate::profile::{self, Profile};
+use crate::profile::{self, OpenError, Profile, ProfileError};
 use crate::report::problem;
-use crate::source::{SourceFile, SourceOptions};
 
 /// The argument `--profile`.
 #[derive(Debug, Default, clap::Args)]
@@ -27,33 +26,23 @@ impl ProfileArgs {
 
 /// The profile of a number such as `401` or `CiA 401`, or that of a file with a path from `folder` on.
 pub(super) fn load(name: &str, folder: &Path) -> Result<Arc<Profile>, Failure> {
-    if let Some(profile) = profile::named(name) {
-        return Ok(Arc::clone(profile));
-    }
-    let path = folder.join(name);
-    if !path.exists() && path.extension().is_none() {
-        let numbers: Vec<String> = profile::standard().map(|profile| number(profile).to_owned()).collect();
-        return Err(Failure::new(format_args!("there is no profile `{name}`")).help(format!(
-            "it is one of {}, or the file of a profile such as `our-drives.toml`",
-            numbers.join(", ")
-        )));
-    }
-    read(&path)
+    Ok(profile::open(name, folder)?)
 }
 
-/// The profile of a file.
-fn read(path: &Path) -> Result<Arc<Profile>, Failure> {
-    let source = SourceFile::open(path, &SourceOptions::default()).map_err(Failure::new)?;
-    Profile::from_toml(source.text()).map(Arc::new).map_err(|error| {
-        let failure = Failure::new(format_args!("`{}` is no profile: {}", path.display(), error.message));
-        match error.span {
-            Some(span) => failure.excerpt(problem(&source, span, &error.message, error.help.as_deref())),
-            None => failure,
+impl From<OpenError> for Failure {
+    fn from(error: OpenError) -> Self {
+        Self::from(&error)
+    }
+}
+
+impl From<&OpenError> for Failure {
+    fn from(error: &OpenError) -> Self {
+        let failure = Self { help: error.help(), ..Self::new(error) };
+        match error {
+            OpenError::Invalid { source_file, error: ProfileError { message, span: Some(span), help } } => {
+                failure.excerpt(problem(source_file, *span, message, help.as_deref()))
+            }
+            _ => failure,
         }
-    })
-}
-
-/// What people call a document that comes with the program: `401`.
-pub(super) fn number(profile: &Profile) -> &str {
-    profile.group.trim_start_matches("cia")
+    }
 }

@@ -9,17 +9,19 @@ use clap::Args;
 
 use super::Failure;
 use super::args::{Deny, node_id};
-use super::profiles::{self, ProfileArgs};
-use crate::config::{Config, invalid_setting};
-use crate::diagnostic::{Findings, Selection, Severity, Tool, series};
+use super::profiles::ProfileArgs;
+use crate::config::Config;
+pub(super) use crate::config::Project;
+use crate::diagnostic::{Selection, Severity, Tool, series};
 use crate::lint::{Level, Options, Severities};
+use crate::production::{Configuration, Judging};
 use crate::profile::Profile;
 use crate::registry;
 
-/// What a check is told.
+/// Which configuration holds, and what counts more.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
-pub(super) struct SettingsArgs {
+pub(super) struct ConfigArgs {
     /// The configuration for all files; without it, the nearest `objdict.toml` in the folder of each file or above
     /// (docs/config.md)
     #[arg(long, value_name = "FILE")]
@@ -30,6 +32,14 @@ pub(super) struct SettingsArgs {
     /// How grave the findings of a rule or group are: cia306/file-name=off, cia302=note; may be given several times
     #[arg(long = "severity", value_name = "RULE=SEVERITY")]
     severities: Vec<RuleLevel>,
+}
+
+/// What a check is told.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct SettingsArgs {
+    #[command(flatten)]
+    config: ConfigArgs,
     /// The mildest severity that makes the exit code 1: note, warning or error; without it, warning
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
     deny: Option<Deny>,
@@ -70,52 +80,23 @@ fn tool(name: &str) -> Result<Tool, String> {
     Tool::named(name).ok_or_else(|| format!("the tools are {}", series(Tool::ALL)))
 }
 
-impl SettingsArgs {
+impl ConfigArgs {
+    /// What a check is told, with further profiles.
+    pub(super) fn judging(&self, profiles: &ProfileArgs) -> Judging {
+        let config = match &self.config {
+            Some(path) => Configuration::At(path.clone()),
+            None if self.no_config => Configuration::Off,
+            None => Configuration::Nearest,
+        };
+        Judging { config, severities: self.severities(), profiles: profiles.profiles.clone() }
+    }
+
     fn severities(&self) -> Severities {
         let mut severities = Severities::default();
         for &RuleLevel { rules, level } in &self.severities {
             severities.set(rules, level);
         }
         severities
-    }
-}
-
-/// A configuration with what it needs from other files.
-pub(super) struct Project {
-    pub config: Config,
-    profiles: Vec<Arc<Profile>>,
-    /// What is wrong with it.
-    pub findings: Findings,
-    /// What is wrong in the profiles that it names.
-    pub failures: Vec<Failure>,
-}
-
-impl Project {
-    fn open(path: &Path) -> Result<Self, Failure> {
-        let config = Config::open(path).map_err(Failure::new)?;
-        let mut findings = config.findings().clone();
-        let (mut profiles, mut failures) = (Vec::new(), Vec::new());
-        // paths of files are told as the configuration's own
-        let folder = path.parent().unwrap_or(Path::new(""));
-        for wanted in config.profiles() {
-            match profiles::load(&wanted.name, folder) {
-                Ok(profile) => profiles.push(profile),
-                Err(failure) if failure.excerpt.is_some() => failures.push(failure),
-                Err(failure) => {
-                    let finding = invalid_setting(wanted.span, failure.message);
-                    findings.push(match failure.help {
-                        Some(help) => finding.help(help),
-                        None => finding,
-                    });
-                }
-            }
-        }
-        Ok(Self { config, profiles, findings, failures })
-    }
-
-    /// Whether files can be checked as it says.
-    pub(super) fn is_usable(&self) -> bool {
-        self.config.is_toml() && self.failures.is_empty()
     }
 }
 
@@ -140,13 +121,13 @@ impl<'a> Settings<'a> {
     pub(super) fn new(args: &'a SettingsArgs) -> Result<Self, Failure> {
         let mut settings = Self {
             args,
-            severities: args.severities(),
+            severities: args.config.severities(),
             profiles: args.profiles.load()?,
             named: None,
             by_folder: HashMap::new(),
             projects: Vec::new(),
         };
-        if let Some(path) = &args.config {
+        if let Some(path) = &args.config.config {
             settings.named = Some(settings.open(path)?);
         }
         Ok(settings)
@@ -157,7 +138,7 @@ impl<'a> Settings<'a> {
     /// # Errors
     /// When it cannot be opened.
     pub(super) fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, Failure> {
-        if self.args.no_config || self.named.is_some() {
+        if self.args.config.no_config || self.named.is_some() {
             return Ok(self.named.clone());
         }
         let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
@@ -199,14 +180,8 @@ impl<'a> Settings<'a> {
         if let Some((_, project)) = self.projects.iter().find(|(known, _)| known == path) {
             return Ok(project.clone());
         }
-        let project = Arc::new(Project::open(&called(path))?);
+        let project = Arc::new(Project::open(path).map_err(Failure::new)?);
         self.projects.push((path.to_owned(), project.clone()));
         Ok(project)
     }
-}
-
-/// A path as it is called from the current folder, where it is in it.
-fn called(path: &Path) -> PathBuf {
-    let current = std::env::current_dir().ok();
-    current.and_then(|folder| path.strip_prefix(folder).ok()).unwrap_or(path).to_owned()
 }

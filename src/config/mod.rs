@@ -19,15 +19,15 @@
 
 mod findings;
 mod path;
+mod project;
 mod read;
 
 use std::path::{Path, PathBuf};
 
-#[cfg(feature = "cli")]
-pub(crate) use self::findings::invalid_setting;
-pub(crate) use self::findings::{RULES, unknown_rule};
+pub(crate) use self::findings::{RULES, invalid_setting, unknown_rule};
 pub(crate) use self::path::absolute;
 use self::path::{PathPattern, relative};
+pub(crate) use self::project::Project;
 use crate::diagnostic::{Findings, Selection, Severity, Tool};
 use crate::lint::{Level, Options, Severities};
 use crate::source::{SourceError, SourceFile, SourceOptions, Span};

@@ -6,6 +6,7 @@ mod description;
 pub(crate) mod eds;
 pub mod identify;
 pub mod ini;
+pub mod input;
 pub mod json;
 pub mod literal;
 pub mod nodelist;

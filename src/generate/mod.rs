@@ -44,8 +44,24 @@ pub use renames::{ChoiceError, renames};
 
 use crate::model::{Device, Place};
 
-/// Every backend, one line each, in the order in which help lists them.
-static BACKENDS: &[&dyn Backend] = &[&rust::Rust, &c::C, &concise::Concise, &canopen_rs::CanopenRs];
+/// Every backend with its name as a constant of [`Target`], one line each, in the order in which help lists them.
+macro_rules! targets {
+    ($($name:ident = $backend:expr,)+) => {
+        static BACKENDS: &[&dyn Backend] = &[$(&$backend),+];
+
+        impl Target {
+            $(#[doc = concat!("The target of the backend `", stringify!($backend), "`.")]
+            pub const $name: Self = Self(&$backend);)+
+        }
+    };
+}
+
+targets! {
+    RUST = rust::Rust,
+    C = c::C,
+    CONCISE = concise::Concise,
+    CANOPEN_RS = canopen_rs::CanopenRs,
+}
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;

@@ -1,6 +1,7 @@
 //! Names that somebody chose for identifiers: `"2000sub1" = "speed"`, a line each, in TOML.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use super::Group;
@@ -63,12 +64,27 @@ impl FromStr for Group {
             _ => Err(no_group()),
         };
         let (first, last) = (index(first)?, index(last)?);
-        let name = name.trim();
+        Self::new(first..=last, name.trim()).map_err(|_| no_group())
+    }
+}
+
+impl Group {
+    /// The objects of a range, as a group of this name: a letter, with letters, digits and `_` behind it.
+    ///
+    /// # Errors
+    /// When there is no index in the range, or the name is another.
+    pub fn new(objects: RangeInclusive<u16>, name: &str) -> Result<Self, ChoiceError> {
         let is_word = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
-        if first > last || !is_word || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            return Err(no_group());
+        if objects.is_empty() {
+            let (first, last) = (objects.start(), objects.end());
+            return Err(ChoiceError::new(format!("there is no index from {first:X}h to {last:X}h")));
         }
-        Ok(Self { objects: first..=last, name: name.to_owned() })
+        if !is_word || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            let message =
+                format!("`{name}` is no name of a group: write a letter, then letters, digits and `_`");
+            return Err(ChoiceError::new(message));
+        }
+        Ok(Self { objects, name: name.to_owned() })
     }
 }
 

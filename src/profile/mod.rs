@@ -8,12 +8,14 @@ mod decode;
 pub mod default_mapping;
 mod facts;
 mod load;
+mod open;
 mod standard;
 
 pub use condition::{Condition, ConditionError};
 pub(crate) use decode::meaning;
 pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
 pub use load::ProfileError;
+pub use open::{OpenError, open};
 pub(crate) use standard::{for_all, of_number};
 pub use standard::{named, obsolete, standard};
 

@@ -8,6 +8,8 @@ mod gitlab;
 mod json;
 mod junit;
 mod path;
+#[cfg(any(test, not(feature = "cli")))]
+mod plain;
 mod sarif;
 mod statistics;
 mod subject;
@@ -29,13 +31,15 @@ pub use github::Github;
 pub use gitlab::Gitlab;
 pub use json::Json;
 pub use junit::Junit;
+#[cfg(not(feature = "cli"))]
+pub(crate) use plain::{listed, problem};
 pub use sarif::Sarif;
 pub use statistics::{Detail, Statistic, Statistics};
 pub use subject::Subject;
 #[cfg(feature = "cli")]
 pub use text::Text;
 #[cfg(feature = "cli")]
-pub(crate) use text::problem;
+pub(crate) use text::{listed, problem};
 
 /// Writes what was found in files.
 pub trait Report {

@@ -113,6 +113,15 @@ impl<W: Write> Report for Text<W> {
     }
 }
 
+/// Findings of a file as a text without colours, with a sum at the end.
+pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
+    let mut text = Vec::new();
+    let mut report = Text::new(&mut text, false);
+    report.file(subject, findings)?;
+    report.finish()?;
+    Ok(String::from_utf8_lossy(&text).into_owned())
+}
+
 /// A finding as miette asks for it.
 #[derive(Debug)]
 struct Rendered<'a> {

@@ -7,6 +7,8 @@ use clap::{Parser, ValueEnum};
 
 use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
+use crate::cli::profiles::ProfileArgs;
+use crate::cli::settings::ConfigArgs;
 use crate::generate::{Group, Names, Target};
 
 /// Turn a description into what a product compiles or downloads
@@ -54,6 +56,10 @@ pub(in crate::cli) struct GenerateArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigArgs,
+    #[command(flatten)]
+    pub profiles: ProfileArgs,
 }
 
 /// What identifiers are made of.
@@ -77,4 +83,37 @@ impl From<NamesArg> for Names {
 fn targets() -> PossibleValuesParser {
     let value = |target: Target| clap::builder::PossibleValue::new(target.name()).help(target.summary());
     PossibleValuesParser::new(Target::all().map(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    /// Methods of the builder that have other names than the arguments.
+    const RENAMED: [(&str, &str); 3] = [("file", "new"), ("out", "out_dir"), ("from", "from_kind")];
+
+    /// Arguments that are about a terminal.
+    const OF_THE_TERMINAL: [&str; 2] = ["color", "help"];
+
+    /// Whatever the command can do, a build script can do.
+    #[test]
+    fn every_option_is_a_method_of_the_builder() {
+        let builder = include_str!("../../build_script/builder.rs");
+        let mut command = GenerateArgs::command();
+        command.build();
+        for argument in command.get_arguments() {
+            let name = argument.get_long().map_or(argument.get_id().as_str(), |long| long);
+            if OF_THE_TERMINAL.contains(&name) {
+                continue;
+            }
+            let renamed = RENAMED.iter().find(|(argument, _)| *argument == name);
+            let method = renamed.map_or_else(|| name.replace('-', "_"), |(_, method)| (*method).to_owned());
+            assert!(
+                builder.contains(&format!("    pub fn {method}(")),
+                "`--{name}` has no method `{method}` in src/build_script/builder.rs"
+            );
+        }
+    }
 }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::cli::profiles::number;
 use crate::model::Value;
 use crate::profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 
@@ -41,7 +40,7 @@ fn head(profile: &Profile) -> Map<String, Json> {
     let mut fields = Map::new();
     let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
     if profile.group != "house" {
-        field("name", number(profile).into());
+        field("name", profile.document_number().into());
     }
     field("document", profile.document.as_str().into());
     field("title", profile.title.as_str().into());

@@ -4,7 +4,6 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::cli::profiles::number;
 use crate::cli::table::Table;
 use crate::profile::{EntryFacts, Mapping, Need, ObjectFacts, Profile};
 use crate::report::plural;
@@ -23,7 +22,7 @@ pub(super) fn list<'a>(
     let mut table = Table::new(["Profile", "Version", "Objects", "About"], usize::MAX);
     for profile in profiles {
         table.row([
-            number(profile).to_owned(),
+            profile.document_number().to_owned(),
             profile.version.clone().unwrap_or_default(),
             profile.objects.len().to_string(),
             profile.title.clone(),

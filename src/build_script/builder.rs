@@ -1,0 +1,270 @@
+//! What a build script asks for.
+
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use super::cargo::Cargo;
+use super::{Built, Error};
+use crate::diagnostic::{Severity, counted};
+use crate::format::input::{FileKind, bytes_of};
+use crate::generate::{Group, Names, Target};
+use crate::lint::Level;
+use crate::model::Address;
+use crate::production::{Configuration, Judged, Production, Request, said, save};
+use crate::registry;
+use crate::source::Encoding;
+
+/// So many warnings are told of a description, and so many notes of a target, unless somebody says otherwise.
+const MAX_WARNINGS: usize = 20;
+
+/// Generates files from a description; see [the module](super).
+///
+/// Paths are relative to the current folder, which is that of `Cargo.toml` where Cargo runs a build script.
+#[derive(Debug)]
+#[must_use = "nothing is generated without `generate`"]
+pub struct Builder {
+    request: Request,
+    out_dir: Option<PathBuf>,
+    max_warnings: usize,
+    /// The first thing that was asked for and cannot be.
+    failure: Option<Error>,
+}
+
+impl Builder {
+    /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
+    pub fn new(path: impl AsRef<Path>) -> Self {
+        let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
+        Self { request, out_dir: None, max_warnings: MAX_WARNINGS, failure: None }
+    }
+
+    /// What to generate; may be called several times. Without it, [`Target::RUST`].
+    pub fn target(mut self, target: Target) -> Self {
+        self.request.targets.push(target);
+        self
+    }
+
+    /// The folder that the files go to, instead of the one that the variable `OUT_DIR` names.
+    pub fn out_dir(mut self, folder: impl AsRef<Path>) -> Self {
+        self.out_dir = Some(folder.as_ref().to_owned());
+        self
+    }
+
+    /// The node-ID of the node, 1 to 127; a DCF names its own.
+    pub fn node_id(mut self, node_id: u8) -> Self {
+        self.request.options.node_id = Some(node_id);
+        self
+    }
+
+    /// Whether to generate although there are errors in the description. They become warnings of the build.
+    pub fn force(mut self, force: bool) -> Self {
+        self.request.force = force;
+        self
+    }
+
+    /// Room in bytes for a string that can be written and has a shorter default or none; without it, 32.
+    pub fn string_capacity(mut self, bytes: u16) -> Self {
+        self.request.options.string_capacity = bytes;
+        self
+    }
+
+    /// Room in bytes for a DOMAIN that can be written; without it, only for its default.
+    pub fn domain_capacity(mut self, bytes: u16) -> Self {
+        self.request.options.domain_capacity = bytes;
+        self
+    }
+
+    /// What identifiers are made of; without it, [`Names::Words`].
+    pub fn names(mut self, names: Names) -> Self {
+        self.request.options.names = names;
+        self
+    }
+
+    /// A file with other names to make identifiers of: lines as `"2000sub1" = "target speed"`.
+    pub fn rename(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.rename = Some(file.as_ref().to_owned());
+        self
+    }
+
+    /// Another name to make the identifiers of an object or entry of; one that a file of names has for it counts more.
+    pub fn name_of(mut self, at: Address, name: impl Into<String>) -> Self {
+        self.request.options.renamed.insert(at, name.into());
+        self
+    }
+
+    /// What C identifiers and files start with, instead of `od`: a letter, and up to 15 more letters, digits and `_`.
+    pub fn prefix(mut self, word: impl Into<String>) -> Self {
+        self.request.options.prefix = Some(word.into());
+        self
+    }
+
+    /// The name of the Rust module and its file, instead of `od`; the same letters as of a [`prefix`](Self::prefix).
+    pub fn module(mut self, word: impl Into<String>) -> Self {
+        self.request.options.module = Some(word.into());
+        self
+    }
+
+    /// The storage group of objects; may be called several times, and the last one that has an index counts. A name is a
+    /// letter with letters, digits and `_` behind it.
+    pub fn group(mut self, objects: RangeInclusive<u16>, name: &str) -> Self {
+        match Group::new(objects, name) {
+            Ok(group) => self.request.options.groups.push(group),
+            Err(error) => self.fail(error.into()),
+        }
+        self
+    }
+
+    /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
+    pub fn implicit_pdos(mut self, describe: bool) -> Self {
+        self.request.implicit_pdos = describe;
+        self
+    }
+
+    /// What the description is, whatever its content shows.
+    pub fn from_kind(mut self, kind: FileKind) -> Self {
+        self.request.reading.from = Some(kind);
+        self
+    }
+
+    /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
+    pub fn device(mut self, number: NonZeroUsize) -> Self {
+        self.request.reading.device = Some(number);
+        self
+    }
+
+    /// The encoding of the description, where it cannot be found out.
+    pub fn encoding(mut self, encoding: Encoding) -> Self {
+        self.request.reading.encoding = Some(encoding);
+        self
+    }
+
+    /// The largest description that is read, in bytes; without it, [64 MiB](crate::source::DEFAULT_MAX_SIZE).
+    pub fn max_size(mut self, bytes: u64) -> Self {
+        self.request.reading.max_size = bytes;
+        self
+    }
+
+    /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
+    pub fn config(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.judging.config = Configuration::At(file.as_ref().to_owned());
+        self
+    }
+
+    /// Looks for no configuration.
+    pub fn no_config(mut self) -> Self {
+        self.request.judging.config = Configuration::Off;
+        self
+    }
+
+    /// How grave the findings of a rule or group are: `cia306/file-name`, `cia302`. What is said later counts more, and all
+    /// of it more than the configuration.
+    pub fn severity(mut self, rules: &str, level: Level) -> Self {
+        match registry::select(rules) {
+            Some(rules) => self.request.judging.severities.set(rules, level),
+            None => self.fail(Error::UnknownRule { name: rules.to_owned() }),
+        }
+        self
+    }
+
+    /// A document that the device shall follow though it does not say so, such as `401`, or the path of a file with a
+    /// profile of your own; may be called several times.
+    pub fn profile(mut self, name: impl Into<String>) -> Self {
+        self.request.judging.profiles.push(name.into());
+        self
+    }
+
+    /// So many warnings of the check, and so many notes of each target, are told to Cargo, the rest is counted; without it, 20.
+    pub fn max_warnings(mut self, most: usize) -> Self {
+        self.max_warnings = most;
+        self
+    }
+
+    /// Checks the description, writes the files and tells Cargo on the standard output.
+    ///
+    /// # Errors
+    /// When there is an error in the description, or a file cannot be read or written, see [`Error`].
+    pub fn generate(self) -> Result<Built, Error> {
+        self.generate_to(&mut io::stdout().lock())
+    }
+
+    /// As [`generate`](Self::generate); what Cargo is told goes to `cargo`.
+    ///
+    /// # Errors
+    /// As [`generate`](Self::generate), and when `cargo` cannot be written to.
+    pub fn generate_to(mut self, cargo: &mut dyn Write) -> Result<Built, Error> {
+        if let Some(error) = self.failure {
+            return Err(error);
+        }
+        if self.request.targets.is_empty() {
+            self.request.targets.push(Target::RUST);
+        }
+        let mut cargo = Cargo::new(cargo);
+        let mut files = vec![self.request.file.clone()];
+        let produced = self.produce(&mut files);
+        // also when it fails, so that the next run knows what to wait for
+        files.iter().try_for_each(|file| cargo.depends_on(file)).map_err(Error::Cargo)?;
+        let (judged, production) = produced?;
+        self.warn(&judged, &production, &mut cargo).map_err(Error::Cargo)?;
+        let folder = self.out_dir.or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
+        write(&production, &folder.ok_or(Error::NoOutDir)?)
+    }
+
+    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Production), Error> {
+        let Request { file, reading, .. } = &self.request;
+        let bytes = bytes_of(file, reading.max_size)?;
+        let judged = self.request.judge(&file.display().to_string(), bytes, files)?;
+        let production = self.request.produce(&judged, files)?;
+        Ok((judged, production))
+    }
+
+    fn warn(
+        &self,
+        judged: &Judged,
+        production: &Production,
+        cargo: &mut Cargo<impl Write>,
+    ) -> io::Result<()> {
+        let file = self.request.file.display();
+        let of_file = judged.findings.iter().filter(|finding| finding.severity >= Severity::Warning);
+        let of_file = of_file.map(|finding| with_advice(judged.line(finding), finding.help.as_deref()));
+        cargo.warn(self.max_warnings, judged.of_config.iter().cloned().chain(of_file), |count| {
+            let warnings = counted(count, "more warning", "more warnings");
+            format!("{file}: {warnings}; `objdict check` tells them")
+        })?;
+        for (target, generated) in &production.outputs {
+            let target = target.name();
+            let notes = generated.notes.iter();
+            let notes = notes.map(|note| {
+                with_advice(format!("{file}: note: {target}: {}", said(note)), note.help.as_deref())
+            });
+            cargo.warn(self.max_warnings, notes, |count| {
+                let notes = counted(count, "more note", "more notes");
+                format!("{file}: {notes} of the target {target}; `objdict generate` tells them")
+            })?;
+        }
+        Ok(())
+    }
+
+    fn fail(&mut self, error: Error) {
+        self.failure.get_or_insert(error);
+    }
+}
+
+fn with_advice(line: String, help: Option<&str>) -> String {
+    match help {
+        Some(help) => format!("{line} ({help})"),
+        None => line,
+    }
+}
+
+fn write(production: &Production, folder: &Path) -> Result<Built, Error> {
+    let mut built = Built::default();
+    for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
+        let path = folder.join(&file.path);
+        if let Err(error) = save(&path, &file.contents) {
+            return Err(Error::Unwritable { path, error });
+        }
+        built.files.push(path);
+    }
+    Ok(built)
+}

@@ -1,0 +1,64 @@
+//! A configuration with what it needs from other files.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::{Config, invalid_setting};
+use crate::diagnostic::Findings;
+use crate::profile::{self, OpenError, Profile};
+use crate::source::SourceError;
+
+/// A configuration with the profiles that it names.
+#[derive(Debug)]
+pub(crate) struct Project {
+    pub(crate) config: Config,
+    pub(crate) profiles: Vec<Arc<Profile>>,
+    /// What is wrong with it.
+    pub(crate) findings: Findings,
+    /// What is wrong in the profiles that it names.
+    pub(crate) failures: Vec<OpenError>,
+}
+
+impl Project {
+    /// Reads the file at `path`, and the profiles that it names.
+    pub(crate) fn open(path: &Path) -> Result<Self, SourceError> {
+        let path = called(path);
+        let config = Config::open(&path)?;
+        let mut findings = config.findings().clone();
+        let (mut profiles, mut failures) = (Vec::new(), Vec::new());
+        // paths of files are told as the configuration's own
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for wanted in config.profiles() {
+            match profile::open(&wanted.name, folder) {
+                Ok(profile) => profiles.push(profile),
+                Err(error @ OpenError::Invalid { .. }) => failures.push(error),
+                Err(error) => {
+                    let finding = invalid_setting(wanted.span, error.to_string());
+                    findings.push(match error.help() {
+                        Some(help) => finding.help(help),
+                        None => finding,
+                    });
+                }
+            }
+        }
+        Ok(Self { config, profiles, findings, failures })
+    }
+
+    /// Whether files can be checked as it says.
+    pub(crate) fn is_usable(&self) -> bool {
+        self.config.is_toml() && self.failures.is_empty()
+    }
+
+    /// The files with profiles that it names.
+    pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let wanted = self.config.profiles().iter().filter(|wanted| profile::named(&wanted.name).is_none());
+        let folder = Path::new(self.config.source().name()).parent().unwrap_or(Path::new(""));
+        wanted.map(|wanted| folder.join(&wanted.name)).filter(|path| path.is_file())
+    }
+}
+
+/// A path as it is called from the current folder, where it is in it.
+fn called(path: &Path) -> PathBuf {
+    let current = std::env::current_dir().ok();
+    current.and_then(|folder| path.strip_prefix(folder).ok()).unwrap_or(path).to_owned()
+}

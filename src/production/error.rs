@@ -1,0 +1,180 @@
+//! Why nothing was generated.
+
+use std::fmt::{self, Display};
+use std::io;
+use std::path::PathBuf;
+
+use crate::diagnostic::counted;
+use crate::format::input::InputError;
+use crate::generate::{ChoiceError, GenerateError, Note};
+use crate::model::Place;
+use crate::profile::OpenError;
+use crate::report::{one_line, problem};
+use crate::source::SourceError;
+
+/// Why a build script generated nothing.
+///
+/// `Display` is one sentence, and `Debug` is what a reader of the build's output needs: the sentence, the findings with
+/// their places and what to do. So `fn main() -> Result<(), Error>` tells all of it.
+#[derive(thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// There is nothing to be had of the description.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A configuration cannot be opened.
+    #[error(transparent)]
+    Config(#[from] SourceError),
+    /// A profile that was asked for is none.
+    #[error(transparent)]
+    Profile(#[from] OpenError),
+    /// There are errors in the description or in the configuration.
+    #[error("`{file}` has {}, so nothing was generated", counted(*count, "error", "errors"))]
+    Findings {
+        /// The file that the errors are in.
+        file: String,
+        /// How many errors there are.
+        count: usize,
+        /// The errors with their places: excerpts, or a line each where the crate is built without the feature `cli`.
+        report: String,
+    },
+    /// No rule and no group has this name.
+    #[error("there is no rule or group `{name}`")]
+    UnknownRule {
+        /// The name.
+        name: String,
+    },
+    /// The file of names cannot be used.
+    #[error("{file}{}: {error}", error.line.map(|line| format!(":{line}")).unwrap_or_default())]
+    Names {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        error: ChoiceError,
+    },
+    /// An option has a value that it cannot have.
+    #[error(transparent)]
+    Choice(#[from] ChoiceError),
+    /// A file that an option names cannot be read.
+    #[error("cannot read `{}`: {error}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// A target cannot express the device.
+    #[error("target `{target}`: {error}")]
+    Target {
+        /// The target.
+        target: &'static str,
+        /// Why.
+        error: GenerateError,
+    },
+    /// Two targets would write the same file.
+    #[error("the targets `{first}` and `{second}` both write `{path}`")]
+    SameFile {
+        /// The target that was asked for first.
+        first: &'static str,
+        /// The other one.
+        second: &'static str,
+        /// The file below the output folder.
+        path: String,
+    },
+    /// A file cannot be written.
+    #[error("cannot write `{}`: {error}", path.display())]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// Nobody says where the files go.
+    #[error("the variable `OUT_DIR` is not set")]
+    NoOutDir,
+    /// Cargo does not listen.
+    #[error("cannot tell Cargo: {0}")]
+    Cargo(#[source] io::Error),
+}
+
+impl Error {
+    /// What to do about it, where that is known.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Input(InputError::SeveralDevices { .. }) => {
+                Some("say which one with `device`, counted from 1".to_owned())
+            }
+            Self::Input(error) => error.help(),
+            Self::Profile(error) => error.help(),
+            Self::Findings { .. } => Some(
+                "mend them; `severity` makes findings of a rule milder, `force` generates all the same"
+                    .to_owned(),
+            ),
+            Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => "`objdict rules` lists all".to_owned(),
+            }),
+            Self::Names { .. } => {
+                Some("write a line as `\"2000sub1\" = \"target speed\"` for each name".to_owned())
+            }
+            Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
+            Self::NoOutDir => Some(
+                "Cargo sets it for build scripts; elsewhere say where the files go with `out_dir`".to_owned(),
+            ),
+            Self::Config(_)
+            | Self::Choice(_)
+            | Self::Unreadable { .. }
+            | Self::Target { .. }
+            | Self::Unwritable { .. }
+            | Self::Cargo(_) => None,
+        }
+    }
+
+    /// What is wrong, with its places and lines; `None` where the sentence says all.
+    pub fn report(&self) -> Option<String> {
+        match self {
+            Self::Findings { report, .. } => Some(report.clone()),
+            Self::Profile(OpenError::Invalid { source_file, error }) => {
+                let help = error.help.as_deref();
+                error.span.map(|span| problem(source_file, span, &error.message, help))
+            }
+            Self::Target { target, error: GenerateError::NoEntries { notes } } if !notes.is_empty() => {
+                Some(notes.iter().map(|note| told(target, note)).collect())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A note with its advice, as lines.
+pub(crate) fn told(target: &str, note: &Note) -> String {
+    let mut text = format!("note: {target}: {}\n", said(note));
+    if let Some(help) = &note.help {
+        text.push_str(&format!("  help: {help}\n"));
+    }
+    text
+}
+
+/// What a note says and where; one about the whole device has no place.
+pub(crate) fn said(note: &Note) -> String {
+    if note.place == Place::device() { note.message.clone() } else { note.to_string() }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines = |f: &mut fmt::Formatter<'_>, text: &dyn Display| -> fmt::Result {
+            let text = text.to_string();
+            text.trim_end().lines().try_for_each(|line| writeln!(f, "{}", one_line(line)))
+        };
+        lines(f, self)?;
+        if let Some(report) = self.report() {
+            writeln!(f)?;
+            lines(f, &report)?;
+            writeln!(f)?;
+        }
+        match self.help() {
+            Some(help) => write!(f, "  help: {}", one_line(&help)),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
+//! the configuration says, generating, writing. Only who asks, and how it is told, is theirs.
+
+mod error;
+mod save;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub use self::error::Error;
+pub(crate) use self::error::{said, told};
+pub(crate) use self::save::{Saved, save};
+use crate::config::{Config, Project};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity};
+use crate::format::Description;
+use crate::format::input::{Input, InputError, Reading};
+use crate::generate::{Generated, Options, Target, generate, renames};
+use crate::lint::{self, Severities};
+use crate::model::{Address, Device, Place};
+use crate::profile::{self, Profile};
+use crate::report::{Location, Subject, listed, one_line};
+use crate::source::hash;
+
+/// So many errors are shown of a file; the rest is counted.
+const MAX_SHOWN: usize = 50;
+
+/// What is to be made of a description.
+#[derive(Debug, Default)]
+pub(crate) struct Request {
+    /// The description; its bytes may come from elsewhere.
+    pub(crate) file: PathBuf,
+    /// How it is read.
+    pub(crate) reading: Reading,
+    /// What the check is told.
+    pub(crate) judging: Judging,
+    /// Whether the PDOs are described that `CompactPDO` implies.
+    pub(crate) implicit_pdos: bool,
+    /// Whether to generate although there are errors.
+    pub(crate) force: bool,
+    /// What to generate; what is there twice counts once.
+    pub(crate) targets: Vec<Target>,
+    /// A file with names, which are added to those of the options.
+    pub(crate) rename: Option<PathBuf>,
+    /// The options; the names of files and the hash are found out.
+    pub(crate) options: Options,
+}
+
+/// What a check is told.
+#[derive(Debug, Default)]
+pub(crate) struct Judging {
+    pub(crate) config: Configuration,
+    pub(crate) severities: Severities,
+    /// Documents that the device shall follow though it does not say so: numbers, or paths of files.
+    pub(crate) profiles: Vec<String>,
+}
+
+/// Which configuration holds.
+#[derive(Debug, Default)]
+pub(crate) enum Configuration {
+    /// The nearest, in the folder of the description or above.
+    #[default]
+    Nearest,
+    /// That of a path.
+    At(PathBuf),
+    /// None.
+    Off,
+}
+
+/// A description that was read and checked.
+#[derive(Debug)]
+pub(crate) struct Judged {
+    /// What reports call it.
+    name: String,
+    described: Described,
+    /// What is wrong with it.
+    pub(crate) findings: Findings,
+    /// What is wrong with the configuration, no errors among it; a line each.
+    pub(crate) of_config: Vec<String>,
+}
+
+/// A device, with its text where it has one.
+#[derive(Debug)]
+enum Described {
+    Text(Box<Description>),
+    Model(Box<Device>),
+}
+
+/// The files of a product, before they are written.
+#[derive(Debug)]
+pub(crate) struct Production {
+    /// How many objects the device has.
+    pub(crate) objects: usize,
+    /// How many entries they have.
+    pub(crate) entries: usize,
+    /// What was made, in the order of the targets.
+    pub(crate) outputs: Vec<(Target, Generated)>,
+}
+
+impl Request {
+    /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
+    /// to `files`, whatever becomes of it.
+    pub(crate) fn judge(
+        &self,
+        name: &str,
+        bytes: Vec<u8>,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<Judged, Error> {
+        let (kind, input) = self.reading.read_one(name, bytes)?;
+        let described = match input {
+            Input::Description(description) => Described::Text(description),
+            Input::Device(device) => Described::Model(device),
+            Input::Configuration(_) | Input::NodeList(_) => {
+                return Err(InputError::NoDevice { name: name.to_owned(), kind }.into());
+            }
+        };
+        let project = self.project(files)?;
+        let options = self.check_options(project.as_ref(), files)?;
+        let of_config = project.map(|project| config_findings(&project, &options)).transpose()?;
+        let findings = match &described {
+            Described::Text(description) => crate::check_with(description, &options),
+            Described::Model(device) => options.severities.apply(lint::check(device, &options)),
+        };
+        Ok(Judged { name: name.to_owned(), described, findings, of_config: of_config.unwrap_or_default() })
+    }
+
+    fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
+        let path = match &self.judging.config {
+            Configuration::Off => return Ok(None),
+            Configuration::At(path) => Some(path.clone()),
+            Configuration::Nearest => {
+                let folder = self.file.parent().filter(|folder| *folder != Path::new(""));
+                Config::find(folder.unwrap_or(Path::new(".")))
+            }
+        };
+        let Some(path) = path else { return Ok(None) };
+        files.push(path.clone());
+        let mut project = Project::open(&path)?;
+        files.extend(project.files());
+        if !project.failures.is_empty() {
+            return Err(project.failures.swap_remove(0).into());
+        }
+        Ok(Some(project))
+    }
+
+    fn check_options(
+        &self,
+        project: Option<&Project>,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<lint::Options, Error> {
+        let severities = &self.judging.severities;
+        let mut options = match project {
+            Some(project) => project.config.options(&self.file, severities),
+            None => lint::Options { severities: severities.clone(), ..lint::Options::default() },
+        };
+        options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
+        options.profiles.extend(project.iter().flat_map(|project| &project.profiles).cloned());
+        for name in &self.judging.profiles {
+            options.profiles.push(self.profile(name, files)?);
+        }
+        Ok(options)
+    }
+
+    fn profile(&self, name: &str, files: &mut Vec<PathBuf>) -> Result<Arc<Profile>, Error> {
+        if profile::named(name).is_none() && Path::new(name).is_file() {
+            files.push(name.into());
+        }
+        Ok(profile::open(name, Path::new(""))?)
+    }
+
+    /// Everything that is to be written, before anything is.
+    ///
+    /// # Errors
+    /// When there are errors in the description and nobody forces it, or a target cannot express the device.
+    pub(crate) fn produce(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Production, Error> {
+        if !self.force {
+            judged.refuse()?;
+        }
+        let device = judged.device();
+        let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
+        let options = self.options(judged, files)?;
+        let mut outputs: Vec<(Target, Generated)> = Vec::new();
+        let mut paths: BTreeMap<String, &'static str> = BTreeMap::new();
+        for &target in &self.targets {
+            if outputs.iter().any(|(other, _)| other.name() == target.name()) {
+                continue;
+            }
+            let generated = generate(&device, target, &options)
+                .map_err(|error| Error::Target { target: target.name(), error })?;
+            for file in &generated.files {
+                if let Some(first) = paths.insert(file.path.clone(), target.name()) {
+                    let (second, path) = (target.name(), file.path.clone());
+                    return Err(Error::SameFile { first, second, path });
+                }
+            }
+            outputs.push((target, generated));
+        }
+        let entries = device.objects.values().map(|object| object.entries().count()).sum();
+        Ok(Production { objects: device.objects.len(), entries, outputs })
+    }
+
+    fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
+        let mut options = self.options.clone();
+        options.file_stem = stem(&self.file);
+        if let Described::Text(description) = &judged.described {
+            options.source_hash = Some(hash(description.source().text().as_bytes()));
+        }
+        if let Some(path) = &self.rename {
+            files.push(path.clone());
+            options.renamed.extend(names_in(path)?);
+        }
+        Ok(options)
+    }
+}
+
+impl Judged {
+    fn device(&self) -> &Device {
+        match &self.described {
+            Described::Text(description) => description.device(),
+            Described::Model(device) => device,
+        }
+    }
+
+    /// The errors as a reason to stop.
+    fn refuse(&self) -> Result<(), Error> {
+        if !self.findings.has_errors() {
+            return Ok(());
+        }
+        refusal(&self.name, &self.findings, |errors| match &self.described {
+            Described::Text(description) => text_of((&**description).into(), errors),
+            Described::Model(_) => {
+                errors.iter().map(|error| without_text(&self.name, error) + "\n").collect()
+            }
+        })
+    }
+
+    /// A finding in a line: where it is, the rule, and what is wrong.
+    pub(crate) fn line(&self, finding: &Diagnostic) -> String {
+        match &self.described {
+            Described::Text(description) => line((&**description).into(), finding),
+            Described::Model(_) => without_text(&self.name, finding),
+        }
+    }
+}
+
+/// What is wrong with a configuration, a line each; errors are a reason to stop whatever is forced, for nobody knows what
+/// was to be checked.
+fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
+    let findings = options.severities.apply(project.findings.clone());
+    let subject = Subject::Text(project.config.source());
+    if findings.has_errors() {
+        refusal(subject.source().name(), &findings, |errors| text_of(subject, errors))?;
+    }
+    let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
+    Ok(warnings.map(|finding| line(subject, finding)).collect())
+}
+
+/// The error that the errors among findings are.
+fn refusal(file: &str, findings: &Findings, shown: impl FnOnce(&Findings) -> String) -> Result<(), Error> {
+    let errors = || findings.iter().filter(|finding| finding.severity == Severity::Error);
+    let mut first = Findings::new();
+    errors().take(MAX_SHOWN).for_each(|error| first.push(error.clone()));
+    let mut report = shown(&first);
+    let count = errors().count();
+    if count > MAX_SHOWN {
+        report.push_str(&format!("{} more errors are not shown\n", count - MAX_SHOWN));
+    }
+    Err(Error::Findings { file: file.to_owned(), count, report })
+}
+
+fn text_of(subject: Subject<'_>, findings: &Findings) -> String {
+    listed(subject, findings).unwrap_or_else(|error| format!("the findings cannot be shown: {error}\n"))
+}
+
+/// A finding of a text in a line.
+fn line(subject: Subject<'_>, finding: &Diagnostic) -> String {
+    let start = Location::start_of(subject, finding);
+    let (name, rule, severity) = (subject.source().name(), finding.rule.id, finding.severity);
+    let message = &finding.message;
+    one_line(&format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column))
+}
+
+/// A finding of a device that has no text.
+fn without_text(name: &str, finding: &Diagnostic) -> String {
+    let place = match finding.labels.first().map(|label| &label.at) {
+        Some(At::Place(place)) => place.to_string(),
+        _ => Place::device().to_string(),
+    };
+    let (rule, severity, message) = (finding.rule.id, finding.severity, &finding.message);
+    one_line(&format!("{name}: {severity} {rule}: {place}: {message}"))
+}
+
+/// The names that a file gives to objects and entries.
+fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
+    let text =
+        std::fs::read_to_string(path).map_err(|error| Error::Unreadable { path: path.to_owned(), error })?;
+    renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
+}
+
+/// The file's name without its last ending.
+fn stem(file: &Path) -> String {
+    let stem = file.file_stem().filter(|_| file != Path::new("-"));
+    stem.map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}

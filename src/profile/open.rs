@@ -1,0 +1,73 @@
+//! A profile that somebody names: by its number, or by the path of a file.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::{Profile, ProfileError, named, standard};
+use crate::source::{SourceError, SourceFile, SourceOptions};
+
+/// Why there is no profile of a name.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OpenError {
+    /// It is no document that comes with the program, and no file.
+    #[error("there is no profile `{name}`")]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// The file cannot be opened.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+    /// The file is no profile.
+    #[error("`{}` is no profile: {error}", source_file.name())]
+    Invalid {
+        /// The file.
+        source_file: Box<SourceFile>,
+        /// What is wrong.
+        error: ProfileError,
+    },
+}
+
+impl OpenError {
+    /// What to do about it.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown { .. } => Some(format!(
+                "it is one of {}, or the file of a profile such as `our-drives.toml`",
+                numbers()
+            )),
+            Self::Source(_) => None,
+            Self::Invalid { error, .. } => error.help.clone(),
+        }
+    }
+}
+
+fn numbers() -> String {
+    let numbers: Vec<&str> = standard().map(|profile| profile.document_number()).collect();
+    numbers.join(", ")
+}
+
+impl Profile {
+    /// The number of a document as people call it: `401`.
+    pub fn document_number(&self) -> &str {
+        self.group.trim_start_matches("cia")
+    }
+}
+
+/// The profile of a number such as `401` or `CiA 401`, or that of a file with a path from `folder` on.
+///
+/// # Errors
+/// When there is none of this name, or the file cannot be read or is no profile.
+pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
+    if let Some(profile) = named(name) {
+        return Ok(Arc::clone(profile));
+    }
+    let path = folder.join(name);
+    if !path.exists() && path.extension().is_none() {
+        return Err(OpenError::Unknown { name: name.to_owned() });
+    }
+    let source = SourceFile::open(&path, &SourceOptions::default())?;
+    let profile = Profile::from_toml(source.text());
+    profile.map(Arc::new).map_err(|error| OpenError::Invalid { source_file: Box::new(source), error })
+}

@@ -1,0 +1,58 @@
+//! Findings and mistakes as lines, where the library is built without what draws excerpts: what stops a build script.
+
+use std::io;
+
+use super::{Location, Subject, one_line};
+use crate::diagnostic::Findings;
+use crate::source::{SourceFile, Span};
+
+/// Findings, a line each, with their advice below.
+pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
+    let mut text = String::new();
+    let name = one_line(subject.source().name());
+    for finding in findings {
+        let start = Location::start_of(subject, finding);
+        let (rule, severity, message) = (finding.rule.id, finding.severity, one_line(&finding.message));
+        text.push_str(&format!("{name}:{}:{}: {severity} {rule}: {message}\n", start.line, start.column));
+        if let Some(help) = &finding.help {
+            text.push_str(&format!("  help: {}\n", one_line(help)));
+        }
+    }
+    for (rule, count) in findings.omitted() {
+        text.push_str(&format!("{name}: {count} more findings of {rule} are not shown\n"));
+    }
+    Ok(text)
+}
+
+/// What is wrong with a text of ours (a profile, a configuration).
+pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
+    let (name, start) = (one_line(source.name()), source.line_column(span.start));
+    let mut text = format!("{name}:{}:{}: error: {}\n", start.line, start.column, one_line(message));
+    if let Some(help) = help {
+        text.push_str(&format!("  help: {}\n", one_line(help)));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::{self, Format};
+
+    #[test]
+    fn a_finding_has_its_advice_below() {
+        let text = "[2000]\nParameterName=x\nObjectType=7\nDataType=5\nDefaultValue=300\u{1B}\n";
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let text = listed((&description).into(), &crate::check(&description)).unwrap();
+        let line = "a.eds:5:14: error cia306/invalid-value: `300\u{FFFD}` is no number";
+        assert!(text.contains(line), "{text}");
+        assert!(text.contains("\n  help: "), "{text}");
+    }
+
+    #[test]
+    fn a_problem_has_its_place() {
+        let source = SourceFile::from_text("house.toml", "a = 1\nb = 2\n");
+        let text = problem(&source, Span::new(10, 11), "no `2`", Some("write `3`"));
+        assert_eq!(text, "house.toml:2:5: error: no `2`\n  help: write `3`\n");
+    }
+}
