@@ -39,7 +39,9 @@ fn the_simple_case() {
     let out = TempDir::new().unwrap();
     let eds = fixture("eds/minimal.eds");
     let (built, cargo) = run(Builder::new(&eds).out_dir(out.path()));
-    assert_eq!(names(&built.unwrap()), ["od.rs"]);
+    let built = built.unwrap();
+    assert_eq!(names(&built), ["od.rs"]);
+    assert_eq!((built.objects, built.entries), (5, 9));
     assert_eq!(cargo, format!("cargo:rerun-if-changed={}\n", eds.display()));
     let text = fs::read_to_string(out.path().join("od.rs")).unwrap();
     assert!(text.contains("pub mod identity_object"), "{text}");

@@ -258,7 +258,8 @@ fn with_advice(line: String, help: Option<&str>) -> String {
 }
 
 fn write(production: &Production, folder: &Path) -> Result<Built, Error> {
-    let mut built = Built::default();
+    let Production { objects, entries, .. } = *production;
+    let mut built = Built { objects, entries, files: Vec::new() };
     for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
         let path = folder.join(&file.path);
         if let Err(error) = save(&path, &file.contents) {

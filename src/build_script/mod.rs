@@ -48,6 +48,10 @@ pub use crate::production::Error;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Built {
+    /// How many objects the device has.
+    pub objects: usize,
+    /// How many entries they have.
+    pub entries: usize,
     /// The files, in the order of the targets; those that were there already with these contents too.
     pub files: Vec<PathBuf>,
 }

@@ -58,7 +58,7 @@ impl FileKind {
     }
 
     /// The ending of its files.
-    pub(crate) const fn ending(self) -> &'static str {
+    pub const fn ending(self) -> &'static str {
         match self {
             Self::Eds => "eds",
             Self::Dcf => "dcf",

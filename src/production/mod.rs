@@ -10,8 +10,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use self::error::Error;
-pub(crate) use self::error::{said, told};
-pub(crate) use self::save::{Saved, save};
+pub(crate) use self::error::said;
+#[cfg(feature = "cli")]
+pub(crate) use self::error::told;
+#[cfg(feature = "cli")]
+pub(crate) use self::save::Saved;
+pub(crate) use self::save::save;
 use crate::config::{Config, Project};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
