@@ -22,7 +22,9 @@
 //! ```
 
 mod c;
+mod c_code;
 mod canopen_rs;
+mod canopen_stack;
 mod concise;
 mod dictionary;
 mod escape;
@@ -35,6 +37,7 @@ mod resolve;
 mod rom;
 mod rust;
 mod table;
+mod variables;
 
 use std::borrow::Cow;
 use std::fmt;
@@ -61,6 +64,7 @@ targets! {
     C = c::C,
     CONCISE = concise::Concise,
     CANOPEN_RS = canopen_rs::CanopenRs,
+    CANOPEN_STACK = canopen_stack::CanopenStack,
 }
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.

@@ -7,6 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod canopen_stack;
 mod canopennode;
 #[path = "../generate/compile.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]

@@ -1,0 +1,125 @@
+//! Numbers, bytes and texts as C writes them: what all targets in C share.
+
+use std::fmt::Write;
+
+use crate::model::{DataType, TypeKind};
+
+/// Longer texts are written as bytes: C99 compilers need not take longer literals (§5.2.4.1).
+const LONGEST_LITERAL: usize = 500;
+
+/// The C type that holds a number of this data type without loss and without a byte more; `None` where C has none.
+pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {
+    Some(match data_type.kind() {
+        TypeKind::Boolean | TypeKind::Unsigned(8) => "uint8_t",
+        TypeKind::Signed(8) => "int8_t",
+        TypeKind::Unsigned(16) => "uint16_t",
+        TypeKind::Signed(16) => "int16_t",
+        TypeKind::Unsigned(32) => "uint32_t",
+        TypeKind::Signed(32) => "int32_t",
+        TypeKind::Unsigned(64) => "uint64_t",
+        TypeKind::Signed(64) => "int64_t",
+        TypeKind::Real32 => "float",
+        TypeKind::Real64 => "double",
+        _ => return None,
+    })
+}
+
+/// A number of a type that has an [`exact_type`], as an initializer of it; `None` for a REAL that is not finite.
+pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
+    Some(match data_type.kind() {
+        TypeKind::Signed(bits) => signed(word as i64, bits), // the same bits: sign-extended
+        TypeKind::Unsigned(64) => format!("UINT64_C({word:#X})"),
+        TypeKind::Unsigned(17..) => format!("0x{word:08X}u"),
+        TypeKind::Real32 => {
+            let real = f32::from_bits(word as u32); // a REAL32 has 32 bits
+            return real.is_finite().then(|| format!("{real:?}f"));
+        }
+        TypeKind::Real64 => {
+            let real = f64::from_bits(word);
+            return real.is_finite().then(|| format!("{real:?}"));
+        }
+        _ => format!("{word}u"),
+    })
+}
+
+/// A signed number; the least one has no literal.
+fn signed(number: i64, bits: u8) -> String {
+    match (number, bits) {
+        (i64::MIN, _) => "INT64_C(-9223372036854775807) - 1".to_owned(),
+        (_, 64) => format!("INT64_C({number})"),
+        (-2_147_483_648, _) => "-2147483647 - 1".to_owned(),
+        _ => number.to_string(),
+    }
+}
+
+/// The bytes of a number, little-endian.
+pub(crate) fn little_endian(word: u64, size: usize) -> Vec<u8> {
+    word.to_le_bytes().into_iter().take(size).collect()
+}
+
+/// The initializer of an array of bytes.
+pub(crate) fn bytes(bytes: &[u8]) -> String {
+    let used = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1); // C fills the rest with zeros
+    if used == 0 {
+        return "{0}".to_owned();
+    }
+    let mut text = String::from("{");
+    for (number, byte) in bytes[..used].iter().enumerate() {
+        let separator = match number {
+            0 => "",
+            _ if number % 16 == 0 => ",\n    ",
+            _ => ", ",
+        };
+        let _ = write!(text, "{separator}0x{byte:02X}"); // a String takes every text
+    }
+    text + "}"
+}
+
+/// A string literal; `None` for a text that is too long or has bytes that a literal had better not have.
+pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
+    if bytes.len() > LONGEST_LITERAL {
+        return None;
+    }
+    let mut text = String::from("\"");
+    for &byte in bytes {
+        match byte {
+            b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]), // `?`: no trigraphs
+            b' '..=b'~' => text.push(char::from(byte)),
+            _ => {
+                let _ = write!(text, "\\{byte:03o}"); // a String takes every text
+            }
+        }
+    }
+    Some(text + "\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_c_reads_them() {
+        for (word, data_type, expected) in [
+            (0xFF, DataType::UNSIGNED8, "255u"),
+            (0x181, DataType::UNSIGNED32, "0x00000181u"),
+            (u64::MAX, DataType::UNSIGNED64, "UINT64_C(0xFFFFFFFFFFFFFFFF)"),
+            (-5_i64 as u64, DataType::INTEGER16, "-5"),
+            (i64::from(i32::MIN) as u64, DataType::INTEGER32, "-2147483647 - 1"),
+            (i64::MIN as u64, DataType::INTEGER64, "INT64_C(-9223372036854775807) - 1"),
+            (u64::from(1.5_f32.to_bits()), DataType::REAL32, "1.5f"),
+            (u64::from(1e-45_f32.to_bits()), DataType::REAL32, "1e-45f"),
+            ((-0.0_f64).to_bits(), DataType::REAL64, "-0.0"),
+        ] {
+            assert_eq!(number(word, data_type).as_deref(), Some(expected));
+        }
+        assert_eq!(number(f64::NAN.to_bits(), DataType::REAL64), None);
+    }
+
+    #[test]
+    fn texts_and_bytes() {
+        assert_eq!(literal(b"a\"\\?\n7").as_deref(), Some("\"a\\\"\\\\\\?\\0127\""));
+        assert_eq!(literal(&[b'x'; 501]), None);
+        assert_eq!(bytes(&[1, 0, 2, 0, 0]), "{0x01, 0x00, 0x02}");
+        assert_eq!(bytes(&[0, 0]), "{0}");
+    }
+}

@@ -1,0 +1,74 @@
+//! The target `canopen-stack`: the `CO_OBJ` table of embedded-office's canopen-stack 4.4, with the values behind it.
+//!
+//! A row for each sub-index. Constants of up to 16 bits stand in the row, longer ones in flash, everything that can
+//! change in variables of its own or in the struct of its storage group. Where the types of the stack would not do what
+//! the description says (texts that can be written, numbers of 24 and of 40 to 64 bits, blocks of up to 4 bytes, which
+//! the stack reads only once), the files bring a type of their own.
+
+mod cell;
+mod checks;
+mod layout;
+mod para;
+mod special;
+mod view;
+
+use super::dictionary::Dictionary;
+use super::names::words;
+use super::notes::{in_order, once_per_object};
+use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use crate::model::Device;
+
+/// Tables for canopen-stack.
+pub(super) struct CanopenStack;
+
+impl Backend for CanopenStack {
+    fn name(&self) -> &'static str {
+        "canopen-stack"
+    }
+
+    fn summary(&self) -> &'static str {
+        "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[
+            Choice::Names,
+            Choice::Renamed,
+            Choice::Prefix,
+            Choice::Groups,
+            Choice::StringCapacity,
+            Choice::DomainCapacity,
+        ]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let mut dictionary = Dictionary::new(device, options)?;
+        let prefix = options.prefix_or("od")?;
+        let stem = file_stem(options);
+        let mut notes = std::mem::take(&mut dictionary.notes);
+        let mut planner = cell::Planner { node_id: dictionary.node_id, notes: &mut notes };
+        let planned = planner.plan(&dictionary);
+        let mut layout = layout::Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
+        let parameters = para::Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
+        let rows = view::rows(&dictionary, &planned, &layout);
+        checks::check(&dictionary, rows.len(), &mut notes);
+        let head = view::Head::new(&dictionary, &rows, options, &prefix, &stem);
+        let files = vec![
+            render(format!("{stem}.c"), &view::Source::new(&head, &planned, &layout, &parameters, &rows))?,
+            render(format!("{stem}.h"), &view::Header::new(&head, &layout))?,
+            render(format!("{stem}_spec.c"), &view::Specification::new(&head, &dictionary))?,
+        ];
+        Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+    }
+}
+
+/// The name of the files: the prefix, else what the description's file is called, as a word of C.
+fn file_stem(options: &Options) -> String {
+    match &options.prefix {
+        Some(prefix) => prefix.to_ascii_lowercase(),
+        None => {
+            let stem = words(&options.file_stem);
+            if stem.is_empty() || stem == "od" { "od".to_owned() } else { format!("{stem}_od") }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Names of the variables that hold the values of a dictionary in C: one for each entry, an array where the elements of
+//! an ARRAY are alike.
+
+use std::ops::Range;
+
+use super::dictionary::ResolvedObject;
+use super::names::{LONGEST, Scope, words};
+use crate::model::ObjectType;
+
+/// A variable and the entries of one object that it holds.
+#[derive(Debug)]
+pub(crate) struct Variable<S> {
+    /// Unique, no keyword, short enough for the prefix.
+    pub(crate) name: String,
+    /// Number of the object in the dictionary.
+    pub(crate) object: usize,
+    /// Numbers of the entries in the object: one, or the elements of an array.
+    pub(crate) entries: Range<usize>,
+    /// Whether it is an array.
+    pub(crate) array: bool,
+    /// What it is.
+    pub(crate) kind: S,
+}
+
+/// The variables of a dictionary, in order; `kind` says which entries have one, and which can be elements of one array.
+pub(crate) fn variables<S: PartialEq>(
+    objects: &[ResolvedObject<'_>],
+    prefix: &str,
+    scope: &mut Scope,
+    kind: impl Fn(usize, usize) -> Option<S>,
+) -> Vec<Variable<S>> {
+    let mut variables = Vec::new();
+    for (number, object) in objects.iter().enumerate() {
+        let kinds: Vec<Option<S>> = (0..object.entries.len()).map(|entry| kind(number, entry)).collect();
+        let elements = elements(object, &kinds);
+        for (entry, kind) in kinds.into_iter().enumerate() {
+            let (Some(kind), true) = (kind, entry <= elements.start || !elements.contains(&entry)) else {
+                continue;
+            };
+            let array = elements.contains(&entry);
+            let name = claim(scope, prefix, object, (!array).then_some(entry));
+            let entries = if array { elements.clone() } else { entry..entry + 1 };
+            variables.push(Variable { name, object: number, entries, array, kind });
+        }
+    }
+    variables
+}
+
+/// The entries that can be the elements of one array: sub-index 1 and up without a gap, all alike.
+fn elements<S: PartialEq>(object: &ResolvedObject<'_>, kinds: &[Option<S>]) -> Range<usize> {
+    let entries = &object.entries;
+    let none = entries.len()..entries.len();
+    if object.object.object_type() != ObjectType::Array && object.object.compact.is_none() {
+        return none;
+    }
+    let Some(start) = entries.iter().position(|entry| entry.sub == 1) else { return none };
+    let end = entries.len() - usize::from(entries.last().is_some_and(|entry| entry.sub == 0xFF)); // FFh: the structure
+    let numbered = |(at, sub): (usize, u16)| u16::from(entries[at].sub) == sub;
+    let alike = (start..end).all(|at| kinds[at].is_some() && kinds[at] == kinds[start]);
+    if alike && (start..end).zip(1..).all(numbered) { start..end } else { none }
+}
+
+/// A name for an entry, or for an object as a whole.
+pub(crate) fn claim(
+    scope: &mut Scope,
+    prefix: &str,
+    object: &ResolvedObject<'_>,
+    entry: Option<usize>,
+) -> String {
+    let index = object.index;
+    let object_name = words(&object.name);
+    let object_name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };
+    let entry = entry.filter(|_| !object.is_single()).and_then(|entry| object.entries.get(entry));
+    let (name, suffix) = match entry {
+        None => (object_name, format!("{index:04x}")),
+        Some(entry) => {
+            let sub = entry.sub;
+            let entry_name = words(&entry.name);
+            let entry_name = if entry_name.is_empty() { format!("{sub:02x}") } else { entry_name };
+            (format!("{object_name}_{entry_name}"), format!("{index:04x}_{sub:02x}"))
+        }
+    };
+    let room = LONGEST - prefix.len() - 4 - suffix.len(); // for the prefix, the suffix and a number
+    scope.claim(&name[..name.len().min(room)], &suffix)
+}

@@ -1,0 +1,181 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for canopen-stack 4.4.
+ * Values of more than 4 bytes and REAL64 are kept as a little-endian processor has them.
+ */
+#include "{{ head.stem }}.h"
+{%- if blocks || bytes %}
+
+#include <string.h>
+{%- endif %}
+{%- for count in head.counts %}
+
+#if CO_{{ count.name }}_N < {{ head.upper }}_{{ count.name }}_N{{ count.condition }}
+#error "the dictionary has {{ count.count }} {{ count.what }}: set CO_{{ count.name }}_N for the stack"
+#endif
+{%- endfor %}
+{%- if blocks || bytes %}
+
+/* Bytes to copy from or to an object of size bytes, of which offset are done. */
+static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t wanted)
+{
+    const uint32_t rest = offset < size ? size - offset : 0u;
+    return wanted < rest ? wanted : rest;
+}
+{%- endif %}
+{%- if blocks %}
+
+/* A value of a fixed number of bytes. The stack asks for the size when a transfer begins, and not every transfer resets the
+   offset; so it begins anew here. */
+static uint32_t {{ head.lower }}_block_size(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t width)
+{
+    CO_OBJ_DOM *const block = (CO_OBJ_DOM *)obj->Data;
+    (void)node;
+    (void)width;
+    block->Offset = 0u;
+    return block->Size;
+}
+
+static CO_ERR {{ head.lower }}_block_read(struct CO_OBJ_T *obj, struct CO_NODE_T *node, void *buffer, uint32_t size)
+{
+    CO_OBJ_DOM *const block = (CO_OBJ_DOM *)obj->Data;
+    const uint32_t count = {{ head.lower }}_rest(block->Size, block->Offset, size);
+    (void)node;
+    memcpy(buffer, block->Start + block->Offset, count);
+    block->Offset += count;
+    return CO_ERR_NONE;
+}
+
+static CO_ERR {{ head.lower }}_block_write(struct CO_OBJ_T *obj, struct CO_NODE_T *node, void *buffer, uint32_t size)
+{
+    CO_OBJ_DOM *const block = (CO_OBJ_DOM *)obj->Data;
+    const uint32_t count = {{ head.lower }}_rest(block->Size, block->Offset, size);
+    (void)node;
+    memcpy(block->Start + block->Offset, buffer, count);
+    block->Offset += count;
+    return CO_ERR_NONE;
+}
+
+static CO_ERR {{ head.lower }}_block_reset(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t para)
+{
+    (void)node;
+    ((CO_OBJ_DOM *)obj->Data)->Offset = para;
+    return CO_ERR_NONE;
+}
+
+static const CO_OBJ_TYPE {{ head.lower }}_block = {
+    {{ head.lower }}_block_size, NULL, {{ head.lower }}_block_read, {{ head.lower }}_block_write, {{ head.lower }}_block_reset,
+};
+{%- endif %}
+{%- if bytes %}
+
+/* A value of up to room bytes: a text that can be written, for one. */
+typedef struct {
+    uint32_t offset;
+    uint32_t room;
+    uint16_t *length;
+    uint8_t *bytes;
+} {{ head.lower }}_bytes_t;
+
+/* The length of what is to be read, or what can be written of width bytes. A transfer begins. */
+static uint32_t {{ head.lower }}_bytes_size(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t width)
+{
+    {{ head.lower }}_bytes_t *const value = ({{ head.lower }}_bytes_t *)obj->Data;
+    (void)node;
+    value->offset = 0u;
+    if (width == 0u) {
+        return *value->length;
+    }
+    return width < value->room ? width : value->room;
+}
+
+static CO_ERR {{ head.lower }}_bytes_read(struct CO_OBJ_T *obj, struct CO_NODE_T *node, void *buffer, uint32_t size)
+{
+    {{ head.lower }}_bytes_t *const value = ({{ head.lower }}_bytes_t *)obj->Data;
+    const uint32_t count = {{ head.lower }}_rest(*value->length, value->offset, size);
+    (void)node;
+    memcpy(buffer, value->bytes + value->offset, count);
+    value->offset += count;
+    return CO_ERR_NONE;
+}
+
+static CO_ERR {{ head.lower }}_bytes_write(struct CO_OBJ_T *obj, struct CO_NODE_T *node, void *buffer, uint32_t size)
+{
+    {{ head.lower }}_bytes_t *const value = ({{ head.lower }}_bytes_t *)obj->Data;
+    const uint32_t count = {{ head.lower }}_rest(value->room, value->offset, size);
+    (void)node;
+    memcpy(value->bytes + value->offset, buffer, count);
+    value->offset += count;
+    *value->length = (uint16_t)value->offset;
+    return count == size ? CO_ERR_NONE : CO_ERR_OBJ_SIZE;
+}
+
+static CO_ERR {{ head.lower }}_bytes_reset(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t para)
+{
+    (void)node;
+    (({{ head.lower }}_bytes_t *)obj->Data)->offset = para;
+    return CO_ERR_NONE;
+}
+
+static const CO_OBJ_TYPE {{ head.lower }}_bytes = {
+    {{ head.lower }}_bytes_size, NULL, {{ head.lower }}_bytes_read, {{ head.lower }}_bytes_write, {{ head.lower }}_bytes_reset,
+};
+{%- endif %}
+{%- for group in layout.groups %}
+
+/* The values of the storage group {{ group.name|c_comment }}. */
+{{ group.variable }}_t {{ group.variable }} = {
+{%- for member in group.members %}
+    .{{ member.name }} = {{ member.initializer }},
+{%- endfor %}
+};
+const {{ group.variable }}_t {{ group.variable }}_defaults = {
+{%- for member in group.members %}
+    .{{ member.name }} = {{ member.initializer }},
+{%- endfor %}
+};
+{%- endfor %}
+{%- if !layout.variables.is_empty() %}
+
+/* The values that can change. */
+{%- for member in layout.variables %}
+{{ member.definition() }} = {{ member.initializer }};
+{%- endfor %}
+{%- endif %}
+{%- if !layout.definitions.is_empty() %}
+
+/* Constants, and what the types of the stack need beside a value. */
+{%- for definition in layout.definitions %}
+{{ definition }}
+{%- endfor %}
+{%- endif %}
+{%- if parameters.nothing %}
+
+static const uint8_t {{ head.lower }}_nothing = 0u;
+{%- endif %}
+{%- if !parameters.store.is_empty() %}
+
+/* Parameter groups that 1010h stores. */
+static const CO_PARA {{ head.lower }}_store[] = {
+{%- for line in parameters.store %}
+    {{ line }}
+{%- endfor %}
+};
+{%- endif %}
+{%- if !parameters.restore.is_empty() %}
+
+/* Parameter groups that 1011h restores. */
+static const CO_PARA {{ head.lower }}_restore[] = {
+{%- for line in parameters.restore %}
+    {{ line }}
+{%- endfor %}
+};
+{%- endif %}
+
+const CO_OBJ {{ head.lower }}_objects[{{ head.upper }}_LEN + 1u] = {
+{%- for row in rows %}
+    {CO_KEY(0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.flags }}), {{ row.type_name(head.lower) }}, (CO_DATA){{ row.data }}}, /* {{ row.name|c_comment }} */
+{%- endfor %}
+    CO_OBJ_DICT_ENDMARK
+};

@@ -1,0 +1,54 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for canopen-stack 4.4.
+ */
+#ifndef {{ head.upper }}_CANOPEN_STACK_H
+#define {{ head.upper }}_CANOPEN_STACK_H
+
+#include "co_core.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+{%- if let Some(node_id) = head.node_id %}
+
+/* The node-ID that the device was configured for. */
+#define {{ head.upper }}_NODE_ID {{ node_id }}u
+{%- endif %}
+
+/* What the stack must be compiled for, at least: CO_SSDO_N and so on, up to the highest number that is used. */
+{%- for count in head.counts %}
+#define {{ head.upper }}_{{ count.name }}_N {{ count.count }} /* {{ count.what }} */
+{%- endfor %}
+
+/* The dictionary: so many rows by key, and the end mark behind them. */
+#define {{ head.upper }}_LEN {{ head.length }}u
+extern const CO_OBJ {{ head.lower }}_objects[{{ head.upper }}_LEN + 1u];
+{%- for group in layout.groups %}
+
+/* The values of the storage group {{ group.name|c_comment }}. */
+typedef struct {
+{%- for member in group.members %}
+    {{ member.declaration() }}; /* {{ member.place() }}: {{ member.described|c_comment }} */
+{%- endfor %}
+} {{ group.variable }}_t;
+extern {{ group.variable }}_t {{ group.variable }};
+extern const {{ group.variable }}_t {{ group.variable }}_defaults;
+{%- endfor %}
+{%- if !layout.variables.is_empty() %}
+
+/* The values that can change. */
+{%- for member in layout.variables %}
+{%- if let Some(structure) = member.structure() %}
+typedef {{ structure }} {{ member.name }}_t;
+{%- endif %}
+extern {{ member.definition() }}; /* {{ member.place() }}: {{ member.described|c_comment }} */
+{%- endfor %}
+{%- endif %}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
