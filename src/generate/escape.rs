@@ -49,6 +49,24 @@ fn printable(text: &str) -> String {
     shown
 }
 
+/// A basic string of TOML, with its quotes.
+pub(super) fn toml_string(text: &str) -> String {
+    let mut literal = String::with_capacity(text.len() + 2);
+    literal.push('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => literal.extend(['\\', c]),
+            ' ' => literal.push(c),
+            c if c.is_ascii_graphic() || c.is_alphanumeric() => literal.push(c),
+            c => {
+                let _ = write!(literal, "\\U{:08X}", u32::from(c)); // a String takes every text
+            }
+        }
+    }
+    literal.push('"');
+    literal
+}
+
 /// The inside of a Rust byte string.
 pub(super) fn byte_string(bytes: &[u8]) -> String {
     bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
@@ -75,6 +93,12 @@ pub(super) mod filters {
     }
 
     #[askama::filter_fn]
+    pub(in crate::generate) fn toml_string(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::toml_string(text.as_ref());
+        Ok(literal)
+    }
+
+    #[askama::filter_fn]
     pub(in crate::generate) fn c_comment(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
         let comment = super::c_comment(text.as_ref());
         Ok(comment)
@@ -96,6 +120,7 @@ mod tests {
         assert_eq!(code_span("  "), "(no name)");
         assert_eq!(code_span("Größe 速度"), "`Größe 速度`");
         assert_eq!(code_span(&"x".repeat(10_000)).len(), SHOWN + 5);
+        assert_eq!(toml_string("a\n\"\\\u{202E}é"), "\"a\\U0000000A\\\"\\\\\\U0000202Eé\"");
         assert_eq!(byte_string(b"\"\\\n\xFFa b"), "\\\"\\\\\\x0A\\xFFa b");
     }
 

@@ -38,6 +38,7 @@ mod rom;
 mod rust;
 mod table;
 mod variables;
+mod zencan;
 
 use std::borrow::Cow;
 use std::fmt;
@@ -65,6 +66,7 @@ targets! {
     CONCISE = concise::Concise,
     CANOPEN_RS = canopen_rs::CanopenRs,
     CANOPEN_STACK = canopen_stack::CanopenStack,
+    ZENCAN = zencan::Zencan,
 }
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.

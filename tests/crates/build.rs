@@ -9,34 +9,48 @@ use objdict::model::Device;
 #[path = "src/devices.rs"]
 mod devices;
 
-fn main() {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo:rerun-if-changed={}", devices::fixtures().display());
     println!("cargo:rerun-if-changed=src/devices.rs");
-    let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
-    let mut canopen_rs = String::new();
-    let mut names = String::new();
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?);
+    let (mut canopen_rs, mut dictionaries) = (String::new(), String::new());
+    let (mut zencan, mut nodes) = (String::new(), String::new());
     for (name, device) in devices::devices() {
-        let path = written(&out.join("canopen-rs").join(&name), &device, "canopen-rs", &name);
-        let path = path.display();
-        let _ = write!(canopen_rs, "pub(crate) mod {name} {{ include!({:?}); }}\n", path.to_string());
-        let _ = write!(names, "({name:?}, |node_id| served({name}::od(node_id), node_id)),\n");
+        let path = written(&out.join("canopen-rs").join(&name), &device, "canopen-rs", &name)?;
+        let path = path.display().to_string();
+        writeln!(canopen_rs, "pub(crate) mod {name} {{ include!({path:?}); }}")?;
+        writeln!(dictionaries, "({name:?}, |node_id| served({name}::od(node_id), node_id)),")?;
+
+        let path = written(&out.join("zencan"), &device, "zencan", &name)?;
+        zencan_build::build_node_from_device_config(&name, &path)
+            .map_err(|error| format!("{name}: {error}"))?;
+        writeln!(zencan, "pub(crate) mod {name} {{ zencan_node::include_modules!({name}); }}")?;
+        let statics =
+            ["NODE_MBOX", "NODE_STATE", "OD_TABLE"].map(|item| format!("&{name}::{item}")).join(", ");
+        writeln!(nodes, "({name:?}, |node_id| start(node_id, {statics})),")?;
     }
-    let _ = write!(
-        canopen_rs,
-        "pub(crate) const DEVICES: &[(&str, fn(u8) -> Box<dyn Served>)] = &[\n{names}];\n"
-    );
-    std::fs::write(out.join("canopen_rs.rs"), canopen_rs).expect("the folder can be written");
+    let list = "pub(crate) const DEVICES: &[(&str, fn(u8) ->";
+    writeln!(canopen_rs, "{list} Box<dyn Served>)] = &[\n{dictionaries}];")?;
+    std::fs::write(out.join("canopen_rs.rs"), canopen_rs)?;
+    writeln!(zencan, "{list} Table)] = &[\n{nodes}];")?;
+    std::fs::write(out.join("zencan.rs"), zencan)?;
+    Ok(())
 }
 
 /// Generates into a folder; the path of the file, of which there is one.
-fn written(folder: &Path, device: &Device, target: &str, stem: &str) -> PathBuf {
-    std::fs::create_dir_all(folder).expect("the folder can be made");
-    let target = Target::named(target).expect("a target");
+fn written(
+    folder: &Path,
+    device: &Device,
+    target: &str,
+    stem: &str,
+) -> Result<PathBuf, Box<dyn std::error::Error>> {
+    std::fs::create_dir_all(folder)?;
     let mut options = Options::default();
     options.file_stem = stem.to_owned();
-    let generated = generate(device, target, &options).unwrap_or_else(|error| panic!("{stem}: {error}"));
-    let [file] = generated.files.as_slice() else { panic!("{stem}: one file was expected") };
+    let generated = generate(device, Target::named(target)?, &options)
+        .map_err(|error| format!("{stem} for {target}: {error}"))?;
+    let [file] = generated.files.as_slice() else { return Err("one file was expected".into()) };
     let path = folder.join(&file.path);
-    std::fs::write(&path, &file.contents).expect("the file can be written");
-    path
+    std::fs::write(&path, &file.contents)?;
+    Ok(path)
 }

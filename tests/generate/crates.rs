@@ -51,7 +51,7 @@ fn output_is_always_the_same_and_harmless() {
     }
 }
 
-const TARGETS: [&str; 1] = ["canopen-rs"];
+const TARGETS: [&str; 2] = ["canopen-rs", "zencan"];
 
 #[test]
 fn canopen_rs_is_well_formed() {
@@ -101,4 +101,51 @@ fn canopen_rs_names_what_it_cannot_hold() {
     let odd = crate::odd::device();
     let notes: Vec<String> = generated(&odd, "canopen-rs").notes.iter().map(ToString::to_string).collect();
     insta::assert_snapshot!("canopen_rs_odd_notes", notes.join("\n"));
+}
+
+fn toml_of(device: &Device) -> toml::Table {
+    text(&generated(device, "zencan")).parse().unwrap()
+}
+
+/// TOML without the names, of which there are as many as before.
+fn without_names(mut table: toml::Table) -> toml::Table {
+    let objects = table.get_mut("objects").and_then(toml::Value::as_array_mut).unwrap();
+    for object in objects.iter_mut().filter_map(toml::Value::as_table_mut) {
+        assert!(object.remove("parameter_name").is_some());
+        let subs = object.get_mut("subs").and_then(toml::Value::as_array_mut);
+        for sub in subs.into_iter().flatten().filter_map(toml::Value::as_table_mut) {
+            assert!(sub.remove("parameter_name").is_some() && sub.remove("field_name").is_some());
+        }
+    }
+    table
+}
+
+#[test]
+fn zencan_is_toml() {
+    for (name, device) in devices() {
+        let table = toml_of(&device);
+        assert!(table.contains_key("device_name") && table.contains_key("identity"), "{name}");
+    }
+}
+
+#[test]
+fn zencan_is_not_changed_by_names() {
+    let plain = device(&support::fixtures().join("eds/io-401.eds"));
+    let hostile = hostile(&plain);
+    assert_eq!(without_names(toml_of(&plain)), without_names(toml_of(&hostile)));
+    let name = &hostile.objects[&0x6000].main.name;
+    let text = toml_of(&hostile);
+    let objects = text["objects"].as_array().unwrap();
+    let object = objects.iter().find(|object| object["index"].as_integer() == Some(0x6000)).unwrap();
+    assert_eq!(object["parameter_name"].as_str(), Some(&**name));
+}
+
+#[test]
+fn zencan_of_a_small_device() {
+    let encoder = device(&support::fixtures().join("eds/encoder-406.eds"));
+    let version = concat!("objdict ", env!("CARGO_PKG_VERSION"));
+    let generated = generated(&encoder, "zencan");
+    insta::assert_snapshot!(text(&generated).replace(version, "objdict [version]"));
+    let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
+    insta::assert_snapshot!("zencan_notes", notes.join("\n"));
 }

@@ -7,7 +7,7 @@ use objdict::model::Device;
 use objdict::source::SourceOptions;
 
 #[path = "../../generate/odd.rs"]
-mod odd;
+pub(crate) mod odd;
 
 /// Fixtures, by the stems of their names, which are identifiers of Rust when `-` becomes `_`.
 const FIXTURES: [&str; 11] = [

@@ -6,16 +6,17 @@
 mod canopen_rs;
 #[path = "../../src/devices.rs"]
 mod devices;
-#[path = "../../../generate/odd.rs"]
-mod odd;
 #[path = "../../../generate/oracle.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;
 #[path = "../../../stacks/truth.rs"]
 #[allow(dead_code, reason = "shared with the tests of the stacks in C, which use more of it")]
 mod truth;
+mod zencan;
 
 use std::collections::BTreeMap;
+
+use devices::odd;
 
 use objdict::generate::{Generated, Note, Options, Target, generate};
 use objdict::model::{Device, Part};

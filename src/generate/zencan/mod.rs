@@ -1,0 +1,101 @@
+//! The target `zencan`: the device configuration in TOML of which the crate zencan-build 0.0.5 makes a node.
+//!
+//! zencan makes some objects itself and has its own idea of sub-index 0, so what it answers is worked out beside what is
+//! written (`answers`), and compared with the description at the end: whatever differs is a note.
+
+mod answers;
+mod fixed;
+mod object;
+mod pdo;
+mod value;
+mod view;
+
+use super::dictionary::Dictionary;
+use super::notes::{in_order, once_per_object};
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
+use crate::model::{Device, Place};
+use answers::Answers;
+
+/// A device configuration for zencan.
+pub(super) struct Zencan;
+
+impl Backend for Zencan {
+    fn name(&self) -> &'static str {
+        "zencan"
+    }
+
+    fn summary(&self) -> &'static str {
+        "one device configuration (.toml) for the crate zencan-build 0.0.5"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[Choice::Names, Choice::Renamed, Choice::Groups, Choice::StringCapacity]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        // a DOMAIN needs no room, and no note about it: the application serves it
+        let room = Options { domain_capacity: 1, ..options.clone() };
+        let dictionary = Dictionary::new(device, &room)?;
+        let mut maker = Maker::new(&dictionary, &room);
+        let config = maker.config();
+        let mut notes = std::mem::take(&mut maker.notes);
+        notes.extend(maker.answers.differences(&dictionary));
+        notes.extend(dictionary.notes.iter().cloned());
+        let notes = once_per_object(in_order(notes));
+        let file = render(format!("{}.toml", options.file_stem), &config)?;
+        Ok(Generated { files: vec![file], notes })
+    }
+}
+
+/// Makes a configuration, and on the way what zencan will answer, and notes.
+struct Maker<'a> {
+    dictionary: &'a Dictionary<'a>,
+    options: &'a Options,
+    /// Whether the device can store its values.
+    stores: bool,
+    answers: Answers,
+    notes: Vec<Note>,
+}
+
+impl<'a> Maker<'a> {
+    fn new(dictionary: &'a Dictionary<'a>, options: &'a Options) -> Self {
+        let stores = dictionary.objects.iter().any(|object| object.index == fixed::STORE);
+        Self { dictionary, options, stores, answers: Answers::default(), notes: Vec::new() }
+    }
+
+    fn config(&mut self) -> view::Config {
+        let dictionary = self.dictionary;
+        let mut written = Vec::new();
+        for object in &dictionary.objects {
+            if fixed::is_made_by_zencan(object.index) {
+                continue;
+            }
+            if fixed::is_reserved(object.index) {
+                self.note(Place::object(object.index), "zencan keeps the index for itself: left out");
+                continue;
+            }
+            if (0x1000..=0x1FFF).contains(&object.index) {
+                let text = "a plain value: zencan has no service behind the object";
+                self.note(Place::object(object.index), text);
+            }
+            written.push(self.object(object));
+        }
+        let head = self.head();
+        let pdos = self.pdos();
+        self.persistence();
+        view::Config { made_by: self.options.made_by(), head, pdos, objects: written }
+    }
+
+    fn note(&mut self, place: impl Into<Place>, text: impl Into<String>) {
+        self.notes.push(Note::new(place, text));
+    }
+
+    /// What is stored is mostly assumed.
+    fn persistence(&mut self) {
+        if self.stores && self.options.groups.is_empty() {
+            let text = "entries that an SDO can write and no PDO can carry are taken for stored (`persist`), where the description states no storage group";
+            let help = "name what is stored with `--group`; the group `RAM` is not";
+            self.notes.push(Note::new(Place::object(fixed::STORE), text).help(help));
+        }
+    }
+}
