@@ -36,6 +36,7 @@ mod renames;
 mod resolve;
 mod rom;
 mod rust;
+mod size;
 mod table;
 mod variables;
 mod zencan;
@@ -45,6 +46,7 @@ use std::fmt;
 
 pub use options::{Choice, Group, Names, Options};
 pub use renames::{ChoiceError, renames};
+pub use size::{ObjectSize, Size, SizeReport};
 
 use crate::model::{Device, Place};
 
@@ -88,6 +90,14 @@ pub trait Backend: Sync {
     /// # Errors
     /// When the device asks for something that would come out wrong, see [`GenerateError`].
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError>;
+
+    /// What the tables take in flash and RAM; `None` of a target that has none, or whose stack decides it.
+    ///
+    /// # Errors
+    /// As [`Backend::generate`].
+    fn size(&self, _: &Device, _: &Options) -> Result<Option<SizeReport>, GenerateError> {
+        Ok(None)
+    }
 }
 
 /// A target of the registry.
@@ -243,6 +253,14 @@ pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Ge
     });
     generated.notes.splice(0..0, useless);
     Ok(generated)
+}
+
+/// What the tables of `target` take in flash and RAM, without the code that serves them; `None` where that is not known.
+///
+/// # Errors
+/// As [`generate`].
+pub fn size(device: &Device, target: Target, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+    target.0.size(device, options)
 }
 
 /// A rendered template as a file, with one line feed at its end.

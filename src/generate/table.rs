@@ -15,6 +15,7 @@ use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
 use super::rom::Rom;
+use super::size::ram;
 use super::{GenerateError, Note, Options};
 use crate::model::{Access, DataType, Device, Object, ObjectType};
 
@@ -67,6 +68,8 @@ pub(crate) struct Row {
     pub(crate) slot: Option<Slot>,
     /// The offset of its bytes in flash.
     pub(crate) rom: usize,
+    /// The number of them; other rows may have the same ones.
+    pub(crate) rom_length: usize,
 }
 
 /// A place in the struct of values.
@@ -133,6 +136,11 @@ impl Table {
         Ok(Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table })
     }
 
+    /// Whether places in RAM or flash need more than 16 bits.
+    pub(crate) fn is_wide(&self) -> bool {
+        ram(&self.fields, true).max(self.rom.len()) > usize::from(u16::MAX)
+    }
+
     /// Whether a field holds numbers of this data type.
     pub(crate) fn keeps(&self, data_type: DataType) -> bool {
         self.fields.iter().any(|field| field.shape == Shape::Word(data_type))
@@ -169,8 +177,11 @@ impl Builder {
         let mut constants = Scope::of_constants("index");
         for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
             let constant = constants.claim(&words(&name), &format!("{sub:02x}"));
-            let rom = self.rom.place(block(&resolved));
-            let row = Row { index, sub, name: entry.name.to_string(), constant, resolved, slot: None, rom };
+            let block = block(&resolved);
+            let rom_length = block.len();
+            let rom = self.rom.place(block);
+            let name = entry.name.to_string();
+            let row = Row { index, sub, name, constant, resolved, slot: None, rom, rom_length };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();

@@ -13,6 +13,7 @@ mod oracle;
 mod output;
 mod pdo;
 mod script;
+mod size;
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -5,8 +5,9 @@ mod view;
 
 use super::frames::frames;
 use super::notes::in_order;
+use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, render};
 use crate::model::Device;
 
 /// Tables for C.
@@ -39,5 +40,11 @@ impl Backend for C {
             files.push(render(format!("{prefix}_pdo.c"), &pdo::PdoSource::new(&table, &prefix, &frames))?);
         }
         Ok(Generated { files, notes: in_order(notes) })
+    }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+        let table = Table::new(device, options)?;
+        let row = if table.is_wide() { 16 } else { 10 };
+        Ok(Some(SizeReport::of_table(&table, Layout { row, is_ascending: true })))
     }
 }

@@ -5,6 +5,7 @@ use askama::Template;
 use crate::generate::escape::filters;
 use crate::generate::names::{LONGEST, Scope};
 use crate::generate::resolve::Shape;
+use crate::generate::size::alignment;
 use crate::generate::table::{Row, Table, TableField, TableObject};
 use crate::model::{DataType, TypeKind};
 
@@ -91,7 +92,7 @@ impl<'a> Header<'a> {
             lower: prefix,
             upper: prefix.to_ascii_uppercase(),
             table,
-            offset: if is_wide(table) { "uint32_t" } else { "uint16_t" },
+            offset: if table.is_wide() { "uint32_t" } else { "uint16_t" },
             objects: objects.collect(),
             fields: by_alignment(table).into_iter().map(|field| field_view(table, field, prefix)).collect(),
         }
@@ -138,31 +139,6 @@ fn by_alignment(table: &Table) -> Vec<&TableField> {
     let mut fields: Vec<&TableField> = table.fields.iter().collect();
     fields.sort_by_key(|field| alignment(field.shape)); // stable: by index where it is equal
     fields
-}
-
-fn alignment(shape: Shape) -> usize {
-    match shape {
-        Shape::Block(_) => 1,
-        Shape::Bytes(..) => 2,
-        Shape::Word(data_type) if is_time(data_type) => 4,
-        Shape::Word(_) => shape.size().next_power_of_two(),
-    }
-}
-
-/// Bytes of a field in RAM, at most.
-fn stored_size(field: &TableField) -> usize {
-    let element = match field.shape {
-        Shape::Block(length) => usize::from(length),
-        Shape::Bytes(_, capacity) => usize::from(capacity) + 3,
-        Shape::Word(_) => 8,
-    };
-    element * field.rows.len() + 8
-}
-
-/// Whether places need more than 16 bits.
-fn is_wide(table: &Table) -> bool {
-    let ram: usize = table.fields.iter().map(stored_size).sum();
-    ram.max(table.rom.len()) > usize::from(u16::MAX)
 }
 
 fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {

@@ -7,8 +7,9 @@ pub(super) use view::{value_of, word_type};
 
 use super::frames::frames;
 use super::notes::in_order;
+use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, render};
 use crate::model::Device;
 
 /// Tables for Rust, with or without its standard library.
@@ -34,5 +35,11 @@ impl Backend for Rust {
         let frames = frames(device, &table, &mut notes);
         let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames))?;
         Ok(Generated { files: vec![file], notes: in_order(notes) })
+    }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+        let table = Table::new(device, options)?;
+        let row = if view::has_wide_places(&table) { 14 } else { 10 };
+        Ok(Some(SizeReport::of_table(&table, Layout { row, is_ascending: false })))
     }
 }

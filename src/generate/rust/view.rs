@@ -69,10 +69,9 @@ impl<'a> Od<'a> {
             object,
             entries: if object.single { &[] } else { &table.rows[object.rows.clone()] },
         });
-        let wide = table.rom.len().max(next) > usize::from(u16::MAX);
         Self {
             table,
-            offset: if wide { "u32" } else { "u16" },
+            offset: if has_wide_places(table) { "u32" } else { "u16" },
             objects: objects.collect(),
             fields,
             rows,
@@ -80,6 +79,12 @@ impl<'a> Od<'a> {
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
         }
     }
+}
+
+/// Whether numbers of fields, or places in flash, need more than 16 bits.
+pub(super) fn has_wide_places(table: &Table) -> bool {
+    let fields: usize = table.fields.iter().map(|field| field.rows.len()).sum();
+    table.rom.len().max(fields + 1) > usize::from(u16::MAX)
 }
 
 fn field_view<'a>(table: &'a Table, field: &'a TableField, place: usize) -> FieldView<'a> {

@@ -1,0 +1,133 @@
+//! How much flash and RAM the tables of a target take: rows, defaults, limits and values, not the code that serves them.
+
+use serde::Serialize;
+
+use super::resolve::Shape;
+use super::table::{Row, Table, TableField};
+use crate::model::TypeKind;
+
+/// What tables take, in bytes, for a processor that aligns numbers to their size, at most to eight bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Size {
+    /// In flash: rows of the table, defaults and limits.
+    pub flash: usize,
+    /// In RAM: the values that can change.
+    pub ram: usize,
+}
+
+/// What an object takes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ObjectSize {
+    /// Its index.
+    pub index: u16,
+    /// Its name in the description.
+    pub name: String,
+    /// Its entries.
+    pub entries: usize,
+    /// What they take. Defaults and limits that several objects share are counted with the first.
+    #[serde(flatten)]
+    pub size: Size,
+}
+
+/// What the tables of a target take, object by object.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SizeReport {
+    /// The objects, by index.
+    pub objects: Vec<ObjectSize>,
+    /// What belongs to no object: the node-ID, and gaps between values.
+    pub rest: Size,
+    /// All together.
+    pub total: Size,
+}
+
+/// How a target lays its tables out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout {
+    /// Bytes of a row.
+    pub(crate) row: usize,
+    /// Whether values stand in the order of their alignment from 1 on, behind the node-ID; else the compiler orders them
+    /// so that there are no gaps.
+    pub(crate) is_ascending: bool,
+}
+
+impl SizeReport {
+    pub(crate) fn of_table(table: &Table, layout: Layout) -> Self {
+        let mut taken = vec![false; table.rom.len()];
+        let mut rom_of = |row: &Row| {
+            let bytes = taken.get_mut(row.rom..row.rom + row.rom_length).unwrap_or_default();
+            let new = bytes.iter().filter(|taken| !**taken).count();
+            bytes.fill(true);
+            new
+        };
+        let objects: Vec<ObjectSize> = table
+            .objects
+            .iter()
+            .map(|object| {
+                let rows = &table.rows[object.rows.clone()];
+                let rom: usize = rows.iter().map(&mut rom_of).sum();
+                let fields = table.fields.iter().filter(|field| object.rows.contains(&field.rows.start));
+                ObjectSize {
+                    index: object.index,
+                    name: object.name.clone(),
+                    entries: rows.len(),
+                    size: Size { flash: rows.len() * layout.row + rom, ram: fields.map(field_size).sum() },
+                }
+            })
+            .collect();
+        let total = Size {
+            flash: table.rows.len() * layout.row + table.rom.len(),
+            ram: ram(&table.fields, layout.is_ascending),
+        };
+        let of_objects = objects.iter().fold(Size::default(), |sum, object| Size {
+            flash: sum.flash + object.size.flash,
+            ram: sum.ram + object.size.ram,
+        });
+        let rest = Size {
+            flash: total.flash.saturating_sub(of_objects.flash),
+            ram: total.ram.saturating_sub(of_objects.ram),
+        };
+        Self { objects, rest, total }
+    }
+}
+
+/// Bytes of the struct of values, the one byte of the node-ID among them.
+pub(crate) fn ram(fields: &[TableField], is_ascending: bool) -> usize {
+    let mut sizes: Vec<(usize, usize)> =
+        fields.iter().map(|field| (alignment(field.shape), field_size(field))).collect();
+    sizes.push((1, 1));
+    sizes.sort_by_key(|&(alignment, _)| alignment);
+    let widest = sizes.last().map_or(1, |&(alignment, _)| alignment);
+    if !is_ascending {
+        sizes.reverse();
+    }
+    let end = sizes.iter().fold(0, |end: usize, &(alignment, size)| end.next_multiple_of(alignment) + size);
+    end.next_multiple_of(widest)
+}
+
+/// Bytes of a field.
+fn field_size(field: &TableField) -> usize {
+    let elements = if field.array { field.rows.len() } else { 1 };
+    let element = match field.shape {
+        Shape::Block(length) => usize::from(length),
+        // behind its length
+        Shape::Bytes(_, capacity) => (2 + usize::from(capacity)).next_multiple_of(2),
+        Shape::Word(_) if is_time(field.shape) => 8,
+        Shape::Word(_) => field.shape.size().next_power_of_two(),
+    };
+    element * elements
+}
+
+/// What the place of a value is a multiple of.
+pub(crate) fn alignment(shape: Shape) -> usize {
+    match shape {
+        Shape::Block(_) => 1,
+        Shape::Bytes(..) => 2,
+        Shape::Word(_) if is_time(shape) => 4,
+        Shape::Word(_) => shape.size().next_power_of_two(),
+    }
+}
+
+fn is_time(shape: Shape) -> bool {
+    matches!(shape, Shape::Word(data_type)
+        if matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference))
+}
