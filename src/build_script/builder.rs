@@ -115,6 +115,18 @@ impl Builder {
         self
     }
 
+    /// The bytes of flash that the tables of each target may take at most, without the code that serves them.
+    pub fn max_flash(mut self, bytes: usize) -> Self {
+        self.request.room.flash = Some(bytes);
+        self
+    }
+
+    /// The bytes of RAM that the values of each target may take at most.
+    pub fn max_ram(mut self, bytes: usize) -> Self {
+        self.request.room.ram = Some(bytes);
+        self
+    }
+
     /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
     pub fn implicit_pdos(mut self, describe: bool) -> Self {
         self.request.implicit_pdos = describe;

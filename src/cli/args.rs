@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-pub(super) use self::generate::GenerateArgs;
+pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
 use super::fix::FixArgs;

@@ -2,15 +2,16 @@
 
 use std::io::Write;
 
-use super::args::GenerateArgs;
+use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
 use super::output::Output;
 use super::save::{Saved, save};
+use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, tell};
 use crate::format::input::InputError;
 use crate::generate::{Options, Target};
-use crate::production::{Error, Judged, Production, Request, told};
+use crate::production::{Error, Judged, Production, Request, Room, told};
 use crate::report::Tally;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -51,8 +52,13 @@ fn write(
             table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
         }
     }
-    writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;
-    table.write(out)?;
+    if args.report.is_some() && args.report_format == SizeFormat::Json {
+        sizes::write_json(&production.sizes, out)?;
+    } else {
+        writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;
+        table.write(out)?;
+        sizes::write_tables(&production.sizes, out)?;
+    }
     Ok(out.flush()?)
 }
 
@@ -68,6 +74,8 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         targets: targets.map_err(Failure::new)?,
         rename: args.rename.clone(),
         options: options(args),
+        sizes: args.report.is_some(),
+        room: Room { flash: args.max_flash, ram: args.max_ram },
     })
 }
 
@@ -95,6 +103,10 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
         }
         Error::Input(error @ InputError::SeveralDevices { .. }) => Err(error.into()),
         Error::Profile(error) => Err(error.into()),
+        error @ Error::TooLarge { .. } => {
+            Failure { help: error.help(), ..Failure::new(error) }.print();
+            Ok(Outcome::Findings)
+        }
         error => {
             if let Some(report) = error.report() {
                 tell(&report);

@@ -24,6 +24,7 @@ mod rules;
 mod save;
 mod settings;
 mod show;
+mod sizes;
 mod table;
 
 use std::fmt;

@@ -71,6 +71,18 @@ pub enum Error {
         /// Why.
         error: GenerateError,
     },
+    /// The tables take more than they may.
+    #[error("target `{target}`: the tables take {bytes} bytes of {memory}, {most} are allowed")]
+    TooLarge {
+        /// The target.
+        target: &'static str,
+        /// `flash` or `RAM`.
+        memory: &'static str,
+        /// What they take.
+        bytes: usize,
+        /// What they may take.
+        most: usize,
+    },
     /// Two targets would write the same file.
     #[error("the targets `{first}` and `{second}` both write `{path}`")]
     SameFile {
@@ -116,6 +128,9 @@ impl Error {
             }),
             Self::Names { .. } => {
                 Some("write a line as `\"2000sub1\" = \"target speed\"` for each name".to_owned())
+            }
+            Self::TooLarge { .. } => {
+                Some("`objdict generate --report size` shows what each object takes".to_owned())
             }
             Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
             Self::NoOutDir => Some(

@@ -20,7 +20,7 @@ use crate::config::{Config, Project};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::input::{Input, InputError, Reading};
-use crate::generate::{Generated, Options, Target, generate, renames};
+use crate::generate::{self, Generated, Note, Options, Size, SizeReport, Target, generate, renames};
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
@@ -49,6 +49,10 @@ pub(crate) struct Request {
     pub(crate) rename: Option<PathBuf>,
     /// The options; the names of files and the hash are found out.
     pub(crate) options: Options,
+    /// Whether somebody wants to know what the tables take.
+    pub(crate) sizes: bool,
+    /// The bytes of flash and of RAM that the tables of a target may take at most.
+    pub(crate) room: Room,
 }
 
 /// What a check is told.
@@ -91,6 +95,13 @@ enum Described {
     Model(Box<Device>),
 }
 
+/// What tables may take at most, in bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Room {
+    pub(crate) flash: Option<usize>,
+    pub(crate) ram: Option<usize>,
+}
+
 /// The files of a product, before they are written.
 #[derive(Debug)]
 pub(crate) struct Production {
@@ -100,6 +111,8 @@ pub(crate) struct Production {
     pub(crate) entries: usize,
     /// What was made, in the order of the targets.
     pub(crate) outputs: Vec<(Target, Generated)>,
+    /// What the tables take, of the targets of which that is known; empty where nobody wants to know.
+    pub(crate) sizes: Vec<(Target, SizeReport)>,
 }
 
 impl Request {
@@ -185,13 +198,23 @@ impl Request {
         let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
         let options = self.options(judged, files)?;
         let mut outputs: Vec<(Target, Generated)> = Vec::new();
+        let mut sizes = Vec::new();
         let mut paths: BTreeMap<String, &'static str> = BTreeMap::new();
         for &target in &self.targets {
             if outputs.iter().any(|(other, _)| other.name() == target.name()) {
                 continue;
             }
-            let generated = generate(&device, target, &options)
-                .map_err(|error| Error::Target { target: target.name(), error })?;
+            let refused = |error| Error::Target { target: target.name(), error };
+            let mut generated = generate(&device, target, &options).map_err(refused)?;
+            if self.sizes || self.room.is_limited() {
+                match generate::size(&device, target, &options).map_err(refused)? {
+                    Some(report) => {
+                        self.room.admit(target, report.total)?;
+                        sizes.push((target, report));
+                    }
+                    None => generated.notes.push(unknown_size()),
+                }
+            }
             for file in &generated.files {
                 if let Some(first) = paths.insert(file.path.clone(), target.name()) {
                     let (second, path) = (target.name(), file.path.clone());
@@ -201,7 +224,7 @@ impl Request {
             outputs.push((target, generated));
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
-        Ok(Production { objects: device.objects.len(), entries, outputs })
+        Ok(Production { objects: device.objects.len(), entries, outputs, sizes })
     }
 
     fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
@@ -216,6 +239,27 @@ impl Request {
         }
         Ok(options)
     }
+}
+
+impl Room {
+    fn is_limited(self) -> bool {
+        self.flash.is_some() || self.ram.is_some()
+    }
+
+    /// Refuses tables that take more.
+    fn admit(self, target: Target, size: Size) -> Result<(), Error> {
+        for (memory, bytes, most) in [("flash", size.flash, self.flash), ("RAM", size.ram, self.ram)] {
+            if let Some(most) = most.filter(|&most| bytes > most) {
+                return Err(Error::TooLarge { target: target.name(), memory, bytes, most });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn unknown_size() -> Note {
+    Note::new(Place::device(), "what the tables of this target take is not known")
+        .help("the map file of the linker says it")
 }
 
 impl Judged {

@@ -52,6 +52,18 @@ pub(in crate::cli) struct GenerateArgs {
     /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
     #[arg(long = "group", value_name = "INDEXES=NAME")]
     pub groups: Vec<Group>,
+    /// Show what the tables take in flash and RAM, object by object
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub report: Option<ReportArg>,
+    /// How it is shown
+    #[arg(long, value_enum, default_value = "table", requires = "report", value_name = "FORMAT")]
+    pub report_format: SizeFormat,
+    /// Generate nothing when the tables of a target take more flash, without the code that serves them
+    #[arg(long, value_name = "BYTES")]
+    pub max_flash: Option<usize>,
+    /// Generate nothing when the values take more RAM
+    #[arg(long, value_name = "BYTES")]
+    pub max_ram: Option<usize>,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -60,6 +72,22 @@ pub(in crate::cli) struct GenerateArgs {
     pub config: ConfigArgs,
     #[command(flatten)]
     pub profiles: ProfileArgs,
+}
+
+/// What is reported of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum ReportArg {
+    /// Bytes of flash and RAM
+    Size,
+}
+
+/// How a report is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum SizeFormat {
+    /// For people
+    Table,
+    /// For programs: one JSON document, in the place of the list of files (docs/json.md)
+    Json,
 }
 
 /// What identifiers are made of.
@@ -95,7 +123,7 @@ mod tests {
     const RENAMED: [(&str, &str); 3] = [("file", "new"), ("out", "out_dir"), ("from", "from_kind")];
 
     /// Arguments that are about a terminal.
-    const OF_THE_TERMINAL: [&str; 2] = ["color", "help"];
+    const OF_THE_TERMINAL: [&str; 4] = ["color", "help", "report", "report-format"];
 
     /// Whatever the command can do, a build script can do.
     #[test]
