@@ -222,7 +222,7 @@ mod tests {
         );
         let places: Vec<_> =
             frame.fields.iter().map(|field| (&*field.name, field.first, field.bits)).collect();
-        assert_eq!(places, [("switch", 0, 1), ("speed", 9, 12), ("gain", 21, 32)]);
+        assert_eq!(places, [("switch_", 0, 1), ("speed", 9, 12), ("gain", 21, 32)]);
         assert!(frame.fields[1].is_signed());
     }
 
@@ -234,9 +234,9 @@ mod tests {
         assert_eq!(
             notes,
             [
-                "1A00h sub-index 2: 2002h:00, 16 bits is no field of TPDO 1: a part of such a value means nothing",
-                "1A00h sub-index 3: 2009h:00, 8 bits is no field of TPDO 1: there is no such entry",
-                "1A00h sub-index 4: 2003h:00, 4 bits is no field of TPDO 1: it ends within a byte",
+                "0x1A00sub2: 2002h:00, 16 bits is no field of TPDO 1: a part of such a value means nothing",
+                "0x1A00sub3: 2009h:00, 8 bits is no field of TPDO 1: there is no such entry",
+                "0x1A00sub4: 2003h:00, 4 bits is no field of TPDO 1: it ends within a byte",
             ]
         );
         let (frames, notes) = frames_of(&[0x2003_0040, 0x2001_0010]);
