@@ -127,6 +127,12 @@ impl Builder {
         self
     }
 
+    /// Whether to keep `LowLimit` and `HighLimit` where the stack does not.
+    pub fn limits(mut self, keep: bool) -> Self {
+        self.request.options.limits = keep;
+        self
+    }
+
     /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
     pub fn implicit_pdos(mut self, describe: bool) -> Self {
         self.request.implicit_pdos = describe;

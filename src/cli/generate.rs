@@ -89,6 +89,7 @@ fn options(args: &GenerateArgs) -> Options {
         prefix: args.prefix.clone(),
         module: args.module.clone(),
         groups: args.groups.clone(),
+        limits: args.limits,
         ..default
     }
 }

@@ -4,6 +4,7 @@
 //! ([`Options::tools`](crate::lint::Options::tools)), each finding that one of them chokes on says so, and is no less grave
 //! than what happens there. Rules of the group `portability` are silent but for that.
 
+pub(crate) mod canopennode;
 mod reactions;
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, Tool};

@@ -25,6 +25,7 @@ mod c;
 mod c_code;
 mod canopen_rs;
 mod canopen_stack;
+mod canopennode;
 mod concise;
 mod dictionary;
 mod escape;
@@ -69,6 +70,7 @@ targets! {
     CANOPEN_RS = canopen_rs::CanopenRs,
     CANOPEN_STACK = canopen_stack::CanopenStack,
     ZENCAN = zencan::Zencan,
+    CANOPENNODE = canopennode::CanOpenNode,
 }
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.

@@ -88,7 +88,7 @@ fn push_split(joined: &mut String, word: &[u8]) {
 }
 
 /// A Latin-1 letter without its mark; any other character as it is.
-fn without_mark(c: char) -> char {
+pub(crate) fn without_mark(c: char) -> char {
     match c {
         'À'..='Å' => 'A',
         'Ç' => 'C',

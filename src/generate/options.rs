@@ -33,6 +33,8 @@ pub struct Options {
     pub module: Option<String>,
     /// Storage groups that objects belong to, the last one that has the index; one that the description states comes first.
     pub groups: Vec<Group>,
+    /// Whether write functions keep `LowLimit` and `HighLimit`, for stacks that have no place for limits.
+    pub limits: bool,
     /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
     pub source_hash: Option<u64>,
 }
@@ -73,6 +75,8 @@ pub enum Choice {
     StringCapacity,
     /// [`Options::domain_capacity`].
     DomainCapacity,
+    /// [`Options::limits`].
+    Limits,
 }
 
 impl Choice {
@@ -86,6 +90,7 @@ impl Choice {
             Self::Groups => "group",
             Self::StringCapacity => "string-capacity",
             Self::DomainCapacity => "domain-capacity",
+            Self::Limits => "limits",
         }
     }
 }
@@ -102,6 +107,7 @@ impl Default for Options {
             prefix: None,
             module: None,
             groups: Vec::new(),
+            limits: false,
             source_hash: None,
         }
     }
@@ -119,6 +125,7 @@ impl Options {
             (Choice::Groups, !self.groups.is_empty()),
             (Choice::StringCapacity, self.string_capacity != default.string_capacity),
             (Choice::DomainCapacity, self.domain_capacity != default.domain_capacity),
+            (Choice::Limits, self.limits),
         ];
         choices.into_iter().filter_map(|(choice, is_made)| is_made.then_some(choice))
     }

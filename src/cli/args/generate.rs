@@ -64,6 +64,9 @@ pub(in crate::cli) struct GenerateArgs {
     /// Generate nothing when the values take more RAM
     #[arg(long, value_name = "BYTES")]
     pub max_ram: Option<usize>,
+    /// Keep `LowLimit` and `HighLimit` where the stack does not
+    #[arg(long)]
+    pub limits: bool,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]

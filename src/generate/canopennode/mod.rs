@@ -1,0 +1,59 @@
+//! The target `canopennode`: `OD.h` and `OD.c` of CANopenNode 4.
+
+mod config;
+mod groups;
+mod limits;
+mod names;
+mod node_id;
+mod notes;
+mod plan;
+mod storage;
+mod view;
+
+use super::dictionary::Dictionary;
+use super::notes::in_order;
+use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use crate::model::Device;
+
+/// The object dictionary of CANopenNode.
+pub(super) struct CanOpenNode;
+
+impl Backend for CanOpenNode {
+    fn name(&self) -> &'static str {
+        "canopennode"
+    }
+
+    fn summary(&self) -> &'static str {
+        "`OD.h` and `OD.c` of the stack CANopenNode 4"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[
+            Choice::Names,
+            Choice::Renamed,
+            Choice::Prefix,
+            Choice::Groups,
+            Choice::StringCapacity,
+            Choice::Limits,
+        ]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let prefix = options.prefix_or("od")?.to_ascii_uppercase();
+        let mut dictionary = Dictionary::new(device, options)?;
+        let mut own = Vec::new();
+        let objects = plan::plan(&dictionary, options, &mut own);
+        let tables = view::Tables::new(&dictionary, &objects, options, &prefix, &mut own);
+        let header = render(format!("{prefix}.h"), &view::Header { tables: &tables })?;
+        let source = render(format!("{prefix}.c"), &view::Source { tables: &tables })?;
+        for object in &objects {
+            notes::of_object(object, &mut own);
+            node_id::notes(object, dictionary.node_id, &mut own);
+        }
+        notes::of_stack(device, &mut own);
+        drop(tables);
+        drop(objects);
+        dictionary.notes.append(&mut super::notes::once_per_object(in_order(own)));
+        Ok(Generated { files: vec![header, source], notes: in_order(dictionary.notes) })
+    }
+}

@@ -1,0 +1,92 @@
+{%- let od = tables.prefix.as_str() -%}
+/*
+ * {{ tables.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ tables.product|c_comment }} by {{ tables.vendor|c_comment }} for CANopenNode 4.
+ */
+#define OD_DEFINITION
+#include "301/CO_ODinterface.h"
+#include "{{ od }}.h"
+{%- if tables.math %}
+
+#include <math.h>
+{%- endif %}
+{%- if tables.limits.is_some() %}
+
+#include <string.h>
+{%- endif %}
+
+#if CO_VERSION_MAJOR < 4
+#error this object dictionary is for CANopenNode 4
+#endif
+
+/* Values, by storage group. Formulas stand without the node-ID. */
+{%- for group in tables.groups %}
+{{ od }}_ATTR_{{ group.name }} {{ od }}_{{ group.name }}_t {{ od }}_{{ group.name }} = {
+{%- for field in group.fields %}
+    {{ field.initialiser }},
+{%- endfor %}
+};
+{% endfor %}
+/* What the objects are. */
+typedef struct {
+{%- for object in tables.objects %}
+    OD_obj_
+    {%- if object.kind == "VAR" %}var{% else if object.kind == "ARR" %}array{% else %}record{% endif %}_t o_{{ object.name }}{{ object.dimension }};
+{%- endfor %}
+} ODObjs_t;
+
+static CO_PROGMEM ODObjs_t ODObjs = {
+{%- for object in tables.objects %}
+    .o_{{ object.name }} = {
+    {%- for line in object.lines %}
+        {{ line }},
+    {%- endfor %}
+    },
+{%- endfor %}
+};
+
+/* All objects, by index. */
+static {{ od }}_ATTR_OD OD_entry_t ODList[] = {
+{%- for object in tables.objects %}
+    {0x{{ "{:04X}"|format(object.index) }}, 0x{{ "{:02X}"|format(object.entries) }}, ODT_{{ object.kind }}, &ODObjs.o_{{ object.name }}, NULL},
+{%- endfor %}
+    {0x0000, 0x00, 0, NULL, NULL}
+};
+
+static OD_t _{{ od }} = {
+    (sizeof(ODList) / sizeof(ODList[0])) - 1,
+    &ODList[0]
+};
+
+OD_t *{{ od }} = &_{{ od }};
+{%- if tables.sets_bytes() %}
+
+/* Sets a value that is kept as bytes. */
+static void setBytes(uint8_t *bytes, uint8_t length, uint64_t value)
+{
+    for (uint8_t i = 0; i < length; i++) {
+        bytes[i] = (uint8_t)(value & 0xFFU);
+        value >>= 8;
+    }
+}
+{%- endif %}
+
+void {{ od }}_applyNodeId(uint8_t nodeId)
+{
+{%- if tables.applied.is_empty() %}
+    (void)nodeId;
+{%- else %}
+    const uint32_t id = nodeId & 0x7FU;
+{%- for applied in tables.applied %}
+{%- if let Some(type_) = applied.type_ %}
+    {{ applied.variable }} = ({{ type_ }})({{ applied.base }} + id);
+{%- else %}
+    setBytes(&{{ applied.variable }}[0], {{ applied.length }}, {{ applied.base }} + id);
+{%- endif %}
+{%- endfor %}
+{%- endif %}
+}
+{%- if let Some(limits) = tables.limits %}
+{% include "canopennode/limits.c" %}
+{%- endif %}

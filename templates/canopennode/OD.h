@@ -1,0 +1,85 @@
+{%- let od = tables.prefix.as_str() -%}
+/*
+ * {{ tables.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ tables.product|c_comment }} by {{ tables.vendor|c_comment }} for CANopenNode 4.
+ */
+#ifndef {{ od }}_H
+#define {{ od }}_H
+
+#include "301/CO_ODinterface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How many objects a service of the stack has. */
+{%- for (label, count) in tables.counters %}
+#define {{ od }}_CNT_{{ label }} {{ count }}
+{%- endfor %}
+
+/* How many elements an array has. */
+{%- for object in tables.objects %}
+{%- if let Some(count) = object.count %}
+#define {{ od }}_CNT_ARR_{{ "{:04X}"|format(object.index) }} {{ count }}
+{%- endif %}
+{%- endfor %}
+
+/* Values, by storage group. */
+{%- for group in tables.groups %}
+typedef struct {
+{%- for field in group.fields %}
+    {{ field.declaration }};
+{%- endfor %}
+} {{ od }}_{{ group.name }}_t;
+
+#ifndef {{ od }}_ATTR_{{ group.name }}
+#define {{ od }}_ATTR_{{ group.name }}
+#endif
+extern {{ od }}_ATTR_{{ group.name }} {{ od }}_{{ group.name }}_t {{ od }}_{{ group.name }};
+{% endfor %}
+#ifndef {{ od }}_ATTR_OD
+#define {{ od }}_ATTR_OD
+#endif
+extern {{ od }}_ATTR_OD OD_t *{{ od }};
+
+/* Entries of the list, by index. */
+{%- for object in tables.objects %}
+#define {{ od }}_ENTRY_H{{ "{:04X}"|format(object.index) }} (&{{ od }}->list[{{ loop.index0 }}])
+{%- endfor %}
+
+/* Entries of the list, by index and name. */
+{%- for object in tables.objects %}
+{%- if !object.cname.is_empty() %}
+#define {{ od }}_ENTRY_H{{ object.name }} (&{{ od }}->list[{{ loop.index0 }}])
+{%- endif %}
+{%- endfor %}
+
+/* Adds the node-ID, of which only the lower seven bits count, to the values that are formulas and that the stack does not
+   know of. To be called when the node-ID is known, before CO_CANopenInit(), and again when it changes; stored values are to
+   be restored after it. */
+void {{ od }}_applyNodeId(uint8_t nodeId);
+{%- if tables.limits.is_some() %}
+
+/* Gives an extension that keeps the limits to each object that has some and has no extension yet. The node-ID is for limits
+   that are formulas. */
+void {{ od }}_initLimits(uint8_t nodeId);
+
+/* Writes a value if it is within its limits: for extensions of the application. */
+ODR_t {{ od }}_writeLimited(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten);
+{%- endif %}
+
+/* The configuration of the stack for several object dictionaries. */
+#ifdef CO_MULTIPLE_OD
+#define {{ od }}_INIT_CONFIG(config) { \
+{%- for (member, value) in tables.config %}
+    (config).{{ member }} = {{ value }}; \
+{%- endfor %}
+}
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
