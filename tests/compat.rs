@@ -107,7 +107,9 @@ fn what_a_tool_does_may_depend_on_the_text() {
 
 #[test]
 fn an_xdd_is_none_of_their_texts() {
+    // CANopenNode is compiled with what an XDD says as well as with any other
+    let readers = Tool::ALL.into_iter().filter(|tool| *tool != Tool::CanOpenNode).collect::<Vec<_>>();
     for path in support::files("xdd", &["xdd"]) {
-        assert!(check(&path, &Tool::ALL).is_empty(), "{}", path.display());
+        assert!(check(&path, &readers).is_empty(), "{}", path.display());
     }
 }

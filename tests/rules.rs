@@ -13,8 +13,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use objdict::compat::REACTIONS;
 use objdict::config::Config;
-use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS, Tool};
+use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS};
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description};
 use objdict::lint::Options;
@@ -62,14 +63,16 @@ fn open(path: &Path) -> Description {
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// What a fixture is checked with: the profile beside it, and all tools where it is about them.
+/// What a fixture is checked with: the profile beside it, and the tools that its rule is about.
 fn options(path: &Path) -> Options {
     let mut options = Options::default();
     if let Ok(text) = fs::read_to_string(path.with_file_name("profile.toml")) {
         options.profiles.push(Arc::new(Profile::from_toml(&text).unwrap()));
     }
     if path.starts_with(root().join("fixtures/rules/portability")) {
-        options.tools.extend(Tool::ALL);
+        let rule = path.parent().map(|folder| format!("portability/{}", name(folder))).unwrap();
+        let reactions = REACTIONS.iter().filter(|reaction| reaction.rule == rule);
+        options.tools.extend(reactions.flat_map(|reaction| reaction.tools));
     }
     options
 }

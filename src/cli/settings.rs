@@ -46,7 +46,7 @@ pub(super) struct SettingsArgs {
     /// The node-ID that formulas are worked out for; a DCF names its own
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
-    /// Tools that the descriptions shall be fit for: dcf-tools, canopeneditor, python-canopen, codesys
+    /// Tools that the descriptions shall be fit for: dcf-tools, canopeneditor, python-canopen, codesys, canopennode
     #[arg(long, value_name = "TOOL", value_delimiter = ',', value_parser = tool)]
     compat: Vec<Tool>,
     #[command(flatten)]

@@ -1,10 +1,12 @@
 //! The table: rule, tools, what they do. Tried with dcf-tools 2.4.2 and canopen 2.4.1 for Python, read in the source of
-//! CANopenEditor of July 2026 and in the manual of CODESYS.
+//! CANopenEditor of July 2026, in that of CANopenNode 4 (which is also tried) and in the manual of CODESYS.
 
+use super::canopennode::{Cause, unmet};
 use super::{Effect, Reaction, When};
-use crate::diagnostic::Tool::{CanOpenEditor, Codesys, DcfTools, PythonCanopen};
-use crate::diagnostic::{Diagnostic, Tool};
+use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, PythonCanopen};
+use crate::diagnostic::{At, Diagnostic, Tool};
 use crate::format::Description;
+use crate::model::{Part, Place};
 use crate::source::Encoding;
 
 use Effect::{Dropped, Refused, Wrong};
@@ -14,6 +16,7 @@ const PYTHON: &[Tool] = &[DcfTools, PythonCanopen];
 const DCF_TOOLS: &[Tool] = &[DcfTools];
 const PYTHON_CANOPEN: &[Tool] = &[PythonCanopen];
 const EDITOR: &[Tool] = &[CanOpenEditor];
+const CANOPENNODE: &[Tool] = &[CanOpenNode];
 /// Both that write files.
 const WRITERS: &[Tool] = &[PythonCanopen, CanOpenEditor];
 
@@ -27,12 +30,31 @@ impl Reaction {
     }
 }
 
+/// Whether a finding is about an object with an entry that the stack cannot read.
+fn is_read_by_stack(description: &Description, finding: &Diagnostic) -> bool {
+    let index = |at: &At| match at {
+        At::Place(Place { part: Part::Object(index) | Part::Entry(index, _), .. }) => Some(*index),
+        _ => None,
+    };
+    let Some(found) = finding.labels.first().and_then(|label| index(&label.at)) else { return false };
+    let unread = unmet(description.device()).into_iter().filter(|unmet| unmet.cause == Cause::Entry);
+    unread
+        .into_iter()
+        .any(|unmet| matches!(unmet.place.part, Part::Object(at) | Part::Entry(at, _) if at == found))
+}
+
 /// Everything that is known of the tools, in the order of the rules.
 pub static REACTIONS: &[Reaction] = &[
+    row("cia301/incomplete-pdo-parameter", CANOPENNODE, Wrong, Cause::Entry.effect())
+        .when("of an entry that the stack reads", is_read_by_stack),
+    row("cia301/incomplete-sdo-parameter", CANOPENNODE, Wrong, Cause::Entry.effect())
+        .when("of an entry that the stack reads", is_read_by_stack),
     row("cia301/mapped-object-missing", DCF_TOOLS, Refused, "the file is refused"),
     row("cia301/missing-mandatory-object", DCF_TOOLS, Refused, "the file is refused")
         .when("1000h or 1018h", |_, finding| !finding.message.contains("1001h")),
     row("cia301/pdo-without-mapping", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia301/wrong-data-type", CANOPENNODE, Wrong, Cause::Entry.effect())
+        .when("of an entry that the stack reads", is_read_by_stack),
     row(
         "cia306/blank-before-equals",
         PYTHON,
@@ -225,8 +247,10 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/key-case", EDITOR, Dropped, "the key is not found, and mostly the object is skipped"),
     row("portability/limit-not-read", PYTHON_CANOPEN, Dropped, "the limit is lost"),
     row("portability/long-value", &[Codesys], Dropped, "the entry is not offered for the configuration"),
+    row("portability/mapped-bits", CANOPENNODE, Wrong, Cause::Bits.effect()),
     row("portability/modules", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/modules", PYTHON_CANOPEN, Dropped, "the modules are lost"),
+    row("portability/no-error-history", CANOPENNODE, Refused, Cause::NoHistory.effect()),
     row("portability/object-flags", DCF_TOOLS, Dropped, "they are not obeyed"),
     row("portability/object-flags", PYTHON_CANOPEN, Dropped, "they are lost"),
     row("portability/object-links", DCF_TOOLS, Refused, "the file is refused"),
@@ -248,6 +272,9 @@ pub static REACTIONS: &[Reaction] = &[
         "the section is not found, which an information section or list does not forgive",
     ),
     row("portability/semicolon-in-text", PYTHON, Wrong, "the text ends before the `;`"),
+    row("portability/service-count", CANOPENNODE, Refused, Cause::Count.effect()),
+    row("portability/service-gap", CANOPENNODE, Wrong, Cause::Gap.effect()),
+    row("portability/service-object-missing", CANOPENNODE, Refused, Cause::Missing.effect()),
     row("portability/sparse-names", PYTHON_CANOPEN, Refused, "the file is refused"),
     row("portability/sparse-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
     row("portability/sub-before-object", PYTHON_CANOPEN, Refused, "the file is refused"),

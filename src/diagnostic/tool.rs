@@ -14,11 +14,14 @@ pub enum Tool {
     PythonCanopen,
     /// CODESYS.
     Codesys,
+    /// CANopenNode 4, whose object dictionary is made of the description.
+    CanOpenNode,
 }
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::DcfTools, Self::CanOpenEditor, Self::PythonCanopen, Self::Codesys];
+    pub const ALL: [Self; 5] =
+        [Self::DcfTools, Self::CanOpenEditor, Self::PythonCanopen, Self::Codesys, Self::CanOpenNode];
 
     /// The name that the command line and the configuration take.
     pub const fn name(self) -> &'static str {
@@ -27,6 +30,7 @@ impl Tool {
             Self::CanOpenEditor => "canopeneditor",
             Self::PythonCanopen => "python-canopen",
             Self::Codesys => "codesys",
+            Self::CanOpenNode => "canopennode",
         }
     }
 

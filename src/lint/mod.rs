@@ -12,6 +12,7 @@ mod rule;
 mod rules;
 mod severities;
 mod srdo;
+mod stack;
 mod stated;
 mod supply;
 

@@ -176,7 +176,8 @@ impl Wanted<'_> {
             }
         }
         if self.counters.count("SYNC") > 0 && self.object(0x1006).is_none() {
-            self.missing(0x1006, "1006h is missing beside 1005h".to_owned());
+            let help = "describe 1006h; a period of 0 switches the production of SYNC off";
+            self.push(Cause::Missing, Place::object(0x1005), "1006h is missing beside 1005h".to_owned(), help);
         }
         if self.object(0x1003).is_none() {
             let message = "1003h is missing".to_owned();
@@ -203,11 +204,16 @@ impl Wanted<'_> {
 
     /// Objects that the stack takes one after the other, as many as there are of the service.
     fn ranges(&mut self) {
+        let mut told = "";
         for (label, first) in RANGES {
+            if told == label {
+                continue; // mappings that are missing beside what they belong to
+            }
             let of_label = self.counters.of(label).len();
             let Some(missing) = (first..).take(of_label).find(|&index| self.object(index).is_none()) else {
                 continue;
             };
+            told = label;
             let last = self.counters.of(label).last().copied().unwrap_or(first);
             let message = match missing.checked_sub(first) {
                 _ if !(0x1200..0x1400).contains(&first) && first & 0x200 != 0 => {
