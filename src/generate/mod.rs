@@ -248,13 +248,28 @@ fn list(notes: &[Note]) -> String {
 /// # Errors
 /// When the device asks for something that would come out wrong, see [`GenerateError`].
 pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
-    let mut generated = target.0.generate(device, options)?;
-    let useless = options.chosen().filter(|choice| !target.0.uses().contains(choice));
-    let useless = useless.map(|choice| {
-        Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
-    });
-    generated.notes.splice(0..0, useless);
+    let mut generated = files_of(device, target, options)?;
+    generated.notes.splice(0..0, without_effect(&[target], options));
     Ok(generated)
+}
+
+/// The same without a word about options that have no effect.
+pub(crate) fn files_of(
+    device: &Device,
+    target: Target,
+    options: &Options,
+) -> Result<Generated, GenerateError> {
+    target.0.generate(device, options)
+}
+
+/// A note for each option that has no effect on any of the targets.
+pub(crate) fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
+    let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses().contains(choice));
+    let without = options.chosen().filter(|choice| !has_effect(choice));
+    let note = |choice: Choice| {
+        Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
+    };
+    without.map(note).collect()
 }
 
 /// What the tables of `target` take in flash and RAM, without the code that serves them; `None` where that is not known.

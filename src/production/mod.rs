@@ -20,7 +20,9 @@ use crate::config::{Config, Project};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::input::{Input, InputError, Reading};
-use crate::generate::{self, Generated, Note, Options, Size, SizeReport, Target, generate, renames};
+use crate::generate::{
+    self, Generated, Note, Options, Size, SizeReport, Target, files_of, renames, without_effect,
+};
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
@@ -205,7 +207,7 @@ impl Request {
                 continue;
             }
             let refused = |error| Error::Target { target: target.name(), error };
-            let mut generated = generate(&device, target, &options).map_err(refused)?;
+            let mut generated = files_of(&device, target, &options).map_err(refused)?;
             if self.sizes || self.room.is_limited() {
                 match generate::size(&device, target, &options).map_err(refused)? {
                     Some(report) => {
@@ -222,6 +224,9 @@ impl Request {
                 }
             }
             outputs.push((target, generated));
+        }
+        if let Some((_, first)) = outputs.first_mut() {
+            first.notes.splice(0..0, without_effect(&self.targets, &options));
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
         Ok(Production { objects: device.objects.len(), entries, outputs, sizes })
