@@ -1,6 +1,8 @@
 //! `objdict generate`.
 
+use std::fs;
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
 use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
@@ -11,13 +13,13 @@ use super::table::Table;
 use super::{Failure, Outcome, tell};
 use crate::format::input::InputError;
 use crate::generate::{Options, Target};
-use crate::production::{Error, Judged, Production, Request, Room, told};
+use crate::production::{Error, Judged, Production, Request, Room, depfile, told};
 use crate::report::Tally;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
     let bytes = args.input.size.bytes(&args.file)?;
-    let mut files = Vec::new();
+    let mut files = vec![args.file.clone()];
     let produced = request.judge(&name_of(&args.file), bytes, &mut files).and_then(|judged| {
         let production = request.produce(&judged, &mut files)?;
         Ok((judged, production))
@@ -26,7 +28,12 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         Ok(produced) => produced,
         Err(error) => return refused(error),
     };
-    write(args, &judged, &production, out)?;
+    if args.list {
+        list(args, &production, out)?;
+    } else {
+        write(args, &judged, &production, out)?;
+        stamp(args, &files)?;
+    }
     for (target, generated) in &production.outputs {
         let notes: String = generated.notes.iter().map(|note| told(target.name(), note)).collect();
         tell(&notes);
@@ -60,6 +67,29 @@ fn write(
         sizes::write_tables(&production.sizes, out)?;
     }
     Ok(out.flush()?)
+}
+
+fn list(args: &GenerateArgs, production: &Production, out: &mut Output) -> Result<(), Failure> {
+    for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
+        writeln!(out, "{}", args.out.join(&file.path).display())?;
+    }
+    Ok(())
+}
+
+/// What make looks at: when all was done, and of which files.
+fn stamp(args: &GenerateArgs, files: &[PathBuf]) -> Result<(), Failure> {
+    let Some(stamp) = &args.stamp else { return Ok(()) };
+    if let Some(path) = &args.depfile {
+        let rule = depfile(stamp, files).ok_or_else(|| {
+            Failure::new("a name with a line break cannot stand in a rule of make")
+                .help("name it otherwise, or leave out `--depfile`")
+        })?;
+        save(path, rule.as_bytes())?;
+    }
+    let folder = stamp.parent().unwrap_or(Path::new(""));
+    fs::create_dir_all(folder)
+        .and_then(|()| fs::write(stamp, "done\n"))
+        .map_err(|error| Failure::new(format_args!("cannot write `{}`: {error}", stamp.display())))
 }
 
 /// What the arguments ask for.

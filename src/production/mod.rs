@@ -1,6 +1,8 @@
 //! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
 //! the configuration says, generating, writing. Only who asks, and how it is told, is theirs.
 
+#[cfg(feature = "cli")]
+mod depfile;
 mod error;
 mod save;
 
@@ -9,6 +11,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+#[cfg(feature = "cli")]
+pub(crate) use self::depfile::depfile;
 pub use self::error::Error;
 pub(crate) use self::error::said;
 #[cfg(feature = "cli")]

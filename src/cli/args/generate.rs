@@ -25,6 +25,15 @@ pub(in crate::cli) struct GenerateArgs {
     /// The folder that the files go to
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Write nothing, print the names of the files that would be written
+    #[arg(long)]
+    pub list: bool,
+    /// A file that is written each time when all is done, for make: the others are only written when they change
+    #[arg(long, value_name = "FILE")]
+    pub stamp: Option<PathBuf>,
+    /// Write which files the stamp was made of, as a rule of make
+    #[arg(long, value_name = "FILE", requires = "stamp")]
+    pub depfile: Option<PathBuf>,
     /// The node-ID of the node; a DCF names its own
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
@@ -125,8 +134,9 @@ mod tests {
     /// Methods of the builder that have other names than the arguments.
     const RENAMED: [(&str, &str); 3] = [("file", "new"), ("out", "out_dir"), ("from", "from_kind")];
 
-    /// Arguments that are about a terminal.
-    const OF_THE_TERMINAL: [&str; 4] = ["color", "help", "report", "report-format"];
+    /// Arguments that are about a terminal or make; Cargo is told without being asked.
+    const OF_THE_COMMAND: [&str; 7] =
+        ["color", "help", "report", "report-format", "list", "stamp", "depfile"];
 
     /// Whatever the command can do, a build script can do.
     #[test]
@@ -136,7 +146,7 @@ mod tests {
         command.build();
         for argument in command.get_arguments() {
             let name = argument.get_long().map_or(argument.get_id().as_str(), |long| long);
-            if OF_THE_TERMINAL.contains(&name) {
+            if OF_THE_COMMAND.contains(&name) {
                 continue;
             }
             let renamed = RENAMED.iter().find(|(argument, _)| *argument == name);
