@@ -19,7 +19,9 @@ use crate::report::Tally;
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
     let bytes = args.input.size.bytes(&args.file)?;
-    let mut files = vec![args.file.clone()];
+    // make cannot wait for the standard input
+    let mut files: Vec<PathBuf> =
+        Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
     let produced = request.judge(&name_of(&args.file), bytes, &mut files).and_then(|judged| {
         let production = request.produce(&judged, &mut files)?;
         Ok((judged, production))
