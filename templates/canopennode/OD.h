@@ -54,6 +54,12 @@ extern {{ od }}_ATTR_OD OD_t *{{ od }};
 #define {{ od }}_ENTRY_H{{ object.name }} (&{{ od }}->list[{{ loop.index0 }}])
 {%- endif %}
 {%- endfor %}
+{%- if !tables.has_consumers %}
+
+/* The stack names these where there are no consumers of heartbeats, too. */
+#define {{ od }}_CNT_ARR_1016 0
+#define {{ od }}_ENTRY_H1016 NULL
+{%- endif %}
 
 /* Adds the node-ID, of which only the lower seven bits count, to the values that are formulas and that the stack does not
    know of. To be called when the node-ID is known, before CO_CANopenInit(), and again when it changes; stored values are to

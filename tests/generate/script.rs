@@ -105,7 +105,7 @@ impl Script {
 }
 
 /// Values at and around the limits of an entry and of its type.
-fn edges(facts: &Facts) -> Vec<Vec<u8>> {
+pub(crate) fn edges(facts: &Facts) -> Vec<Vec<u8>> {
     let limits = [&facts.low, &facts.high].into_iter().flatten();
     let values: Vec<Option<Value>> = match facts.data_type.kind() {
         TypeKind::Boolean => return vec![vec![0], vec![1], vec![2], vec![0xFF]],

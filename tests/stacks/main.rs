@@ -20,6 +20,9 @@ mod odd;
 #[path = "../generate/oracle.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;
+#[path = "../generate/script.rs"]
+#[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
+mod script;
 #[path = "../support/mod.rs"]
 mod support;
 mod truth;

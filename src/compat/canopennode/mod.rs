@@ -177,7 +177,12 @@ impl Wanted<'_> {
         }
         if self.counters.count("SYNC") > 0 && self.object(0x1006).is_none() {
             let help = "describe 1006h; a period of 0 switches the production of SYNC off";
-            self.push(Cause::Missing, Place::object(0x1005), "1006h is missing beside 1005h".to_owned(), help);
+            self.push(
+                Cause::Missing,
+                Place::object(0x1005),
+                "1006h is missing beside 1005h".to_owned(),
+                help,
+            );
         }
         if self.object(0x1003).is_none() {
             let message = "1003h is missing".to_owned();

@@ -8,7 +8,7 @@ use crate::generate::names::without_mark;
 /// within the standard comes to (`ParameterName` has up to 241 characters).
 const LONGEST: usize = 240;
 
-/// Keywords of C and C++, and macros of the headers that come with the stack: no member can be called so.
+/// Keywords of C and C++, types of members, and macros of the headers that come with the stack: no member can be called so.
 const RESERVED: &str = "
     auto break case char const continue default do double else enum extern float for goto if inline int
     long register restrict return short signed sizeof static struct switch typedef union unsigned void
@@ -19,6 +19,7 @@ const RESERVED: &str = "
     mutable namespace new noexcept not not_eq operator or or_eq private protected public
     reinterpret_cast requires static_cast template this throw true try typeid typename using virtual
     wchar_t xor xor_eq
+    bool_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float32_t float64_t
     NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386
 ";
 

@@ -42,6 +42,8 @@ pub(super) struct Tables {
     limits: Option<Limits>,
     /// Whether math.h is needed.
     math: bool,
+    /// Whether 1016h is there, which the stack names in any case.
+    has_consumers: bool,
     /// Members of the stack's configuration and their values.
     config: Vec<(&'static str, String)>,
 }
@@ -119,6 +121,7 @@ impl Tables {
             applied: objects.iter().flat_map(|object| applied(object, prefix)).collect(),
             limits: options.limits.then_some(limits),
             math: members.any(|member| member.storage.value.iter().any(not_finite)),
+            has_consumers: objects.iter().any(|object| object.index == 0x1016),
             config: config(&counters, objects, prefix),
         }
     }

@@ -5,11 +5,13 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{Device, TypeKind};
 
 use crate::compile::{c_compiler, cc, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::oracle::{Answer, Dictionary, Facts, facts_of, hex};
+use crate::script::edges;
 use crate::truth::{Lack, Row, compare, truth, without};
 use crate::{beside, checkout};
 
@@ -71,12 +73,13 @@ fn expected(device: &Device) -> Vec<Row> {
     without(LACKS, rows)
 }
 
-fn generate_into(folder: &Path, device: &Device, options: &Options) {
+fn generate_into(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
     let target = Target::named("canopennode").unwrap();
     let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
     for file in &generated.files {
         std::fs::write(folder.join(&file.path), &file.contents).unwrap();
     }
+    generated.notes
 }
 
 /// A compiler's command that finds our declarations and the generated files.
@@ -96,7 +99,7 @@ fn the_tables_hold_what_the_description_says() {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let fail = |error: String| format!("{name}: {error}");
-        generate_into(folder, device, &Options::default());
+        let notes = generate_into(folder, device, &Options::default());
         let mut cc = with_declarations(&compiler, folder);
         cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
         succeed(&mut cc, "").map_err(fail)?;
@@ -105,14 +108,122 @@ fn the_tables_hold_what_the_description_says() {
         let expected = expected(device);
         entries.fetch_add(expected.len(), Ordering::Relaxed);
         compare(name, &expected, &output)?;
-        if let Some(stack) = &stack {
-            let mut cc = Command::new(&compiler);
-            cc.current_dir(folder).args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I"]);
-            cc.arg(stack).arg("-I").arg(stack.join("example")).args(["-I.", "OD.c"]);
-            succeed(&mut cc, "").map_err(fail)?;
+        match &stack {
+            Some(stack) => with_real_stack(&compiler, folder, stack, &notes).map_err(fail),
+            None => Ok(()),
         }
-        Ok(())
     });
     let entries = entries.into_inner();
     assert!(entries > 5_000, "only {entries} entries were compared");
+}
+
+/// Compiles the tables with the headers of the real stack, and the stack with the tables: it compiles just where no note
+/// says that it does not.
+fn with_real_stack(compiler: &str, folder: &Path, stack: &Path, notes: &[Note]) -> Result<(), String> {
+    let cc = |flags: &[&str]| {
+        let mut cc = Command::new(compiler);
+        cc.current_dir(folder).args(["-std=c99", "-fsyntax-only", "-I."]).arg("-I").arg(stack);
+        cc.arg("-I").arg(stack.join("example")).args(flags);
+        cc
+    };
+    succeed(&mut cc(&["-Wall", "-Wextra", "-Werror", "OD.c"]), "")?;
+    succeed(cc(&["-DCO_MULTIPLE_OD", "-include", "OD.h"]).arg(stack.join("CANopen.c")), "")?;
+    let refused: Vec<&Note> = notes.iter().filter(|note| note.message.contains("not compile")).collect();
+    match (succeed(cc(&[]).arg(stack.join("CANopen.c")), ""), refused.as_slice()) {
+        (Ok(_), []) | (Err(_), [_, ..]) => Ok(()),
+        (Err(error), []) => Err(format!("no note says why\n{error}")),
+        (Ok(_), [note, ..]) if note.message.contains("takes other objects") => Ok(()),
+        (Ok(_), [note, ..]) => Err(format!("the stack compiles, although {note}")),
+    }
+}
+
+fn with_limits() -> Options {
+    let mut options = Options::default();
+    options.limits = true;
+    options
+}
+
+/// Whether limits of an entry are kept: the stack writes communication parameters itself.
+fn is_kept(index: u16, facts: &Facts) -> bool {
+    index >= 0x2000 && facts.access.is_writable() && (facts.low.is_some() || facts.high.is_some())
+}
+
+#[test]
+fn limits_are_kept_where_it_is_asked_for() {
+    let Some(compiler) = c_compiler() else { return };
+    let writes = AtomicUsize::new(0);
+    let options = with_limits();
+    for_all(&devices(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let fail = |error: String| format!("{name}: {error}");
+        generate_into(folder, device, &options);
+        let mut cc = with_declarations(&compiler, folder);
+        cc.args(["-DWITH_LIMITS", "-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
+        succeed(&mut cc, "").map_err(fail)?;
+        let mut dictionary = Dictionary::new(device, NODE_ID);
+        let (mut input, mut expected) = (String::new(), Vec::new());
+        for ((index, sub), facts) in facts_of(device).filter(|((index, _), facts)| is_kept(*index, facts)) {
+            for bytes in edges(&facts).into_iter().filter(|bytes| !is_no_truth(&facts, bytes)) {
+                input.push_str(&format!("{index:04X} {sub:02X} {}\n", hex(&bytes)));
+                let answer: Answer = dictionary.write(index, sub, &bytes);
+                let answer = answer.err().unwrap_or(0);
+                expected.push(format!("{index:04X} {sub:02X} {}: {answer:08X}", hex(&bytes)));
+            }
+        }
+        writes.fetch_add(expected.len(), Ordering::Relaxed);
+        let mut harness = Command::new(folder.join("harness"));
+        let output = succeed(harness.args(["write", &NODE_ID.to_string()]), &input).map_err(fail)?;
+        let answers: Vec<String> =
+            input.lines().zip(output.lines()).map(|(line, answer)| format!("{line}: {answer}")).collect();
+        if answers == expected {
+            return Ok(());
+        }
+        let wrong = answers.iter().zip(&expected).find(|(answer, expected)| answer != expected);
+        Err(fail(format!("{wrong:?}")))
+    });
+    let writes = writes.into_inner();
+    assert!(writes > 400, "only {writes} writes were compared");
+}
+
+/// A BOOLEAN that is neither true nor false, which the stack takes.
+fn is_no_truth(facts: &Facts, bytes: &[u8]) -> bool {
+    facts.kind == Some(TypeKind::Boolean) && bytes.iter().any(|&byte| byte > 1)
+}
+
+#[test]
+fn several_dictionaries_go_into_one_program_and_into_cpp() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let healthy = |ending: &str| {
+        let all = devices();
+        all.into_iter().find(|(name, _)| name == ending).map(|(_, device)| device).unwrap()
+    };
+    let mut motor = with_limits();
+    motor.prefix = Some("motor".to_owned());
+    generate_into(folder, &healthy("drive-402.eds"), &motor);
+    generate_into(folder, &crate::odd::device(), &with_limits());
+    let mut cc = with_declarations(&compiler, folder);
+    cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "MOTOR.c"]);
+    succeed(cc.arg(beside("canopennode", "several.c")), "").unwrap();
+    succeed(&mut Command::new(folder.join("several")), "").unwrap();
+
+    let cpp = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
+    if Command::new(&cpp).arg("--version").output().is_err() {
+        eprintln!("skipped: no C++ compiler `{cpp}`");
+        return;
+    }
+    std::fs::write(folder.join("headers.cpp"), "#include \"OD.h\"\n#include \"MOTOR.h\"\n").unwrap();
+    let mut command = Command::new(cpp);
+    command.current_dir(folder).args([
+        "-std=c++11",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Werror",
+        "-fsyntax-only",
+    ]);
+    command.arg("-I").arg(beside("canopennode", "include")).args(["-I.", "headers.cpp"]);
+    succeed(&mut command, "").unwrap();
 }
