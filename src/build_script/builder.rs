@@ -133,6 +133,12 @@ impl Builder {
         self
     }
 
+    /// The template that the target `template` renders (feature `template`); its output is called like it without `.j2`.
+    pub fn template(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.options.template = Some(file.as_ref().to_owned());
+        self
+    }
+
     /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
     pub fn implicit_pdos(mut self, describe: bool) -> Self {
         self.request.implicit_pdos = describe;

@@ -122,6 +122,7 @@ fn options(args: &GenerateArgs) -> Options {
         module: args.module.clone(),
         groups: args.groups.clone(),
         limits: args.limits,
+        template: args.template.clone(),
         ..default
     }
 }

@@ -81,6 +81,24 @@ pub(super) fn byte_string(bytes: &[u8]) -> String {
     })
 }
 
+/// The inside of a string literal of C: octal escapes, which end after three digits whatever follows, and no trigraph.
+#[cfg_attr(
+    not(feature = "template"),
+    allow(dead_code, reason = "only templates of the user's own have such strings")
+)]
+pub(super) fn c_string(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
+        match byte {
+            b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]),
+            b' '..=b'~' => text.push(char::from(byte)),
+            _ => {
+                let _ = write!(text, "\\{byte:03o}"); // a String takes every text
+            }
+        }
+        text
+    })
+}
+
 /// The same for templates.
 #[allow(unreachable_pub)] // what the attribute writes is `pub`
 pub(super) mod filters {
@@ -120,6 +138,7 @@ mod tests {
         assert_eq!(code_span("  "), "(no name)");
         assert_eq!(code_span("Größe 速度"), "`Größe 速度`");
         assert_eq!(code_span(&"x".repeat(10_000)).len(), SHOWN + 5);
+        assert_eq!(c_string("\"\\\n1??é".as_bytes()), "\\\"\\\\\\0121\\?\\?\\303\\251");
         assert_eq!(toml_string("a\n\"\\\u{202E}é"), "\"a\\U0000000A\\\"\\\\\\U0000202Eé\"");
         assert_eq!(byte_string(b"\"\\\n\xFFa b"), "\\\"\\\\\\x0A\\xFFa b");
     }

@@ -39,6 +39,8 @@ mod rom;
 mod rust;
 mod size;
 mod table;
+#[cfg(feature = "template")]
+mod template;
 mod variables;
 mod zencan;
 
@@ -53,11 +55,12 @@ use crate::model::{Device, Place};
 
 /// Every backend with its name as a constant of [`Target`], one line each, in the order in which help lists them.
 macro_rules! targets {
-    ($($name:ident = $backend:expr,)+) => {
-        static BACKENDS: &[&dyn Backend] = &[$(&$backend),+];
+    ($($(#[$condition:meta])? $name:ident = $backend:expr,)+) => {
+        static BACKENDS: &[&dyn Backend] = &[$($(#[$condition])? &$backend),+];
 
         impl Target {
-            $(#[doc = concat!("The target of the backend `", stringify!($backend), "`.")]
+            $($(#[$condition])?
+            #[doc = concat!("The target of the backend `", stringify!($backend), "`.")]
             pub const $name: Self = Self(&$backend);)+
         }
     };
@@ -71,6 +74,8 @@ targets! {
     CANOPEN_STACK = canopen_stack::CanopenStack,
     ZENCAN = zencan::Zencan,
     CANOPENNODE = canopennode::CanOpenNode,
+    #[cfg(feature = "template")]
+    TEMPLATE = template::Template,
 }
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
@@ -225,6 +230,19 @@ pub enum GenerateError {
         /// The places and what is wrong with them; at least one.
         Vec<Note>,
     ),
+    /// The target `template` was asked for without one.
+    #[error("the target `template` needs a template (`--template FILE`)")]
+    NoTemplate,
+    /// A template of the user's own cannot be read or rendered.
+    #[error("{file}{}: {message}", line.map(|line| format!(":{line}")).unwrap_or_default())]
+    UserTemplate {
+        /// The name of its file.
+        file: String,
+        /// The line, counted from 1; `None` where the file is meant.
+        line: Option<usize>,
+        /// What is wrong.
+        message: String,
+    },
     /// A template could not be rendered, which is a defect of this crate.
     #[error("cannot render the template of `{file}`: {source}")]
     Template {

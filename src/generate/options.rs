@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
+use std::path::PathBuf;
 
 use super::GenerateError;
 use crate::model::{Address, Device};
@@ -35,6 +36,9 @@ pub struct Options {
     pub groups: Vec<Group>,
     /// Whether write functions keep `LowLimit` and `HighLimit`, for stacks that have no place for limits.
     pub limits: bool,
+    /// The file of the template that the target `template` renders: its name ends in `.j2`, and what is before that is the
+    /// name of the output.
+    pub template: Option<PathBuf>,
     /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
     pub source_hash: Option<u64>,
 }
@@ -71,6 +75,8 @@ pub enum Choice {
     Module,
     /// [`Options::groups`].
     Groups,
+    /// [`Options::template`].
+    Template,
     /// [`Options::string_capacity`].
     StringCapacity,
     /// [`Options::domain_capacity`].
@@ -88,6 +94,7 @@ impl Choice {
             Self::Prefix => "prefix",
             Self::Module => "module",
             Self::Groups => "group",
+            Self::Template => "template",
             Self::StringCapacity => "string-capacity",
             Self::DomainCapacity => "domain-capacity",
             Self::Limits => "limits",
@@ -108,6 +115,7 @@ impl Default for Options {
             module: None,
             groups: Vec::new(),
             limits: false,
+            template: None,
             source_hash: None,
         }
     }
@@ -123,6 +131,7 @@ impl Options {
             (Choice::Prefix, self.prefix.is_some()),
             (Choice::Module, self.module.is_some()),
             (Choice::Groups, !self.groups.is_empty()),
+            (Choice::Template, self.template.is_some()),
             (Choice::StringCapacity, self.string_capacity != default.string_capacity),
             (Choice::DomainCapacity, self.domain_capacity != default.domain_capacity),
             (Choice::Limits, self.limits),

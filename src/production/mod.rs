@@ -242,6 +242,7 @@ impl Request {
         if let Described::Text(description) = &judged.described {
             options.source_hash = Some(hash(description.source().text().as_bytes()));
         }
+        files.extend(options.template.clone());
         if let Some(path) = &self.rename {
             files.push(path.clone());
             options.renamed.extend(names_in(path)?);

@@ -16,6 +16,8 @@ mod script;
 mod size;
 #[path = "../support/mod.rs"]
 mod support;
+#[cfg(feature = "template")]
+mod template;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -76,6 +76,9 @@ pub(in crate::cli) struct GenerateArgs {
     /// Keep `LowLimit` and `HighLimit` where the stack does not
     #[arg(long)]
     pub limits: bool,
+    /// The template that the target `template` renders; its output is called like it without `.j2`
+    #[arg(long, value_name = "FILE")]
+    pub template: Option<PathBuf>,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]

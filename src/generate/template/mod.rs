@@ -1,0 +1,110 @@
+//! The target `template`: whatever the user's own template makes of a device.
+
+mod context;
+mod filters;
+
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::Path;
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
+
+use super::dictionary::Dictionary;
+use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile};
+use crate::model::Device;
+
+/// Steps of a template, so that one that never ends does: so many, and so many more for each entry.
+const FUEL: (u64, u64) = (1_000_000, 2_000);
+
+/// Bytes of the output.
+const LONGEST: usize = 64 << 20;
+
+/// Bytes of a template.
+const LONGEST_TEMPLATE: u64 = 4 << 20;
+
+/// The file of a template of the user's own.
+pub(super) struct Template;
+
+impl Backend for Template {
+    fn name(&self) -> &'static str {
+        "template"
+    }
+
+    fn summary(&self) -> &'static str {
+        "one file, made by a Jinja template of your own (`--template`)"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[Choice::Template, Choice::Names, Choice::Renamed, Choice::StringCapacity, Choice::DomainCapacity]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let path = options.template.as_deref().ok_or(GenerateError::NoTemplate)?;
+        let file = path.file_name().map(OsStr::to_string_lossy).unwrap_or_default().into_owned();
+        let fail = |message: String| GenerateError::UserTemplate { file: file.clone(), line: None, message };
+        let output = file.strip_suffix(".j2").filter(|name| !name.is_empty());
+        let output =
+            output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
+        let source = read(path).map_err(fail)?;
+        let dictionary = Dictionary::new(device, options)?;
+        let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
+        let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
+        let fuel = FUEL.0 + FUEL.1 * entries;
+        let contents = render(&file, &source, context, fuel).map_err(|error| explained(&file, &error))?;
+        let notes = dictionary.notes;
+        Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes })
+    }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let length = std::fs::metadata(path).map_err(|error| format!("cannot be read: {error}"))?.len();
+    if length > LONGEST_TEMPLATE {
+        return Err(format!("a template has {LONGEST_TEMPLATE} bytes at most, not {length}"));
+    }
+    std::fs::read_to_string(path).map_err(|error| format!("cannot be read: {error}"))
+}
+
+fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>, minijinja::Error> {
+    let mut environment = Environment::new();
+    let syntax =
+        SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build()?;
+    environment.set_syntax(syntax);
+    environment.set_auto_escape_callback(|_| AutoEscape::None); // what is generated is seldom HTML
+    environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
+    environment.set_fuel(Some(fuel));
+    filters::add(&mut environment);
+    environment.add_template(file, source)?;
+    let mut output = Bounded(Vec::new());
+    environment.get_template(file)?.render_captured_to(context, &mut output)?;
+    Ok(output.0)
+}
+
+/// The error with the line of the template; the cause of an error of the engine stands in a chain behind it.
+fn explained(file: &str, error: &minijinja::Error) -> GenerateError {
+    let mut message = error.kind().to_string();
+    if let Some(detail) = error.detail() {
+        message = format!("{message}: {detail}");
+    }
+    if let Some(cause) = std::error::Error::source(error) {
+        message = format!("{message}: {cause}");
+    }
+    GenerateError::UserTemplate { file: file.to_owned(), line: error.line(), message }
+}
+
+/// A file that does not grow without end.
+struct Bounded(Vec<u8>);
+
+impl Write for Bounded {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.0.len() + bytes.len() > LONGEST {
+            return Err(std::io::Error::other(format!("the output has more than {LONGEST} bytes")));
+        }
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
