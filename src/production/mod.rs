@@ -118,6 +118,7 @@ pub(crate) struct Production {
     /// What was made, in the order of the targets.
     pub(crate) outputs: Vec<(Target, Generated)>,
     /// What the tables take, of the targets of which that is known; empty where nobody wants to know.
+    #[cfg_attr(not(feature = "cli"), allow(dead_code, reason = "only the command reports them"))]
     pub(crate) sizes: Vec<(Target, SizeReport)>,
 }
 
