@@ -122,7 +122,7 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
         }
         let mapped = object.entries.iter().filter(|entry| entry.sub > 0 && u64::from(entry.sub) <= count);
         for entry in mapped {
-            if let Some(bits) = word(entry).map(|word| word & 0xFF).filter(|bits| bits % 8 != 0) {
+            if let Some(bits) = word(entry).map(|word| word & 0xFF).filter(|bits| !bits.is_multiple_of(8)) {
                 let text = format!("the crate's node packs whole bytes only, not {bits} bits");
                 notes.push(Note::new(Place::entry(index, entry.sub), text));
             }

@@ -127,7 +127,7 @@ impl Maker<'_> {
             let size = self.answers.size(mapped.index, mapped.sub);
             let why = match size {
                 None => "zencan has no entry there",
-                Some(_) if mapped.bits % 8 != 0 => "zencan maps whole bytes only",
+                Some(_) if !mapped.bits.is_multiple_of(8) => "zencan maps whole bytes only",
                 Some(size) if size < usize::from(mapped.bits / 8) => "the entry is shorter",
                 Some(_) => {
                     mappings.push(mapped);
