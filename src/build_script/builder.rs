@@ -9,7 +9,7 @@ use super::cargo::Cargo;
 use super::{Built, Error};
 use crate::diagnostic::{Severity, counted};
 use crate::format::input::{FileKind, bytes_of};
-use crate::generate::{Group, Names, Target};
+use crate::generate::{CTable, Group, Names, Target};
 use crate::lint::Level;
 use crate::model::Address;
 use crate::production::{Configuration, Judged, Production, Request, said, save};
@@ -78,6 +78,18 @@ impl Builder {
     /// What identifiers are made of; without it, [`Names::Words`].
     pub fn names(mut self, names: Names) -> Self {
         self.request.options.names = names;
+        self
+    }
+
+    /// How the table of the target `c` is laid out; without it, [`CTable::Compact`].
+    pub fn table(mut self, table: CTable) -> Self {
+        self.request.options.table = table;
+        self
+    }
+
+    /// Leave the names of entries out of tables that have them.
+    pub fn no_names(mut self) -> Self {
+        self.request.options.entry_names = false;
         self
     }
 

@@ -123,6 +123,8 @@ fn options(args: &GenerateArgs) -> Options {
         groups: args.groups.clone(),
         limits: args.limits,
         template: args.template.clone(),
+        table: args.table.into(),
+        entry_names: !args.no_names,
         ..default
     }
 }

@@ -2,10 +2,22 @@
 
 use std::fmt::Write;
 
+use super::Options;
+use super::names::words;
 use crate::model::{DataType, TypeKind};
 
 /// Longer texts are written as bytes: C99 compilers need not take longer literals (§5.2.4.1).
 const LONGEST_LITERAL: usize = 500;
+
+/// The beginning of the names of files: the prefix, else what the description's file is called, as a word of C.
+pub(crate) fn file_stem(options: &Options) -> String {
+    match &options.prefix {
+        Some(prefix) => prefix.to_ascii_lowercase(),
+        None => {
+            Some(words(&options.file_stem)).filter(|stem| !stem.is_empty()).unwrap_or_else(|| "od".to_owned())
+        }
+    }
+}
 
 /// The C type that holds a number of this data type without loss and without a byte more; `None` where C has none.
 pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {

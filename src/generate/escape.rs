@@ -32,6 +32,11 @@ pub(super) fn c_comment(text: &str) -> String {
     if comment.is_empty() { "(no name)".to_owned() } else { comment.to_owned() }
 }
 
+/// A string literal of C in UTF-8.
+pub(super) fn c_text(text: &str) -> String {
+    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+}
+
 /// One line of harmless characters.
 fn printable(text: &str) -> String {
     let mut shown = String::new();
@@ -120,6 +125,12 @@ pub(super) mod filters {
     pub(in crate::generate) fn c_comment(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
         let comment = super::c_comment(text.as_ref());
         Ok(comment)
+    }
+
+    #[askama::filter_fn]
+    pub(in crate::generate) fn c_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::c_text(text.as_ref());
+        Ok(literal)
     }
 }
 

@@ -30,8 +30,10 @@ mod concise;
 mod dictionary;
 mod escape;
 mod frames;
+mod microcanopen;
 mod names;
 mod notes;
+mod objdict_macros;
 mod options;
 mod renames;
 mod resolve;
@@ -47,7 +49,7 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
-pub use options::{Choice, Group, Names, Options};
+pub use options::{CTable, Choice, Group, Names, Options};
 pub use renames::{ChoiceError, renames};
 pub use size::{ObjectSize, Size, SizeReport};
 
@@ -76,6 +78,8 @@ targets! {
     CANOPENNODE = canopennode::CanOpenNode,
     #[cfg(feature = "template")]
     TEMPLATE = template::Template,
+    MICROCANOPEN = microcanopen::MicroCanopen,
+    OBJDICT_MACROS = objdict_macros::ObjdictMacros,
 }
 
 /// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.

@@ -39,6 +39,11 @@ pub struct Options {
     /// The file of the template that the target `template` renders: its name ends in `.j2`, and what is before that is the
     /// name of the output.
     pub template: Option<PathBuf>,
+    /// How the dictionary is laid out in plain C.
+    pub table: CTable,
+    /// Whether the table names its entries, for people who read it on the device; what has no room for names has none
+    /// anyway.
+    pub entry_names: bool,
     /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
     pub source_hash: Option<u64>,
 }
@@ -51,6 +56,16 @@ pub enum Names {
     Words,
     /// Of index and sub-index: a better name in the description changes no line of the application.
     Index,
+}
+
+/// How the dictionary is laid out in plain C.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CTable {
+    /// Short rows with offsets into RAM and flash, and functions that answer as an SDO server does.
+    #[default]
+    Compact,
+    /// An array of structures with pointers to value, limits and default, for a stack of one's own.
+    Structs,
 }
 
 /// A storage group: objects whose values are kept together.
@@ -77,6 +92,10 @@ pub enum Choice {
     Groups,
     /// [`Options::template`].
     Template,
+    /// [`Options::table`].
+    Table,
+    /// [`Options::entry_names`].
+    EntryNames,
     /// [`Options::string_capacity`].
     StringCapacity,
     /// [`Options::domain_capacity`].
@@ -95,6 +114,8 @@ impl Choice {
             Self::Module => "module",
             Self::Groups => "group",
             Self::Template => "template",
+            Self::Table => "table",
+            Self::EntryNames => "no-names",
             Self::StringCapacity => "string-capacity",
             Self::DomainCapacity => "domain-capacity",
             Self::Limits => "limits",
@@ -116,6 +137,8 @@ impl Default for Options {
             groups: Vec::new(),
             limits: false,
             template: None,
+            table: CTable::default(),
+            entry_names: true,
             source_hash: None,
         }
     }
@@ -132,6 +155,8 @@ impl Options {
             (Choice::Module, self.module.is_some()),
             (Choice::Groups, !self.groups.is_empty()),
             (Choice::Template, self.template.is_some()),
+            (Choice::Table, self.table != default.table),
+            (Choice::EntryNames, self.entry_names != default.entry_names),
             (Choice::StringCapacity, self.string_capacity != default.string_capacity),
             (Choice::DomainCapacity, self.domain_capacity != default.domain_capacity),
             (Choice::Limits, self.limits),

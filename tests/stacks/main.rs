@@ -7,6 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod c_structs;
 mod canopen_stack;
 mod canopennode;
 #[path = "../generate/compile.rs"]
@@ -15,6 +16,8 @@ mod compile;
 #[path = "../generate/devices.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod devices;
+mod microcanopen;
+mod objdict_macros;
 #[path = "../generate/odd.rs"]
 mod odd;
 #[path = "../generate/oracle.rs"]

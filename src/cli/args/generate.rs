@@ -9,7 +9,7 @@ use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{Group, Names, Target};
+use crate::generate::{CTable, Group, Names, Target};
 
 /// Turn a description into what a product compiles or downloads
 ///
@@ -79,6 +79,12 @@ pub(in crate::cli) struct GenerateArgs {
     /// The template that the target `template` renders; its output is called like it without `.j2`
     #[arg(long, value_name = "FILE")]
     pub template: Option<PathBuf>,
+    /// How the table of the target `c` is laid out
+    #[arg(long, value_enum, default_value = "compact", value_name = "LAYOUT")]
+    pub table: TableArg,
+    /// Leave the names of entries out of tables that have them
+    #[arg(long)]
+    pub no_names: bool,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -119,6 +125,24 @@ impl From<NamesArg> for Names {
         match names {
             NamesArg::Words => Self::Words,
             NamesArg::Index => Self::Index,
+        }
+    }
+}
+
+/// How the table of the target `c` is laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum TableArg {
+    /// Short rows, with functions that answer as an SDO server does
+    Compact,
+    /// An array of structures with pointers, for a stack of one's own
+    Structs,
+}
+
+impl From<TableArg> for CTable {
+    fn from(table: TableArg) -> Self {
+        match table {
+            TableArg::Compact => Self::Compact,
+            TableArg::Structs => Self::Structs,
         }
     }
 }

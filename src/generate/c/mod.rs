@@ -1,14 +1,15 @@
 //! The target `c`: `od.h` and `od.c` in C99.
 
 mod pdo;
+mod structs;
 mod view;
 
 use super::frames::frames;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, render};
-use crate::model::Device;
+use super::{Backend, CTable, Choice, GenerateError, Generated, Note, Options, SizeReport, render};
+use crate::model::{Device, Place};
 
 /// Tables for C.
 pub(super) struct C;
@@ -23,7 +24,15 @@ impl Backend for C {
     }
 
     fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Prefix, Choice::StringCapacity, Choice::DomainCapacity]
+        &[
+            Choice::Names,
+            Choice::Renamed,
+            Choice::Prefix,
+            Choice::StringCapacity,
+            Choice::DomainCapacity,
+            Choice::Table,
+            Choice::EntryNames,
+        ]
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
@@ -31,10 +40,21 @@ impl Backend for C {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
-        let mut files = vec![
-            render(format!("{prefix}.h"), &view::Header::new(&table, &prefix))?,
-            render(format!("{prefix}.c"), &view::Source::new(&table, &prefix))?,
-        ];
+        let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
+        let names = options.entry_names;
+        let mut files = match options.table {
+            CTable::Compact => vec![
+                render(header, &view::Header::new(&table, &prefix))?,
+                render(source, &view::Source::new(&table, &prefix))?,
+            ],
+            CTable::Structs => vec![
+                render(header, &structs::StructsHeader::new(&table, &prefix, names))?,
+                render(source, &structs::StructsSource::new(&table, &prefix, names))?,
+            ],
+        };
+        if options.table == CTable::Compact && !names {
+            notes.push(Note::new(Place::device(), "the compact table has no names that could be left out"));
+        }
         if !frames.is_empty() {
             files.push(render(format!("{prefix}_pdo.h"), &pdo::PdoHeader::new(&table, &prefix, &frames))?);
             files.push(render(format!("{prefix}_pdo.c"), &pdo::PdoSource::new(&table, &prefix, &frames))?);
@@ -43,6 +63,9 @@ impl Backend for C {
     }
 
     fn size(&self, device: &Device, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+        if options.table == CTable::Structs {
+            return Ok(None); // pointers are as long as the processor has them
+        }
         let table = Table::new(device, options)?;
         let row = if table.is_wide() { 16 } else { 10 };
         Ok(Some(SizeReport::of_table(&table, Layout { row, is_ascending: true })))

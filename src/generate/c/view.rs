@@ -14,13 +14,13 @@ use crate::model::{DataType, TypeKind};
 #[template(path = "c/od.h")]
 pub(super) struct Header<'a> {
     /// What identifiers start with.
-    lower: &'a str,
-    upper: String,
-    table: &'a Table,
+    pub(super) lower: &'a str,
+    pub(super) upper: String,
+    pub(super) table: &'a Table,
     /// The integer type of places in RAM and flash.
     offset: &'static str,
-    objects: Vec<ObjectView<'a>>,
-    fields: Vec<FieldView<'a>>,
+    pub(super) objects: Vec<ObjectView<'a>>,
+    pub(super) fields: Vec<FieldView<'a>>,
 }
 
 /// The source.
@@ -39,19 +39,19 @@ pub(super) struct Source<'a> {
 }
 
 /// An object with the macros that name it and its entries.
-struct ObjectView<'a> {
-    object: &'a TableObject,
-    name: String,
+pub(super) struct ObjectView<'a> {
+    pub(super) object: &'a TableObject,
+    pub(super) name: String,
     /// None for a single value.
-    entries: Vec<(String, &'a Row)>,
+    pub(super) entries: Vec<(String, &'a Row)>,
 }
 
 /// A member of the struct of values.
-struct FieldView<'a> {
-    declaration: String,
-    first: &'a Row,
-    last: &'a Row,
-    array: bool,
+pub(super) struct FieldView<'a> {
+    pub(super) declaration: String,
+    pub(super) first: &'a Row,
+    pub(super) last: &'a Row,
+    pub(super) array: bool,
 }
 
 /// A row of the table.
@@ -157,10 +157,7 @@ fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> Fiel
 }
 
 fn row_view<'a>(table: &Table, row: &'a Row, upper: &str) -> RowView<'a> {
-    let type_ = match row.resolved.shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
-        Shape::Block(_) => "BLOCK",
-    };
+    let type_ = type_name(row.resolved.shape);
     let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("{upper}_{flag}")).collect();
     let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
     let ram = row.slot.map_or("0u".to_owned(), |slot| {
@@ -173,7 +170,15 @@ fn row_view<'a>(table: &Table, row: &'a Row, upper: &str) -> RowView<'a> {
     RowView { row, type_, flags, ram }
 }
 
-fn is_time(data_type: DataType) -> bool {
+/// The macro of a data type, behind the prefix.
+pub(super) fn type_name(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
+        Shape::Block(_) => "BLOCK",
+    }
+}
+
+pub(super) fn is_time(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 

@@ -12,8 +12,8 @@ mod para;
 mod special;
 mod view;
 
+use super::c_code::file_stem;
 use super::dictionary::Dictionary;
-use super::names::words;
 use super::notes::{in_order, once_per_object};
 use super::{Backend, Choice, GenerateError, Generated, Options, render};
 use crate::model::Device;
@@ -44,7 +44,7 @@ impl Backend for CanopenStack {
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let mut dictionary = Dictionary::new(device, options)?;
         let prefix = options.prefix_or("od")?;
-        let stem = file_stem(options);
+        let stem = file_name(options);
         let mut notes = std::mem::take(&mut dictionary.notes);
         let mut planner = cell::Planner { node_id: dictionary.node_id, notes: &mut notes };
         let planned = planner.plan(&dictionary);
@@ -62,13 +62,11 @@ impl Backend for CanopenStack {
     }
 }
 
-/// The name of the files: the prefix, else what the description's file is called, as a word of C.
-fn file_stem(options: &Options) -> String {
-    match &options.prefix {
-        Some(prefix) => prefix.to_ascii_lowercase(),
-        None => {
-            let stem = words(&options.file_stem);
-            if stem.is_empty() || stem == "od" { "od".to_owned() } else { format!("{stem}_od") }
-        }
+/// The name of the files.
+fn file_name(options: &Options) -> String {
+    match (options.prefix.is_some(), file_stem(options)) {
+        (true, stem) => stem,
+        (false, stem) if stem == "od" => stem,
+        (false, stem) => format!("{stem}_od"),
     }
 }

@@ -1,0 +1,229 @@
+//! The target `objdict-macros`: `objdict.c` and `mapping.c` in the style of the stack that chapter 6.5 of "Embedded
+//! Networking with CAN and CANopen" describes: rows of macros with index, length, address and access, and eight mapping
+//! entries for each PDO.
+//!
+//! The book shows the macro for a single object; `SUB_OBJ`, for an entry of an object with several, is of the same kind
+//! and defined beside it.
+
+mod mapping;
+mod view;
+
+use super::c_code::{bytes, exact_type, little_endian, number};
+use super::dictionary::{Dictionary, ResolvedEntry};
+use super::names::Scope;
+use super::notes::{in_order, once_per_object};
+use super::resolve::{Datum, Shape};
+use super::variables::variables;
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
+use crate::model::{Device, Place};
+
+/// Tables of macros.
+pub(super) struct ObjdictMacros;
+
+impl Backend for ObjdictMacros {
+    fn name(&self) -> &'static str {
+        "objdict-macros"
+    }
+
+    fn summary(&self) -> &'static str {
+        "`objdict.c` and `mapping.c` of macros (SINGLE_OBJ, MAP_ENTRY), as the book on embedded CANopen has them"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[Choice::Names, Choice::Renamed, Choice::Prefix, Choice::StringCapacity, Choice::DomainCapacity]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let mut dictionary = Dictionary::new(device, options)?;
+        let prefix = options.prefix_or("g")?;
+        let mut notes = std::mem::take(&mut dictionary.notes);
+        let objects = Objects::new(&dictionary, &prefix, &mut notes);
+        let pdos = mapping::pdos(&dictionary, &objects, &mut notes);
+        let head = view::Head::new(&dictionary, options);
+        let files = vec![
+            render("objdict.h", &view::Header::new(&head, &objects, &pdos))?,
+            render("objdict.c", &view::Source::new(&head, &objects))?,
+            render("mapping.c", &view::Mapping::new(&head, &pdos))?,
+        ];
+        Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+    }
+}
+
+/// The rows and the variables behind them.
+#[derive(Debug)]
+struct Objects {
+    rows: Vec<ObjectRow>,
+    variables: Vec<Definition>,
+}
+
+/// A row of the dictionary.
+#[derive(Debug)]
+struct ObjectRow {
+    index: u16,
+    sub: u8,
+    /// Whether it is the only entry of its object.
+    single: bool,
+    length: usize,
+    address: String,
+    access: &'static str,
+    described: String,
+}
+
+/// A variable.
+#[derive(Debug)]
+struct Definition {
+    declaration: String,
+    initializer: String,
+    described: String,
+}
+
+/// What a variable is; equal ones can be elements of one array.
+#[derive(Clone, Debug, PartialEq)]
+struct Kind {
+    constant: bool,
+    base: &'static str,
+    suffix: String,
+}
+
+impl Objects {
+    fn new(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Self {
+        let mut scope = Scope::of_lower_case("");
+        let entry = |object: usize, entry: usize| &dictionary.objects[object].entries[entry];
+        let kind = |object: usize, number: usize| kind(entry(object, number));
+        let mut addresses: Vec<Vec<String>> =
+            dictionary.objects.iter().map(|object| vec![String::new(); object.entries.len()]).collect();
+        let mut definitions = Vec::new();
+        for variable in variables(&dictionary.objects, prefix, &mut scope, kind) {
+            let name = format!("{prefix}_{}", variable.name);
+            let values: Vec<String> = variable
+                .entries
+                .clone()
+                .map(|at| initializer(entry(variable.object, at), dictionary.node_id))
+                .collect();
+            for (element, at) in variable.entries.clone().enumerate() {
+                let element = if variable.array { format!("[{element}]") } else { String::new() };
+                addresses[variable.object][at] = format!("&{name}{element}");
+            }
+            let array = if variable.array { format!("[{}]", values.len()) } else { String::new() };
+            let Kind { constant, base, suffix } = variable.kind;
+            let constant = if constant { "const " } else { "" };
+            let object = &dictionary.objects[variable.object];
+            let first = &object.entries[variable.entries.start].entry.name;
+            definitions.push(Definition {
+                declaration: format!("{constant}{base} {name}{array}{suffix}"),
+                initializer: if variable.array {
+                    format!("{{{}}}", values.join(", "))
+                } else {
+                    values.concat()
+                },
+                described: if variable.array { object.object.name() } else { first }.to_owned(),
+            });
+        }
+        let mut rows = Vec::new();
+        for (object, addresses) in dictionary.objects.iter().zip(addresses) {
+            for (entry, address) in object.entries.iter().zip(addresses) {
+                let place = Place::entry(object.index, entry.sub);
+                check(&place, entry, dictionary.node_id, notes);
+                rows.push(ObjectRow {
+                    index: object.index,
+                    sub: entry.sub,
+                    single: object.is_single(),
+                    length: length(entry),
+                    address: if address.is_empty() { "NULL".to_owned() } else { address },
+                    access: access(entry),
+                    described: entry.entry.name.to_string(),
+                });
+            }
+        }
+        Self { rows, variables: definitions }
+    }
+
+    /// The address of an entry's value; `None` when there is no such entry.
+    fn address(&self, index: u16, sub: u8) -> Option<&ObjectRow> {
+        let at = self.rows.binary_search_by_key(&(index, sub), |row| (row.index, row.sub)).ok()?;
+        self.rows.get(at)
+    }
+}
+
+/// Bytes of a value: of a text that cannot be written those that it has.
+fn length(entry: &ResolvedEntry<'_>) -> usize {
+    entry.resolved.shape.size()
+}
+
+fn kind(entry: &ResolvedEntry<'_>) -> Option<Kind> {
+    let resolved = &entry.resolved;
+    let constant = resolved.constant;
+    let block = || Some(Kind { constant, base: "uint8_t", suffix: format!("[{}]", length(entry)) });
+    match resolved.shape {
+        _ if length(entry) == 0 => None,
+        Shape::Word(data_type) => match (exact_type(data_type), word(entry)) {
+            (Some(base), Some(value)) if number(value, data_type).is_some() => {
+                Some(Kind { constant, base, suffix: String::new() })
+            }
+            _ => block(),
+        },
+        _ => block(),
+    }
+}
+
+/// The number of a value; of a formula, what is added to the node-ID.
+fn word(entry: &ResolvedEntry<'_>) -> Option<u64> {
+    match entry.resolved.default {
+        Datum::Word(word) | Datum::Formula(word) => Some(word),
+        Datum::Bytes(_) => None,
+    }
+}
+
+fn initializer(entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> String {
+    let resolved = &entry.resolved;
+    let word = match resolved.default {
+        Datum::Formula(offset) => offset + u64::from(node_id.unwrap_or(0)), // fits for every node-ID
+        Datum::Word(word) => word,
+        Datum::Bytes(ref value) => return bytes(value),
+    };
+    let typed = match resolved.shape {
+        Shape::Word(data_type) => exact_type(data_type).and_then(|_| number(word, data_type)),
+        _ => None,
+    };
+    typed.unwrap_or_else(|| bytes(&little_endian(word, length(entry))))
+}
+
+/// The access type of the book.
+fn access(entry: &ResolvedEntry<'_>) -> &'static str {
+    let resolved = &entry.resolved;
+    match (resolved.access.is_readable(), resolved.access.is_writable()) {
+        (true, false) if resolved.tpdo => "ROMAP",
+        (true, false) => "RO",
+        (false, _) if resolved.rpdo => "WOMAP",
+        (false, _) => "WO",
+        (true, true) if resolved.rpdo => "RWWMAP",
+        (true, true) if resolved.tpdo => "RWRMAP",
+        (true, true) => "RW",
+    }
+}
+
+/// Notes what a row does not have.
+fn check(place: &Place, entry: &ResolvedEntry<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
+    let resolved = &entry.resolved;
+    let mut say = |text: String| notes.push(Note::new(place.clone(), text));
+    if resolved.low.is_some() || resolved.high.is_some() {
+        say("a row has no limits".to_owned());
+    }
+    if let Datum::Formula(_) = resolved.default {
+        say(match node_id {
+            Some(node_id) => format!("a row does not add the node-ID; {node_id} is added once and for all"),
+            None => "a row does not add the node-ID; nothing is added".to_owned(),
+        });
+    }
+    if resolved.tpdo && resolved.rpdo && resolved.access.is_readable() && resolved.access.is_writable() {
+        say("a row is mapped in one direction only; RPDOs are chosen".to_owned());
+    }
+    if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
+        && value.len() < usize::from(room)
+    {
+        say(format!("a row has one length; the value always has {room} bytes, the rest are 0"));
+    }
+    if length(entry) == 0 {
+        say("a row without data: its length is 0".to_owned());
+    }
+}

@@ -1,0 +1,120 @@
+/*
+ * {{ plain.table.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ plain.table.product|c_comment }} by {{ plain.table.vendor|c_comment }}.
+ *
+ * {{ plain.lower }}_entries is an array of structures, one for each entry; {{ plain.lower }}_data holds the values that can change.
+ */
+#ifndef {{ plain.upper }}_H
+#define {{ plain.upper }}_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+{%- if let Some(node_id) = plain.table.node_id %}
+
+/* The node-ID that the device was configured for. */
+#define {{ plain.upper }}_NODE_ID {{ node_id }}u
+{%- endif %}
+
+/* Indexes of objects and sub-indexes of their entries. */
+{%- for view in plain.objects %}
+
+/* {{ "{:04X}"|format(view.object.index) }}h: {{ view.object.name|c_comment }} */
+#define {{ plain.upper }}_{{ view.name|upper }} 0x{{ "{:04X}"|format(view.object.index) }}u
+{%- for (name, row) in view.entries %}
+#define {{ plain.upper }}_{{ name|upper }} 0x{{ "{:02X}"|format(row.sub) }}u /* {{ row.name|c_comment }} */
+{%- endfor %}
+{%- endfor %}
+
+{%- if time %}
+/* A time of day since 1984-01-01, or a difference of times. */
+typedef struct {
+    uint32_t milliseconds; /* after midnight, 28 bits */
+    uint16_t days;
+} {{ plain.lower }}_time_t;
+{%- endif %}
+
+/* The values that can change; constants are in flash. A string, octet string or DOMAIN has its length before it. */
+typedef struct {
+    uint8_t node_id; /* set by {{ plain.lower }}_init() */
+{%- for field in fields() %}
+    {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
+    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+{%- endfor %}
+} {{ plain.lower }}_data_t;
+extern {{ plain.lower }}_data_t {{ plain.lower }}_data;
+
+/* An entry of the dictionary. What data, low, high and def point at is of the C type that the data type has in
+   {{ plain.lower }}_data_t; an integer of 24 to 56 bits is in the next longer one. */
+typedef struct {
+    uint16_t index;
+    uint8_t sub;
+    uint8_t data_type; /* {{ plain.upper }}_UNSIGNED32 and the like */
+    uint8_t flags;     /* {{ plain.upper }}_READ and the like */
+    uint16_t size;     /* bytes of a value in an SDO transfer, at most */
+    void *data;        /* the value; a constant is its default, in flash. NULL: the application has to serve it */
+    const void *low;   /* limits; NULL where there are none */
+    const void *high;
+    const void *def;   /* the default */
+{%- if names %}
+    const char *name; /* the name in the description, UTF-8 */
+{%- endif %}
+} {{ plain.lower }}_entry_t;
+
+/* Flags of an entry. */
+#define {{ plain.upper }}_READ 0x01u            /* an SDO may read it */
+#define {{ plain.upper }}_WRITE 0x02u           /* an SDO may write it */
+#define {{ plain.upper }}_TPDO 0x04u            /* a TPDO may carry it */
+#define {{ plain.upper }}_RPDO 0x08u            /* an RPDO may carry it */
+#define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /* the node-ID is to be added to the default */
+#define {{ plain.upper }}_LOW_NODE_ID 0x20u     /* the node-ID is to be added to the low limit */
+#define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /* the node-ID is to be added to the high limit */
+
+/* Data types, by their index in CiA 301. */
+#define {{ plain.upper }}_BLOCK 0x00u /* a type of the device's own */
+#define {{ plain.upper }}_BOOLEAN 0x01u
+#define {{ plain.upper }}_INTEGER8 0x02u
+#define {{ plain.upper }}_INTEGER16 0x03u
+#define {{ plain.upper }}_INTEGER32 0x04u
+#define {{ plain.upper }}_UNSIGNED8 0x05u
+#define {{ plain.upper }}_UNSIGNED16 0x06u
+#define {{ plain.upper }}_UNSIGNED32 0x07u
+#define {{ plain.upper }}_REAL32 0x08u
+#define {{ plain.upper }}_VISIBLE_STRING 0x09u
+#define {{ plain.upper }}_OCTET_STRING 0x0Au
+#define {{ plain.upper }}_UNICODE_STRING 0x0Bu
+#define {{ plain.upper }}_TIME_OF_DAY 0x0Cu
+#define {{ plain.upper }}_TIME_DIFFERENCE 0x0Du
+#define {{ plain.upper }}_DOMAIN 0x0Fu
+#define {{ plain.upper }}_INTEGER24 0x10u
+#define {{ plain.upper }}_REAL64 0x11u
+#define {{ plain.upper }}_INTEGER40 0x12u
+#define {{ plain.upper }}_INTEGER48 0x13u
+#define {{ plain.upper }}_INTEGER56 0x14u
+#define {{ plain.upper }}_INTEGER64 0x15u
+#define {{ plain.upper }}_UNSIGNED24 0x16u
+#define {{ plain.upper }}_UNSIGNED40 0x18u
+#define {{ plain.upper }}_UNSIGNED48 0x19u
+#define {{ plain.upper }}_UNSIGNED56 0x1Au
+#define {{ plain.upper }}_UNSIGNED64 0x1Bu
+
+/* All entries in ascending order of index and sub-index. */
+#define {{ plain.upper }}_ENTRY_COUNT {{ plain.table.rows.len() }}u
+extern const {{ plain.lower }}_entry_t {{ plain.lower }}_entries[{{ plain.upper }}_ENTRY_COUNT];
+
+/* The entry of an index and a sub-index, by binary search; NULL when there is none. */
+const {{ plain.lower }}_entry_t *{{ plain.lower }}_find(uint16_t index, uint8_t sub);
+
+/* Sets all values to the defaults of the node node_id: 1 to 127, only the lower seven bits count. */
+void {{ plain.lower }}_init(uint8_t node_id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

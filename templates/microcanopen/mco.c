@@ -1,0 +1,48 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Tables of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for MicroCANopen.
+ */
+#include "{{ head.stem }}_pimg.h"
+
+/* Everything that can change and PDOs can carry. */
+UNSIGNED8 gProcImg[PROCIMG_SIZE];
+
+/* Replies to SDO requests, 8 bytes each, and an end mark. */
+UNSIGNED8 MEM_CONST SDOResponseTable[] = {
+{%- for reply in replies %}
+    {{ reply.row }}, /* {{ reply.described|c_comment }} */
+{%- endfor %}
+    SDOREPLY(0xFFFF, 0xFF, 0xFF, 0xFFFFFFFFL)
+};
+
+/* Entries of the process image, and an end mark. */
+OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
+{%- for entry in entries %}
+    ODENTRY(0x{{ "{:04X}"|format(entry.index) }}, 0x{{ "{:02X}"|format(entry.sub) }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
+{%- endfor %}
+    ODENTRY(0xFFFF, 0xFF, 0xFF, 0xFF)
+};
+
+/* Sets the process image to the defaults of the description. */
+void {{ head.lower }}_init_image(void)
+{
+    unsigned at;
+    for (at = 0; at < PROCIMG_SIZE; at++) {
+        gProcImg[at] = 0;
+    }
+{%- for (offset, value) in defaults %}
+    gProcImg[{{ offset }}] = {{ value }};
+{%- endfor %}
+}
+
+/* Initialises the PDOs; for MCOUSER_ResetCommunication(), behind MCO_Init(). */
+void {{ head.lower }}_init_pdos(void)
+{
+{%- for call in tpdos %}
+    {{ call }}
+{%- endfor %}
+{%- for call in rpdos %}
+    {{ call }}
+{%- endfor %}
+}

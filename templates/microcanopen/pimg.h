@@ -1,0 +1,33 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Process image of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for MicroCANopen.
+ */
+#ifndef {{ head.upper }}_PIMG_H
+#define {{ head.upper }}_PIMG_H
+
+#include "mco.h"
+
+/* The node-ID in SDO replies that depend on it. */
+#ifndef {{ head.upper }}_NODE_ID
+#define {{ head.upper }}_NODE_ID {{ head.node_id }}
+#endif
+
+/* Milliseconds between heartbeats, for MCO_Init(). */
+#define {{ head.upper }}_HEARTBEAT {{ head.heartbeat }}
+
+/* Where the process image has what, little-endian. */
+{%- for entry in entries %}
+#define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ "{:04X}"|format(entry.index) }}h sub-index {{ "{:02X}"|format(entry.sub) }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.described|c_comment }} */
+{%- endfor %}
+
+/* Bytes of the process image, at least one. */
+#define PROCIMG_SIZE {% if head.size > 0 %}{{ head.size }}{% else %}1{% endif %}
+
+/* Sets the process image to the defaults of the description. */
+void {{ head.lower }}_init_image(void);
+
+/* Initialises the PDOs; for MCOUSER_ResetCommunication(), behind MCO_Init(). */
+void {{ head.lower }}_init_pdos(void);
+
+#endif

@@ -1,0 +1,19 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}.
+ */
+#include "objdict.h"
+{% for variable in variables %}
+{{ variable.declaration }} = {{ variable.initializer }};
+{%- endfor %}
+
+const OBJ_ENTRY gObjDict[NUM_OF_OBJ_ENTRIES] = {
+{%- for row in rows %}
+{%- if row.single %}
+    SINGLE_OBJ(0x{{ "{:04X}"|format(row.index) }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
+{%- else %}
+    SUB_OBJ(0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
+{%- endif %}
+{%- endfor %}
+};

@@ -1,0 +1,64 @@
+//! The target `c` with `--table structs`: it lacks nothing.
+
+use std::process::Command;
+
+use objdict::generate::{CTable, Options, Target, generate};
+use objdict::model::{DataType, Device, Value};
+
+use crate::beside;
+use crate::compile::{c_compiler, cc, succeed};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::oracle::{facts_of, hex};
+use crate::truth::{compare, truth};
+
+/// A limit on a node, as the harness prints it.
+fn limit(limit: Option<&Value>, data_type: DataType, node_id: u8) -> String {
+    let Some(limit) = limit else { return "-".to_owned() };
+    let on_node = limit.integer_for(node_id).and_then(|number| Value::from_integer(number, data_type));
+    hex(&on_node.as_ref().unwrap_or(limit).to_bytes(data_type).unwrap())
+}
+
+fn with_limits(device: &Device, node_id: u8) -> Vec<String> {
+    let rows = truth(device, node_id);
+    let facts: Vec<_> = facts_of(device).map(|(_, facts)| facts).collect();
+    let lines = rows.iter().zip(&facts).map(|(row, facts)| {
+        let [low, high] =
+            [&facts.low, &facts.high].map(|value| limit(value.as_ref(), facts.data_type, node_id));
+        format!("{row} {low} {high}")
+    });
+    lines.collect()
+}
+
+#[test]
+fn the_array_of_structures_has_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        for names in [true, false] {
+            let fail = |error: String| format!("{name}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let mut options = Options::default();
+            options.table = CTable::Structs;
+            options.entry_names = names;
+            let generated = generate(device, Target::named("c").unwrap(), &options).unwrap();
+            for file in &generated.files {
+                std::fs::write(folder.path().join(&file.path), &file.contents).unwrap();
+            }
+            let mut cc = cc(&compiler, folder.path());
+            let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
+            cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
+            succeed(&mut cc, "").map_err(fail)?;
+            let node_id = if names { 5 } else { 127 };
+            let mut harness = Command::new(folder.path().join("harness"));
+            let dump = succeed(harness.arg(node_id.to_string()), "").map_err(fail)?;
+            compare(name, &truth(device, node_id), &dump)?;
+            let dump = succeed(harness.arg("limits"), "").map_err(fail)?;
+            let expected = with_limits(device, node_id);
+            for (expected, line) in expected.iter().zip(dump.lines()) {
+                if expected != line {
+                    return Err(fail(format!("`{line}` where `{expected}` was expected")));
+                }
+            }
+        }
+        Ok(())
+    });
+}
