@@ -116,7 +116,7 @@ fn an_error_in_the_description_fails_the_build() {
     #[cfg(feature = "cli")]
     insta::assert_snapshot!("error", shown);
     #[cfg(not(feature = "cli"))]
-    insta::assert_snapshot!("error_without_excerpts", shown);
+    assert!(shown.contains(":139:14: error cia306/invalid-value: `300` does not fit"), "{shown}");
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0, "nothing is written");
 }
 
