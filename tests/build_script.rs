@@ -246,6 +246,11 @@ fn failures_say_what_to_do() {
         (shown(minimal().prefix("a b").target(Target::C)), "target `c`: `a b` is no identifier"),
         (shown(minimal().rename(&names)), "names.toml:2: `speed` is no object"),
         (shown(minimal().rename("none.toml")), "cannot read `none.toml`: "),
+        (
+            shown(minimal().max_ram(8)),
+            "target `rust`: the tables take 24 bytes of RAM, 8 are allowed\n  help: ",
+        ),
+        (shown(minimal().max_flash(8)), "bytes of flash, 8 are allowed"),
         (shown(minimal().group(0x2000..=0x2001, "a b")), "`a b` is no name of a group"),
         (shown(minimal().profile("999")), "there is no profile `999`\n  help: it is one of 301, "),
         (shown(minimal().out_dir(&file)), "cannot write `"),

@@ -35,7 +35,7 @@ pub struct Builder {
 impl Builder {
     /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
     pub fn new(path: impl AsRef<Path>) -> Self {
-        let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
+        let request = Request { file: path.as_ref().to_owned(), sizes: true, ..Request::default() };
         Self { request, out_dir: None, max_warnings: MAX_WARNINGS, failure: None }
     }
 
@@ -295,7 +295,8 @@ fn with_advice(line: String, help: Option<&str>) -> String {
 
 fn write(production: &Production, folder: &Path) -> Result<Built, Error> {
     let Production { objects, entries, .. } = *production;
-    let mut built = Built { objects, entries, files: Vec::new() };
+    let sizes = production.sizes.iter().map(|(target, report)| (target.name(), report.clone())).collect();
+    let mut built = Built { objects, entries, files: Vec::new(), sizes };
     for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
         let path = folder.join(&file.path);
         if let Err(error) = save(&path, &file.contents) {
