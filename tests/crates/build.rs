@@ -29,10 +29,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ["NODE_MBOX", "NODE_STATE", "OD_TABLE"].map(|item| format!("&{name}::{item}")).join(", ");
         writeln!(nodes, "({name:?}, |node_id| start(node_id, {statics})),")?;
     }
-    let list = "pub(crate) const DEVICES: &[(&str, fn(u8) ->";
-    writeln!(canopen_rs, "{list} Box<dyn Served>)] = &[\n{dictionaries}];")?;
+    let list = "pub(crate) const DEVICES: &[(&str, Start)] = &[";
+    writeln!(canopen_rs, "{list}\n{dictionaries}];")?;
     std::fs::write(out.join("canopen_rs.rs"), canopen_rs)?;
-    writeln!(zencan, "{list} Table)] = &[\n{nodes}];")?;
+    writeln!(zencan, "{list}\n{nodes}];")?;
     std::fs::write(out.join("zencan.rs"), zencan)?;
     Ok(())
 }

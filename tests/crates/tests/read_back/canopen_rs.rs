@@ -11,6 +11,9 @@ use crate::{counted, devices, generated, noted};
 
 include!(concat!(env!("OUT_DIR"), "/canopen_rs.rs"));
 
+/// Makes the node of a device with a node-ID.
+type Start = fn(u8) -> Box<dyn Served>;
+
 /// A dictionary of any size, in the node that serves it.
 pub(crate) trait Served {
     fn capacity(&self) -> usize;

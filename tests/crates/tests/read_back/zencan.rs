@@ -15,16 +15,19 @@ use crate::{counted, devices, generated, noted};
 
 #[allow(clippy::all, missing_docs, unreachable_pub, unsafe_code, reason = "made by zencan-build")]
 mod nodes {
-    use super::{Table, start};
+    use super::{Start, start};
 
     include!(concat!(env!("OUT_DIR"), "/zencan.rs"));
 }
 
 type Table = &'static [ODEntry<'static>];
 
+/// Starts the node of a device with a node-ID.
+type Start = fn(u8) -> Table;
+
 /// Starts a node, so that its PDOs have their defaults.
 fn start(node_id: u8, mbox: &'static NodeMbox, state: &'static NodeState<'static>, table: Table) -> Table {
-    drop(Node::new(NodeId::new(node_id).unwrap(), Callbacks::new(), mbox, state, table));
+    let _ = Node::new(NodeId::new(node_id).unwrap(), Callbacks::new(), mbox, state, table);
     table
 }
 
@@ -90,9 +93,12 @@ impl Differences {
             Some(TypeKind::TimeDifference) => DataType::TimeDifference,
             _ => DataType::from(row.data_type.unwrap()),
         };
-        if info.data_type != data_type && !is_made_by_zencan(row.index) && row.sub != 0 {
-            self.put(" becomes `", row);
-        } else if info.data_type != data_type && row.sub == 0 && row.kind != Some(TypeKind::Unsigned(8)) {
+        let has_note = if row.sub == 0 {
+            row.kind != Some(TypeKind::Unsigned(8))
+        } else {
+            !is_made_by_zencan(row.index)
+        };
+        if info.data_type != data_type && has_note {
             self.put(" becomes `", row);
         }
         match read(entry, row.sub) {
