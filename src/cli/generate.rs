@@ -66,7 +66,10 @@ fn write(
     } else {
         writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;
         table.write(out)?;
-        sizes::write_tables(&production.sizes, out)?;
+        if args.report.is_some() {
+            let targets = production.outputs.iter().map(|(target, _)| target.name());
+            sizes::write_tables(targets, &production.sizes, out)?;
+        }
     }
     Ok(out.flush()?)
 }

@@ -33,9 +33,17 @@ pub(super) fn write_json(reports: &[(Target, SizeReport)], out: &mut dyn Write) 
     writeln!(out)
 }
 
-/// A table for each target.
-pub(super) fn write_tables(reports: &[(Target, SizeReport)], out: &mut dyn Write) -> io::Result<()> {
-    for (target, report) in reports {
+/// A table for each target of which there is a report, a word for the others.
+pub(super) fn write_tables(
+    targets: impl Iterator<Item = &'static str>,
+    reports: &[(Target, SizeReport)],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    for name in targets {
+        let Some((target, report)) = reports.iter().find(|(target, _)| target.name() == name) else {
+            writeln!(out, "\n{name}: what the tables take is not known")?;
+            continue;
+        };
         writeln!(out, "\n{}: bytes of the tables, without the code that serves them", target.name())?;
         let mut table = Table::new(["Object", "Entries", "Flash", "RAM", "Name"], LONGEST_NAME);
         let row = |first: String, entries: String, size: Size, name: &str| {

@@ -219,7 +219,8 @@ impl Request {
                         self.room.admit(target, report.total)?;
                         sizes.push((target, report));
                     }
-                    None => generated.notes.push(unknown_size()),
+                    None if self.room.is_limited() => generated.notes.push(unknown_size()),
+                    None => {}
                 }
             }
             for file in &generated.files {
