@@ -4,6 +4,7 @@ use super::plan::Planned;
 use super::storage::bits;
 use crate::generate::Note;
 use crate::generate::resolve::{Datum, Resolved, Shape};
+use crate::diagnostic::counted;
 use crate::model::{DataType, Field, Place, TypeKind};
 
 /// Objects that the stack writes through functions of its own, first and last index.
@@ -51,8 +52,10 @@ pub(super) fn limited(object: &Planned<'_>, enforce: bool, notes: &mut Vec<Note>
         let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
         let place = Place::entry(object.index, member.entry.sub).field(field);
         let more = members.count();
-        let more =
-            if more > 0 { format!("; so for {more} more entries of the object") } else { String::new() };
+        let more = match more {
+            0 => String::new(),
+            more => format!("; so for {} of the object", counted(more, "more entry", "more entries")),
+        };
         notes.push(if of_stack {
             Note::new(place, format!("the stack writes the object itself and keeps no limits{more}"))
         } else {
