@@ -63,7 +63,10 @@ fn sizes_are_those_of_the_compilers() {
         assert_eq!(output.trim(), format!("{} {}", in_c.flash, in_c.ram), "{name}, C");
         let rows: usize = report(&device, "c").objects.iter().map(|object| object.entries).sum();
         let rows_in_c = in_c.flash - rom; // the same defaults and limits in both
-        assert!([10, 16].contains(&(rows_in_c / rows)) && rows_in_c.is_multiple_of(rows), "{name}: {rows_in_c}");
+        assert!(
+            [10, 16].contains(&(rows_in_c / rows)) && rows_in_c.is_multiple_of(rows),
+            "{name}: {rows_in_c}"
+        );
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::plan::Planned;
 use super::storage::bits;
+use crate::diagnostic::counted;
 use crate::generate::Note;
 use crate::generate::resolve::{Datum, Resolved, Shape};
-use crate::diagnostic::counted;
 use crate::model::{DataType, Field, Place, TypeKind};
 
 /// Objects that the stack writes through functions of its own, first and last index.
