@@ -10,8 +10,6 @@ use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
 use crate::lint::{self, Options};
 
-pub(crate) use suppression::RULES;
-
 /// All findings about a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
     check_with(description, &Options::default())

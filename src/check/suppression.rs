@@ -1,55 +1,12 @@
 //! What a description says not to report of itself.
 
 use super::comments::{Directive, directives};
-use crate::config::unknown_rule;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing};
 use crate::format::{Description, Format, Syntax};
 use crate::lint::Options;
 use crate::registry;
+use crate::registry::own::{INVALID_SUPPRESSION, UNUSED_SUPPRESSION, unknown_rule};
 use crate::source::Span;
-
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[&INVALID_SUPPRESSION, &UNUSED_SUPPRESSION];
-
-text_rule! {
-    /// a comment to objdict says nothing that it understands
-    ///
-    /// ## What it checks
-    /// Whether a comment that starts with `objdict:` goes on with `allow` and the ids of rules, or names of groups, with blanks or commas between them.
-    ///
-    /// ## Why it matters
-    /// Whoever wrote the comment expects that something is not reported, and it is.
-    ///
-    /// ## Example
-    /// `; objdict: ignore cia306/file-name`
-    ///
-    /// ## How to mend
-    /// Write `; objdict: allow cia306/file-name`; a reason may follow behind ` -- `.
-    ///
-    /// ## Source
-    /// objdict, docs/config.md
-    INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning
-}
-
-text_rule! {
-    /// a comment allows what is not there
-    ///
-    /// ## What it checks
-    /// Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools and profiles of a house that the check was not told of, are not looked at.
-    ///
-    /// ## Why it matters
-    /// What was allowed is mended or has moved; the comment would hide the same mistake when somebody makes it again.
-    ///
-    /// ## Example
-    /// `; objdict: allow cia306/file-name` in a file whose `FileName` is right
-    ///
-    /// ## How to mend
-    /// Remove the comment, or the rule from it; or move it before the section that it is meant for.
-    ///
-    /// ## Source
-    /// objdict, docs/config.md
-    UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe
-}
 
 /// Takes the findings away that the text says not to report. What is wrong with what it says is found instead.
 pub(super) fn apply(description: &Description, options: &Options, findings: &mut Findings) -> Findings {

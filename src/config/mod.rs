@@ -17,14 +17,12 @@
 //! assert_eq!(options.node_id, Some(5));
 //! ```
 
-mod findings;
 mod path;
 mod project;
 mod read;
 
 use std::path::{Path, PathBuf};
 
-pub(crate) use self::findings::{RULES, invalid_setting, unknown_rule};
 pub(crate) use self::path::absolute;
 use self::path::{PathPattern, relative};
 pub(crate) use self::project::Project;

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Config, invalid_setting};
+use super::Config;
 use crate::diagnostic::Findings;
 use crate::profile::{self, OpenError, Profile};
+use crate::registry::own::invalid_setting;
 use crate::source::SourceError;
 
 /// A configuration with the profiles that it names.

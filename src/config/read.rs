@@ -5,12 +5,12 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::findings::{INVALID_TOML, UNKNOWN_SETTING, invalid_setting, unknown_rule};
 use super::path::PathPattern;
 use super::{Settings, Wanted};
 use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Tool, listing, nearest};
 use crate::lint::Level;
 use crate::registry;
+use crate::registry::own::{INVALID_TOML, UNKNOWN_SETTING, invalid_setting, unknown_rule};
 use crate::source::Span;
 
 /// The settings, in the order of docs/config.md.

@@ -1,11 +1,19 @@
-//! The rules about a configuration, and about the names of rules wherever they are written.
+//! The rules about what is said to objdict itself, in `objdict.toml` and in comments. They stand beside the list of all rules,
+//! for the names of rules are what they are about.
 
+use super::nearest_selection;
 use crate::diagnostic::{Diagnostic, RuleInfo, text_rule};
-use crate::registry;
 use crate::source::Span;
 
 /// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[&INVALID_SETTING, &INVALID_TOML, &UNKNOWN_RULE, &UNKNOWN_SETTING];
+pub(super) static RULES: &[&RuleInfo] = &[
+    &INVALID_SETTING,
+    &INVALID_SUPPRESSION,
+    &INVALID_TOML,
+    &UNKNOWN_RULE,
+    &UNKNOWN_SETTING,
+    &UNUSED_SUPPRESSION,
+];
 
 text_rule! {
     /// the configuration is no TOML
@@ -87,6 +95,46 @@ text_rule! {
     UNKNOWN_RULE = "objdict/unknown-rule", Warning
 }
 
+text_rule! {
+    /// a comment to objdict says nothing that it understands
+    ///
+    /// ## What it checks
+    /// Whether a comment that starts with `objdict:` goes on with `allow` and the ids of rules, or names of groups, with blanks or commas between them.
+    ///
+    /// ## Why it matters
+    /// Whoever wrote the comment expects that something is not reported, and it is.
+    ///
+    /// ## Example
+    /// `; objdict: ignore cia306/file-name`
+    ///
+    /// ## How to mend
+    /// Write `; objdict: allow cia306/file-name`; a reason may follow behind ` -- `.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning
+}
+
+text_rule! {
+    /// a comment allows what is not there
+    ///
+    /// ## What it checks
+    /// Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools and profiles of a house that the check was not told of, are not looked at.
+    ///
+    /// ## Why it matters
+    /// What was allowed is mended or has moved; the comment would hide the same mistake when somebody makes it again.
+    ///
+    /// ## Example
+    /// `; objdict: allow cia306/file-name` in a file whose `FileName` is right
+    ///
+    /// ## How to mend
+    /// Remove the comment, or the rule from it; or move it before the section that it is meant for.
+    ///
+    /// ## Source
+    /// objdict, docs/config.md
+    UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe
+}
+
 /// A setting with a value that it cannot have.
 pub(crate) fn invalid_setting(span: Span, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(&INVALID_SETTING, span, message)
@@ -95,7 +143,7 @@ pub(crate) fn invalid_setting(span: Span, message: impl Into<String>) -> Diagnos
 /// A name that is no rule and no group.
 pub(crate) fn unknown_rule(span: Span, name: &str) -> Diagnostic {
     let finding = Diagnostic::new(&UNKNOWN_RULE, span, format!("there is no rule or group `{name}`"));
-    match registry::nearest_selection(name) {
+    match nearest_selection(name) {
         Some(meant) => finding.help(format!("did you mean `{meant}`?")),
         None => finding.help("`objdict rules` lists all rules"),
     }

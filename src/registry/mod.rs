@@ -1,16 +1,17 @@
 //! Every rule there is: those that the readers of the formats raise, those of the linter, and those about what is said of
 //! rules. `explain`, severities, suppression and the documentation know no difference.
 
+pub(crate) mod own;
+
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{RuleInfo, Selection, nearest};
-use crate::{check, config, format, lint};
+use crate::{format, lint};
 
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {
-    let others = check::RULES.iter().chain(config::RULES).copied();
-    let mut rules: Vec<_> =
-        format::rules().chain(lint::RULES.iter().map(|rule| &rule.info)).chain(others).collect();
+    let of_linter = lint::RULES.iter().map(|rule| &rule.info);
+    let mut rules: Vec<_> = format::rules().chain(of_linter).chain(own::RULES.iter().copied()).collect();
     rules.sort_by_key(|rule| rule.id);
     rules
 }
