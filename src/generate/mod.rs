@@ -27,6 +27,7 @@ mod canopen_rs;
 mod canopen_stack;
 mod canopennode;
 mod concise;
+mod defaults;
 mod dictionary;
 mod escape;
 mod frames;

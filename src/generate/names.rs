@@ -134,6 +134,11 @@ impl Scope {
         Self { keywords: true, ..Self::of_constants(taken) }
     }
 
+    /// Takes an identifier, so that nobody gets it.
+    pub(crate) fn take(&mut self, identifier: String) {
+        self.taken.insert(identifier);
+    }
+
     /// The identifier for `words`, which is taken from now on.
     ///
     /// The first that claims an identifier gets it as it is, a keyword with `_` behind it; for everybody later, `suffix`

@@ -98,7 +98,8 @@ impl CobId {
         Self { number: self.number | Self::BIT_31, ..self }
     }
 
-    const fn can_id_mask(self) -> u32 {
+    /// The bits of the CAN-ID.
+    pub(crate) const fn can_id_mask(self) -> u32 {
         if self.is_extended() { 0x1FFF_FFFF } else { 0x7FF }
     }
 }

@@ -35,6 +35,7 @@ mod parts;
 mod pdo;
 mod place;
 mod serial;
+mod services;
 mod stack;
 mod value;
 
@@ -76,5 +77,6 @@ pub use place::{ModulePart, ObjectList, Part, Place};
 pub(crate) use serial::{
     hex_number, hex_text, index_keys, index_list, is_default, real_text, sub_list, unique_keys,
 };
+pub use services::{HeartbeatConsumer, SdoChannel, Services};
 pub use stack::{SrdoAccess, StackOptions};
 pub use value::{Time, Value};

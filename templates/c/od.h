@@ -31,6 +31,8 @@ extern "C" {
 {%- endfor %}
 {%- endfor %}
 
+{{ defaults }}
+
 /* A time of day since 1984-01-01, or a difference of times. */
 typedef struct {
     uint32_t milliseconds; /* after midnight, 28 bits */

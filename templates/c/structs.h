@@ -31,6 +31,7 @@ extern "C" {
 {%- endfor %}
 {%- endfor %}
 
+{{ plain.defaults }}
 {%- if time %}
 /* A time of day since 1984-01-01, or a difference of times. */
 typedef struct {

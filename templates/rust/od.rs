@@ -26,6 +26,8 @@ pub mod {{ view.object.module }} {
 }
 {%- endfor %}
 
+{{ defaults }}
+
 /// The values that can change; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]

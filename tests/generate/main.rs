@@ -6,6 +6,7 @@
 mod bench_table;
 mod compile;
 mod crates;
+mod defaults;
 mod devices;
 mod notes;
 mod odd;

@@ -1,9 +1,11 @@
 //! The target `c`: `od.h` and `od.c` in C99.
 
+mod defaults;
 mod pdo;
 mod structs;
 mod view;
 
+use super::defaults::constants;
 use super::frames::frames;
 use super::notes::in_order;
 use super::size::Layout;
@@ -40,15 +42,16 @@ impl Backend for C {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
+        let constants = constants(device, &table, &mut notes);
         let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
         let names = options.entry_names;
         let mut files = match options.table {
             CTable::Compact => vec![
-                render(header, &view::Header::new(&table, &prefix))?,
+                render(header, &view::Header::new(&table, &prefix, &constants))?,
                 render(source, &view::Source::new(&table, &prefix))?,
             ],
             CTable::Structs => vec![
-                render(header, &structs::StructsHeader::new(&table, &prefix, names))?,
+                render(header, &structs::StructsHeader::new(&table, &prefix, &constants, names))?,
                 render(source, &structs::StructsSource::new(&table, &prefix, names))?,
             ],
         };

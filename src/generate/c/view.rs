@@ -2,6 +2,8 @@
 
 use askama::Template;
 
+use super::defaults::{Defaults, take_names};
+use crate::generate::defaults::Constant;
 use crate::generate::escape::filters;
 use crate::generate::names::{LONGEST, Scope};
 use crate::generate::resolve::Shape;
@@ -20,6 +22,7 @@ pub(super) struct Header<'a> {
     /// The integer type of places in RAM and flash.
     offset: &'static str,
     pub(super) objects: Vec<ObjectView<'a>>,
+    pub(super) defaults: Defaults,
     pub(super) fields: Vec<FieldView<'a>>,
 }
 
@@ -75,8 +78,9 @@ const MACROS: &str = "
 ";
 
 impl<'a> Header<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, constants: &[Constant]) -> Self {
         let mut macros = Scope::of_constants(MACROS);
+        take_names(constants, &mut macros);
         // objects first, so that no entry takes the name of one
         let names: Vec<String> = table
             .objects
@@ -94,6 +98,7 @@ impl<'a> Header<'a> {
             table,
             offset: if table.is_wide() { "uint32_t" } else { "uint16_t" },
             objects: objects.collect(),
+            defaults: Defaults::new(constants, prefix),
             fields: by_alignment(table).into_iter().map(|field| field_view(table, field, prefix)).collect(),
         }
     }

@@ -1,10 +1,12 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
 
+mod defaults;
 mod pdo;
 mod view;
 
 pub(super) use view::{value_of, word_type};
 
+use super::defaults::constants;
 use super::frames::frames;
 use super::notes::in_order;
 use super::size::Layout;
@@ -33,7 +35,8 @@ impl Backend for Rust {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
-        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames))?;
+        let constants = constants(device, &table, &mut notes);
+        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames, &constants))?;
         Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 

@@ -2,7 +2,9 @@
 
 use askama::Template;
 
+use super::defaults::Defaults;
 use super::pdo::FrameView;
+use crate::generate::defaults::Constant;
 use crate::generate::escape::{byte_string, filters};
 use crate::generate::frames::Frame;
 use crate::generate::resolve::{Datum, Shape};
@@ -20,6 +22,7 @@ pub(super) struct Od<'a> {
     fields: Vec<FieldView<'a>>,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
+    defaults: Defaults,
     frames: Vec<FrameView<'a>>,
 }
 
@@ -56,7 +59,7 @@ struct RowView<'a> {
 }
 
 impl<'a> Od<'a> {
-    pub(super) fn new(table: &'a Table, frames: &'a [Frame]) -> Self {
+    pub(super) fn new(table: &'a Table, frames: &'a [Frame], constants: &[Constant]) -> Self {
         let mut next = 1;
         let mut fields = Vec::with_capacity(table.fields.len());
         for field in &table.fields {
@@ -76,6 +79,7 @@ impl<'a> Od<'a> {
             fields,
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
+            defaults: Defaults::new(constants),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
         }
     }
@@ -216,7 +220,7 @@ fn real(literal: &str) -> String {
 }
 
 /// Digits in groups from the right, as clippy likes them: short numbers stay as they are.
-fn grouped(digits: &str, size: usize) -> String {
+pub(super) fn grouped(digits: &str, size: usize) -> String {
     if digits.len() <= size + 1 {
         return digits.to_owned();
     }

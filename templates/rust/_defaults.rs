@@ -1,0 +1,19 @@
+/// What the dictionary says by default of the identity and the services of the node, decoded: COB-IDs
+/// are functions of the node-ID. The values that hold now are in `Data`.
+#[allow(dead_code, unreachable_pub, clippy::cast_lossless)]
+#[rustfmt::skip]
+pub mod defaults {
+{%- for item in items %}
+{%- if !loop.first %}
+{% endif %}
+    /// {{ item.meaning }}.
+{%- if let Some(uses_node_id) = item.function %}
+    #[must_use]
+    pub const fn {{ item.name }}({% if !uses_node_id %}_{% endif %}node_id: u8) -> {{ item.type_ }} {
+        {{ item.value }}
+    }
+{%- else %}
+    pub const {{ item.name }}: {{ item.type_ }} = {{ item.value }};
+{%- endif %}
+{%- endfor %}
+}
