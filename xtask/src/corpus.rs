@@ -56,8 +56,9 @@ pub(crate) fn run(folder: &Path, generate: bool, shares: Option<&Path>) -> Resul
             .filter(|(_, outcome)| outcome.errors == 0)
             .map(|(file, _)| file.as_path())
             .collect();
-        let compiled = crate::generated::run(&sound, &mut failures);
-        println!("{compiled} of {} files without an error give Rust and C that compile", sound.len());
+        let (table, mut failed) = crate::targets::table(&sound, crate::targets::Selection::default())?;
+        println!("{table}");
+        failures.append(&mut failed);
     }
     let whole = |sound: bool| {
         let is_meant = |outcome: &Outcome| !sound || outcome.errors == 0;

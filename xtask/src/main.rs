@@ -1,16 +1,16 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
-//! `cargo xtask docs [--check]`.
+//! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask docs [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
 mod changes;
 mod corpus;
 mod docs;
-mod generated;
 mod mutants;
 mod mutate;
 mod round_trip;
 mod shares;
+mod targets;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -19,7 +19,11 @@ const USAGE: &str = "\
 usage:
   cargo xtask corpus FOLDER [--generate] [--shares FILE]
       read, print, check and convert there and back every description below FOLDER, and print a table; with --generate also
-      compile what is generated from each, with --shares write how many files each rule fires on (docs/rules-shares.tsv)
+      that of `targets`, with --shares write how many files each rule fires on (docs/rules-shares.tsv)
+  cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]
+      generate every target from every description below FOLDER that has no error finding (--damaged: also from the
+      others), with its names or with hostile ones (--hostile), compile that, and print a table; where a variable
+      OBJDICT_<STACK>_DIR names a checkout of a stack, compile with it too
   cargo xtask mutants FOLDER COUNT
       damage the descriptions below FOLDER so often, and read, check, mend and arrange them; nothing may panic
   cargo xtask docs [--check]
@@ -35,6 +39,10 @@ fn main() -> ExitCode {
         ["corpus", folder, "--generate", "--shares", file] => {
             corpus::run(Path::new(folder), true, Some(Path::new(file)))
         }
+        ["targets", folder, ref choices @ ..] => match selection(choices) {
+            Some(selection) => targets::run(Path::new(folder), selection),
+            None => Err(USAGE.to_owned()),
+        },
         ["mutants", folder, count] => match count.parse() {
             Ok(count) => mutants::run(Path::new(folder), count),
             Err(_) => Err(USAGE.to_owned()),
@@ -49,5 +57,28 @@ fn main() -> ExitCode {
             eprintln!("{message}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// What the words behind the folder choose.
+fn selection<'a>(mut choices: &[&'a str]) -> Option<targets::Selection<'a>> {
+    let mut selection = targets::Selection::default();
+    loop {
+        choices = match *choices {
+            [] => return Some(selection),
+            ["--damaged", ref rest @ ..] => {
+                selection.damaged = true;
+                rest
+            }
+            ["--hostile", ref rest @ ..] => {
+                selection.hostile = true;
+                rest
+            }
+            ["--only", only, ref rest @ ..] => {
+                selection.only = Some(only);
+                rest
+            }
+            _ => return None,
+        };
     }
 }
