@@ -1,0 +1,26 @@
+//! Makes the code of a node of each device configuration `*.toml` in a folder, beside it, as zencan-build does for a build
+//! script; prints those that it refuses. A chore of the repository calls it, see `cargo xtask targets`.
+
+#![allow(clippy::print_stdout, reason = "what is printed is the result")]
+
+use std::error::Error;
+use std::path::PathBuf;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("the folder is missing")?);
+    let mut files: Vec<PathBuf> = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        files.push(entry?.path());
+    }
+    files.retain(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    files.sort();
+    for file in files {
+        if let Err(error) = zencan_build::compile_device_config(&file, file.with_extension("rs")) {
+            let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let chain = std::iter::successors(Some(&error as &dyn Error), |&error| error.source());
+            let chain: Vec<String> = chain.map(ToString::to_string).collect();
+            println!("{name}\t{}", chain.join(": ").replace('\n', " "));
+        }
+    }
+    Ok(())
+}
