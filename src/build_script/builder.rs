@@ -269,9 +269,12 @@ impl Builder {
         })?;
         for (target, generated) in &production.outputs {
             let target = target.name();
-            let notes = generated.notes.iter();
-            let notes = notes.map(|note| {
-                with_advice(format!("{file}: note: {target}: {}", said(note)), note.help.as_deref())
+            // what does not work stands first, where it is not counted away
+            let (warnings, notes): (Vec<_>, Vec<_>) =
+                generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
+            let notes = warnings.into_iter().chain(notes).map(|note| {
+                let text = format!("{file}: {}: {target}: {}", note.severity, said(note));
+                with_advice(text, note.help.as_deref())
             });
             cargo.warn(self.max_warnings, notes, |count| {
                 let notes = counted(count, "more note", "more notes");

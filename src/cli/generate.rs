@@ -11,6 +11,7 @@ use super::save::{Saved, save};
 use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, tell};
+use crate::diagnostic::Severity;
 use crate::format::input::InputError;
 use crate::generate::{Options, Target};
 use crate::production::{Error, Judged, Production, Request, Room, depfile, told};
@@ -37,7 +38,10 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         stamp(args, &files)?;
     }
     for (target, generated) in &production.outputs {
-        let notes: String = generated.notes.iter().map(|note| told(target.name(), note)).collect();
+        // what does not work stands last, where it is seen
+        let (warnings, notes): (Vec<_>, Vec<_>) =
+            generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
+        let notes: String = notes.into_iter().chain(warnings).map(|note| told(target.name(), note)).collect();
         tell(&notes);
     }
     Ok(Outcome::Clean)

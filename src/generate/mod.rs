@@ -54,6 +54,7 @@ pub use options::{CTable, Choice, Group, Names, Options};
 pub use renames::{ChoiceError, renames};
 pub use size::{ObjectSize, Size, SizeReport};
 
+use crate::diagnostic::Severity;
 use crate::model::{Device, Place};
 
 /// Every backend with its name as a constant of [`Target`], one line each, in the order in which help lists them.
@@ -176,18 +177,39 @@ pub struct Note {
     pub message: String,
     /// What to do.
     pub help: Option<Cow<'static, str>>,
+    /// The other places that it holds for, in ascending order; the message counts them.
+    pub also: Vec<Place>,
+    /// How grave it is: a warning says that the files do not work as they are, a note what is not in them.
+    pub severity: Severity,
 }
 
 impl Note {
     /// A note without advice.
     pub(crate) fn new(place: impl Into<Place>, message: impl Into<String>) -> Self {
-        Self { place: place.into(), message: message.into(), help: None }
+        Self {
+            place: place.into(),
+            message: message.into(),
+            help: None,
+            also: Vec::new(),
+            severity: Severity::Note,
+        }
     }
 
     /// With advice.
     pub(crate) fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
         self.help = Some(help.into());
         self
+    }
+
+    /// Of what does not work.
+    pub(crate) fn warning(mut self) -> Self {
+        self.severity = Severity::Warning;
+        self
+    }
+
+    /// All places that it holds for.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        std::iter::once(&self.place).chain(&self.also)
     }
 }
 

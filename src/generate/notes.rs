@@ -1,7 +1,13 @@
 //! Notes about what a target cannot express, in order, and each once.
 
+use std::collections::HashMap;
+
 use super::Note;
+use crate::diagnostic::counted;
 use crate::model::{Part, Place};
+
+/// The most objects, or rows of objects, that a message names.
+const MOST_RANGES: usize = 8;
 
 /// Notes in the order of their places; those of one place stay as they are.
 pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
@@ -11,27 +17,73 @@ pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
 
 /// Ordered notes without those that say the same of further entries of an object: the first one counts them.
 pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
-    let mut kept: Vec<(Note, u32)> = Vec::new();
+    let mut kept: Vec<(Note, Vec<Place>)> = Vec::new();
     for note in notes {
-        let same = |(first, _): &&mut (Note, u32)| {
+        let same = |(first, _): &&mut (Note, Vec<Place>)| {
             index_of(&first.place).is_some_and(|index| index_of(&note.place) == Some(index))
                 && first.place.field == note.place.field
                 && first.message == note.message
         };
         let recent = kept.iter_mut().rev().take(8); // the kinds of notes that entries of one object have
         match recent.into_iter().find(same) {
-            Some((_, more)) => *more += 1,
-            None => kept.push((note, 0)),
+            Some((_, more)) => more.push(note.place),
+            None => kept.push((note, Vec::new())),
         }
     }
     let counted = kept.into_iter().map(|(mut note, more)| {
-        if more > 0 {
-            let entries = if more == 1 { "entry" } else { "entries" };
-            note.message = format!("{}; so for {more} more {entries} of the object", note.message);
+        if !more.is_empty() {
+            let entries = counted(more.len(), "more entry", "more entries");
+            note.message = format!("{}; so for {entries} of the object", note.message);
+            note.also.extend(more);
         }
         note
     });
     counted.collect()
+}
+
+/// Ordered notes without those that say the same of further entries of the device: the first one counts them and names
+/// their objects.
+pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
+    let mut kept: Vec<Note> = Vec::new();
+    let mut known: HashMap<String, usize> = HashMap::new();
+    for note in notes {
+        let first = index_of(&note.place).and_then(|_| known.get(&note.message).copied());
+        match first.and_then(|first| kept.get_mut(first)) {
+            Some(first) => first.also.push(note.place),
+            None => {
+                if index_of(&note.place).is_some() {
+                    known.insert(note.message.clone(), kept.len());
+                }
+                kept.push(note);
+            }
+        }
+    }
+    for note in kept.iter_mut().filter(|note| !note.also.is_empty()) {
+        let entries = counted(note.also.len(), "more entry", "more entries");
+        let indexes: Vec<u16> = note.also.iter().filter_map(index_of).collect();
+        let same = indexes.iter().all(|&index| index_of(&note.place) == Some(index));
+        let of = if same { "of the object".to_owned() } else { format!("({})", ranges(&indexes)) };
+        note.message = format!("{}; so for {entries} {of}", note.message);
+    }
+    kept
+}
+
+/// Indexes in ascending order as a text: `1010h, 1400h to 1403h`, the first of them only where there are many.
+fn ranges(indexes: &[u16]) -> String {
+    let mut ranges: Vec<(u16, u16)> = Vec::new();
+    for &index in indexes {
+        match ranges.last_mut() {
+            Some((_, last)) if index.saturating_sub(*last) <= 1 => *last = index,
+            _ => ranges.push((index, index)),
+        }
+    }
+    let range = |&(first, last): &(u16, u16)| match last - first {
+        0 => format!("{first:04X}h"),
+        _ => format!("{first:04X}h to {last:04X}h"),
+    };
+    let more = if ranges.len() > MOST_RANGES { ", …" } else { "" };
+    let named: Vec<String> = ranges.iter().take(MOST_RANGES).map(range).collect();
+    named.join(", ") + more
 }
 
 /// The index of the object whose entry a place is.
@@ -39,5 +91,34 @@ fn index_of(place: &Place) -> Option<u16> {
     match place.part {
         Part::Entry(index, _) => Some(index),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_holds_for_many_entries_is_told_once() {
+        let at = |index, sub| Note::new(Place::entry(index, sub), "the stack has no room");
+        let notes = vec![at(0x1400, 1), at(0x1400, 2), at(0x1401, 1), at(0x1A00, 1)];
+        let per_object = once_per_object(notes.clone());
+        assert_eq!(per_object.len(), 3);
+        assert_eq!(
+            per_object[0].to_string(),
+            "0x1400sub1: the stack has no room; so for 1 more entry of the object"
+        );
+        assert_eq!(per_object[0].also, [Place::entry(0x1400, 2)]);
+        let per_device = once_per_device(notes);
+        assert_eq!(per_device.len(), 1);
+        assert_eq!(
+            per_device[0].message,
+            "the stack has no room; so for 3 more entries (1400h to 1401h, 1A00h)"
+        );
+        assert_eq!(per_device[0].places().count(), 4);
+        let many: Vec<Note> = (0..20).map(|number| at(0x2000 + 2 * number, 0)).collect();
+        let told = once_per_device(many);
+        assert!(told[0].message.ends_with("2010h, …)"), "{}", told[0].message);
+        assert_eq!(told[0].also.len(), 19);
     }
 }

@@ -163,7 +163,7 @@ impl Error {
 
 /// A note with its advice, as lines.
 pub(crate) fn told(target: &str, note: &Note) -> String {
-    let mut text = format!("note: {target}: {}\n", said(note));
+    let mut text = format!("{}: {target}: {}\n", note.severity, said(note));
     if let Some(help) = &note.help {
         text.push_str(&format!("  help: {help}\n"));
     }

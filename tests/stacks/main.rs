@@ -10,6 +10,7 @@
 mod c_structs;
 mod canopen_stack;
 mod canopennode;
+mod columns;
 #[path = "../generate/compile.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod compile;
@@ -20,6 +21,7 @@ mod microcanopen;
 mod objdict_macros;
 #[path = "../generate/odd.rs"]
 mod odd;
+mod one_truth;
 #[path = "../generate/oracle.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;

@@ -2,6 +2,7 @@
 
 use crate::generate::Note;
 use crate::generate::dictionary::{Dictionary, ResolvedEntry};
+use crate::generate::notes::once_per_device;
 use crate::generate::resolve::Datum;
 use crate::model::{Access, Field, Part, Pdo, PdoKind, Place};
 
@@ -16,7 +17,7 @@ pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<No
             self::entry(object.index, entry, &mut common);
         }
     }
-    notes.extend(once(common));
+    notes.extend(once_per_device(common));
     for pdo in dictionary.device.pdos() {
         communication(&pdo, notes);
         mapping(dictionary, &pdo, notes);
@@ -55,25 +56,6 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     if resolved.access == Access::Wo && index == 0x1003 {
         notes.push(Note::new(place(), "the stack reads the entry although it can only be written"));
     }
-}
-
-/// The first note of each kind, with the number of the others.
-fn once(notes: Vec<Note>) -> Vec<Note> {
-    let mut kept: Vec<(Note, usize)> = Vec::new();
-    for note in notes {
-        match kept.iter_mut().find(|(first, _)| first.message == note.message) {
-            Some((_, more)) => *more += 1,
-            None => kept.push((note, 0)),
-        }
-    }
-    let counted = kept.into_iter().map(|(mut note, more)| {
-        if more > 0 {
-            let entries = if more == 1 { "entry" } else { "entries" };
-            note.message = format!("{}; so for {more} more {entries} of the device", note.message);
-        }
-        note
-    });
-    counted.collect()
 }
 
 fn communication(pdo: &Pdo<'_>, notes: &mut Vec<Note>) {

@@ -11,7 +11,7 @@ use crate::model::{DataType, Device, Place};
 pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
     notes.extend(unmet(device).into_iter().map(|unmet| {
         let text = format!("{}; {}", unmet.message, unmet.cause.effect());
-        Note::new(unmet.place, text).help(unmet.help)
+        Note::new(unmet.place, text).help(unmet.help).warning()
     }));
 }
 

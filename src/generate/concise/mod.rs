@@ -70,7 +70,7 @@ fn inexpressible(error: PlanError) -> GenerateError {
     match error {
         PlanError::NodeId(node_id) => GenerateError::NodeId { node_id },
         PlanError::Problems(problems) => {
-            let note = |(place, message)| Note { place, message, help: help.map(Into::into) };
+            let note = |(place, message)| Note { help: help.map(Into::into), ..Note::new(place, message) };
             let notes = problems.into_iter().map(|problem| (problem.place, problem.kind.to_string()));
             GenerateError::Inexpressible(notes.map(note).collect())
         }

@@ -11,7 +11,7 @@ mod view;
 
 use super::c_code::file_stem;
 use super::dictionary::Dictionary;
-use super::notes::{in_order, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
 use crate::model::{Device, Part};
 
@@ -55,6 +55,6 @@ impl Backend for MicroCanopen {
             render(format!("{stem}_mco.c"), &view::Source::new(&head, &image, &replies, &calls))?,
             render(format!("{stem}_pimg.h"), &view::Header::new(&head, &image))?,
         ];
-        Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+        Ok(Generated { files, notes: once_per_device(in_order(notes)) })
     }
 }

@@ -32,6 +32,7 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
     let sub = entry.sub;
     let mut say = |text: &str| notes.push(Note::new(Place::entry(index, sub), text));
     if is_of_the_stack(index, sub) {
+        say("the stack serves the entry by itself");
         return None;
     }
     let length = match &resolved.default {

@@ -11,7 +11,7 @@ mod view;
 use super::c_code::{bytes, exact_type, little_endian, number};
 use super::dictionary::{Dictionary, ResolvedEntry};
 use super::names::Scope;
-use super::notes::{in_order, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::resolve::{Datum, Shape};
 use super::variables::variables;
 use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
@@ -45,7 +45,7 @@ impl Backend for ObjdictMacros {
             render("objdict.c", &view::Source::new(&head, &objects))?,
             render("mapping.c", &view::Mapping::new(&head, &pdos))?,
         ];
-        Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+        Ok(Generated { files, notes: once_per_device(in_order(notes)) })
     }
 }
 

@@ -1,8 +1,9 @@
 //! The target `c` with `--table structs`: it lacks nothing.
 
+use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{CTable, Options, Target, generate};
+use objdict::generate::{CTable, Note, Options, Target, generate};
 use objdict::model::{DataType, Device, Value};
 
 use crate::beside;
@@ -29,6 +30,28 @@ fn with_limits(device: &Device, node_id: u8) -> Vec<String> {
     lines.collect()
 }
 
+/// The rows on a node, with names or without, a line each, and the notes; the program that prints them is `harness`.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    (node_id, names): (u8, bool),
+) -> Result<(String, Vec<Note>), String> {
+    let mut options = Options::default();
+    options.table = CTable::Structs;
+    options.entry_names = names;
+    let generated = generate(device, Target::named("c").unwrap(), &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    let mut cc = cc(compiler, folder);
+    let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
+    cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
+    succeed(&mut cc, "")?;
+    let mut harness = Command::new(folder.join("harness"));
+    Ok((succeed(harness.arg(node_id.to_string()), "")?, generated.notes))
+}
+
 #[test]
 fn the_array_of_structures_has_what_the_description_says() {
     let Some(compiler) = c_compiler() else { return };
@@ -36,20 +59,10 @@ fn the_array_of_structures_has_what_the_description_says() {
         for names in [true, false] {
             let fail = |error: String| format!("{name}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            let mut options = Options::default();
-            options.table = CTable::Structs;
-            options.entry_names = names;
-            let generated = generate(device, Target::named("c").unwrap(), &options).unwrap();
-            for file in &generated.files {
-                std::fs::write(folder.path().join(&file.path), &file.contents).unwrap();
-            }
-            let mut cc = cc(&compiler, folder.path());
-            let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
-            cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
-            succeed(&mut cc, "").map_err(fail)?;
             let node_id = if names { 5 } else { 127 };
+            let (dump, _) = dump(&compiler, folder.path(), device, (node_id, names)).map_err(fail)?;
             let mut harness = Command::new(folder.path().join("harness"));
-            let dump = succeed(harness.arg(node_id.to_string()), "").map_err(fail)?;
+            harness.arg(node_id.to_string());
             compare(name, &truth(device, node_id), &dump)?;
             let dump = succeed(harness.arg("limits"), "").map_err(fail)?;
             let expected = with_limits(device, node_id);

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{Generated, Group, Options, Target, generate};
+use objdict::generate::{Generated, Group, Note, Options, Target, generate};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, succeed};
@@ -42,7 +42,7 @@ const LACKS: [Lack; 5] = [
     },
 ];
 
-fn options(node_id: u8, grouped: bool) -> Options {
+pub(crate) fn options(node_id: u8, grouped: bool) -> Options {
     let mut options = Options::default();
     options.node_id = Some(node_id);
     options.file_stem = "device".to_owned();
@@ -79,6 +79,21 @@ fn expected(device: &Device, node_id: u8) -> Vec<Row> {
     rows
 }
 
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    options: &Options,
+) -> Result<(String, Vec<Note>), String> {
+    let notes = write(folder, device, options).notes;
+    let mut cc = cc(compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
+    cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
+    succeed(cc.arg(beside("canopen_stack", "harness.c")), "")?;
+    Ok((succeed(&mut Command::new(folder.join("harness")), "")?, notes))
+}
+
 #[test]
 fn the_stack_reads_what_the_description_says() {
     let Some(compiler) = c_compiler() else { return };
@@ -87,12 +102,8 @@ fn the_stack_reads_what_the_description_says() {
         for (node_id, grouped) in [(5, false), (127, true)] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            write(folder.path(), device, &options(node_id, grouped));
-            let mut cc = cc(&compiler, folder.path());
-            cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
-            cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
-            succeed(cc.arg(beside("canopen_stack", "harness.c")), "").map_err(fail)?;
-            let dump = succeed(&mut Command::new(folder.path().join("harness")), "").map_err(fail)?;
+            let options = options(node_id, grouped);
+            let (dump, _) = dump(&compiler, folder.path(), device, &options).map_err(fail)?;
             compare(name, &expected(device, node_id), &dump).map_err(fail)?;
         }
         Ok(())

@@ -89,6 +89,16 @@ fn with_declarations(compiler: &str, folder: &Path) -> Command {
     command
 }
 
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(String, Vec<Note>), String> {
+    let notes = generate_into(folder, device, &Options::default());
+    let mut cc = with_declarations(compiler, folder);
+    cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
+    succeed(&mut cc, "")?;
+    let mut harness = Command::new(folder.join("harness"));
+    Ok((succeed(harness.args(["dump", &NODE_ID.to_string()]), "")?, notes))
+}
+
 #[test]
 fn the_tables_hold_what_the_description_says() {
     let Some(compiler) = c_compiler() else { return };
@@ -99,12 +109,7 @@ fn the_tables_hold_what_the_description_says() {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let fail = |error: String| format!("{name}: {error}");
-        let notes = generate_into(folder, device, &Options::default());
-        let mut cc = with_declarations(&compiler, folder);
-        cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
-        succeed(&mut cc, "").map_err(fail)?;
-        let mut harness = Command::new(folder.join("harness"));
-        let output = succeed(harness.args(["dump", &NODE_ID.to_string()]), "").map_err(fail)?;
+        let (output, notes) = dump(&compiler, folder, device).map_err(fail)?;
         let expected = expected(device);
         entries.fetch_add(expected.len(), Ordering::Relaxed);
         compare(name, &expected, &output)?;

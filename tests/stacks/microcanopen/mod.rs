@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{Generated, Options, Target, generate};
+use objdict::generate::{Generated, Note, Options, Target, generate};
 use objdict::model::{Device, TypeKind};
 
 use crate::beside;
@@ -70,6 +70,17 @@ fn build(compiler: &str, folder: &Path) -> Result<Command, String> {
     Ok(Command::new(folder.join("harness")))
 }
 
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    node_id: u8,
+) -> Result<(String, Vec<Note>), String> {
+    let notes = write(folder, device, node_id).notes;
+    Ok((succeed(&mut build(compiler, folder)?, "")?, notes))
+}
+
 #[test]
 fn a_client_reads_what_the_description_says() {
     let Some(compiler) = c_compiler() else { return };
@@ -77,8 +88,7 @@ fn a_client_reads_what_the_description_says() {
         for node_id in [5, 127] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            write(folder.path(), device, node_id);
-            let dump = succeed(&mut build(&compiler, folder.path()).map_err(fail)?, "").map_err(fail)?;
+            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
             compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
         }
         Ok(())

@@ -1,8 +1,9 @@
 //! The target `objdict-macros`.
 
+use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{Device, PdoKind};
 
 use crate::beside;
@@ -45,6 +46,25 @@ fn mapping(device: &Device) -> String {
     text
 }
 
+/// The rows, a line each, and the notes; the program that prints them is `harness`.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    node_id: u8,
+) -> Result<(String, Vec<Note>), String> {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    let generated = generate(device, Target::named("objdict-macros").unwrap(), &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    let mut cc = cc(compiler, folder);
+    let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
+    succeed(cc.arg(beside("objdict_macros", "harness.c")), "")?;
+    Ok((succeed(&mut Command::new(folder.join("harness")), "")?, generated.notes))
+}
+
 #[test]
 fn the_rows_have_what_the_description_says() {
     let Some(compiler) = c_compiler() else { return };
@@ -52,17 +72,8 @@ fn the_rows_have_what_the_description_says() {
         for node_id in [5, 127] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            let mut options = Options::default();
-            options.node_id = Some(node_id);
-            let generated = generate(device, Target::named("objdict-macros").unwrap(), &options).unwrap();
-            for file in &generated.files {
-                std::fs::write(folder.path().join(&file.path), &file.contents).unwrap();
-            }
-            let mut cc = cc(&compiler, folder.path());
-            let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
-            succeed(cc.arg(beside("objdict_macros", "harness.c")), "").map_err(fail)?;
+            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
             let mut harness = Command::new(folder.path().join("harness"));
-            let dump = succeed(&mut harness, "").map_err(fail)?;
             compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
             let maps = succeed(harness.arg("mapping"), "").map_err(fail)?;
             if maps != mapping(device) {
