@@ -31,6 +31,7 @@ mod defaults;
 mod dictionary;
 mod escape;
 mod frames;
+mod meanings;
 mod microcanopen;
 mod names;
 mod notes;

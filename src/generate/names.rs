@@ -134,6 +134,11 @@ impl Scope {
         Self { keywords: true, ..Self::of_constants(taken) }
     }
 
+    /// Whether nobody has an identifier.
+    pub(crate) fn is_free(&self, identifier: &str) -> bool {
+        !self.taken.contains(identifier)
+    }
+
     /// Takes an identifier, so that nobody gets it.
     pub(crate) fn take(&mut self, identifier: String) {
         self.taken.insert(identifier);

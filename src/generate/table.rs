@@ -125,7 +125,7 @@ impl Table {
     pub(crate) fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
         let dictionary = Dictionary::new(device, options)?;
         let mut builder = Builder {
-            modules: Scope::of_lower_case("od pdo defaults"), // for the modules of the templates
+            modules: Scope::of_lower_case("od pdo defaults enums bits"), // for the modules of the templates
             fields: Scope::of_lower_case("node_id"),
             rom: Rom::default(),
             table: Self::empty(&dictionary, options),

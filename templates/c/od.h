@@ -32,6 +32,10 @@ extern "C" {
 {%- endfor %}
 
 {{ defaults }}
+{%- if let Some(meanings) = meanings %}
+
+{{ meanings }}
+{%- endif %}
 
 /* A time of day since 1984-01-01, or a difference of times. */
 typedef struct {

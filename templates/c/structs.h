@@ -32,6 +32,11 @@ extern "C" {
 {%- endfor %}
 
 {{ plain.defaults }}
+{%- if let Some(meanings) = plain.meanings %}
+
+{{ meanings }}
+{%- endif %}
+
 {%- if time %}
 /* A time of day since 1984-01-01, or a difference of times. */
 typedef struct {

@@ -28,6 +28,10 @@ pub mod {{ view.object.module }} {
 
 {{ defaults }}
 
+{% if let Some(meanings) = meanings -%}
+{{ meanings }}
+
+{% endif -%}
 /// The values that can change; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]

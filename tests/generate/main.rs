@@ -8,6 +8,7 @@ mod compile;
 mod crates;
 mod defaults;
 mod devices;
+mod meanings;
 mod notes;
 mod odd;
 mod oracle;

@@ -1,12 +1,14 @@
 //! The target `c`: `od.h` and `od.c` in C99.
 
 mod defaults;
+mod meanings;
 mod pdo;
 mod structs;
 mod view;
 
 use super::defaults::constants;
 use super::frames::frames;
+use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
@@ -42,16 +44,19 @@ impl Backend for C {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
-        let constants = constants(device, &table, &mut notes);
+        let facts = view::Facts {
+            constants: constants(device, &table, &mut notes),
+            named: meanings(device, &table, options, &mut notes),
+        };
         let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
         let names = options.entry_names;
         let mut files = match options.table {
             CTable::Compact => vec![
-                render(header, &view::Header::new(&table, &prefix, &constants))?,
+                render(header, &view::Header::new(&table, &prefix, &facts))?,
                 render(source, &view::Source::new(&table, &prefix))?,
             ],
             CTable::Structs => vec![
-                render(header, &structs::StructsHeader::new(&table, &prefix, &constants, names))?,
+                render(header, &structs::StructsHeader::new(&table, &prefix, &facts, names))?,
                 render(source, &structs::StructsSource::new(&table, &prefix, names))?,
             ],
         };

@@ -4,9 +4,8 @@ use std::collections::HashMap;
 
 use askama::Template;
 
-use super::view::{FieldView, Header, is_time, type_name, word_type};
+use super::view::{Facts, FieldView, Header, is_time, type_name, word_type};
 use crate::generate::c_code::{bytes, number};
-use crate::generate::defaults::Constant;
 use crate::generate::escape::filters;
 use crate::generate::resolve::{Datum, Shape};
 use crate::generate::table::{Row, Table};
@@ -57,10 +56,10 @@ struct RowView<'a> {
 }
 
 impl<'a> StructsHeader<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, constants: &[Constant], names: bool) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts, names: bool) -> Self {
         let time =
             table.rows.iter().any(|row| matches!(row.resolved.shape, Shape::Word(word) if is_time(word)));
-        Self { plain: Header::new(table, prefix, constants), names, time }
+        Self { plain: Header::new(table, prefix, facts), names, time }
     }
 
     fn fields(&self) -> &[FieldView<'a>] {

@@ -3,8 +3,10 @@
 use askama::Template;
 
 use super::defaults::{Defaults, take_names};
+use super::meanings::Meanings;
 use crate::generate::defaults::Constant;
 use crate::generate::escape::filters;
+use crate::generate::meanings::Named;
 use crate::generate::names::{LONGEST, Scope};
 use crate::generate::resolve::Shape;
 use crate::generate::size::alignment;
@@ -23,7 +25,14 @@ pub(super) struct Header<'a> {
     offset: &'static str,
     pub(super) objects: Vec<ObjectView<'a>>,
     pub(super) defaults: Defaults,
+    pub(super) meanings: Option<Meanings<'a>>,
     pub(super) fields: Vec<FieldView<'a>>,
+}
+
+/// What headers show beside the table.
+pub(super) struct Facts {
+    pub(super) constants: Vec<Constant>,
+    pub(super) named: Named,
 }
 
 /// The source.
@@ -78,9 +87,9 @@ const MACROS: &str = "
 ";
 
 impl<'a> Header<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, constants: &[Constant]) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
         let mut macros = Scope::of_constants(MACROS);
-        take_names(constants, &mut macros);
+        take_names(&facts.constants, &mut macros);
         // objects first, so that no entry takes the name of one
         let names: Vec<String> = table
             .objects
@@ -91,14 +100,17 @@ impl<'a> Header<'a> {
             .objects
             .iter()
             .zip(names)
-            .map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)));
+            .map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)))
+            .collect();
+        let meanings = (!facts.named.is_empty()).then(|| Meanings::new(&facts.named, prefix, &mut macros));
         Self {
             lower: prefix,
             upper: prefix.to_ascii_uppercase(),
             table,
             offset: if table.is_wide() { "uint32_t" } else { "uint16_t" },
-            objects: objects.collect(),
-            defaults: Defaults::new(constants, prefix),
+            objects,
+            defaults: Defaults::new(&facts.constants, prefix),
+            meanings,
             fields: by_alignment(table).into_iter().map(|field| field_view(table, field, prefix)).collect(),
         }
     }
@@ -134,7 +146,7 @@ fn object_view<'a>(
 }
 
 /// The name of a macro in lower case, short enough for the prefix before it.
-fn macro_name(macros: &mut Scope, prefix: &str, words: &str, suffix: &str) -> String {
+pub(super) fn macro_name(macros: &mut Scope, prefix: &str, words: &str, suffix: &str) -> String {
     let room = LONGEST - prefix.len() - 2 - suffix.len(); // so that the suffix fits too
     macros.claim(&words[..words.len().min(room)], suffix)
 }

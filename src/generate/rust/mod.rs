@@ -1,6 +1,7 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
 
 mod defaults;
+mod meanings;
 mod pdo;
 mod view;
 
@@ -8,6 +9,7 @@ pub(super) use view::{value_of, word_type};
 
 use super::defaults::constants;
 use super::frames::frames;
+use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
@@ -36,7 +38,8 @@ impl Backend for Rust {
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
         let constants = constants(device, &table, &mut notes);
-        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames, &constants))?;
+        let named = meanings(device, &table, options, &mut notes);
+        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames, &constants, &named))?;
         Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 

@@ -3,10 +3,12 @@
 use askama::Template;
 
 use super::defaults::Defaults;
+use super::meanings::Meanings;
 use super::pdo::FrameView;
 use crate::generate::defaults::Constant;
 use crate::generate::escape::{byte_string, filters};
 use crate::generate::frames::Frame;
+use crate::generate::meanings::Named;
 use crate::generate::resolve::{Datum, Shape};
 use crate::generate::table::{Row, Table, TableField, TableObject};
 use crate::model::{DataType, Time, TypeKind};
@@ -23,6 +25,7 @@ pub(super) struct Od<'a> {
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
     defaults: Defaults,
+    meanings: Option<Meanings<'a>>,
     frames: Vec<FrameView<'a>>,
 }
 
@@ -59,7 +62,12 @@ struct RowView<'a> {
 }
 
 impl<'a> Od<'a> {
-    pub(super) fn new(table: &'a Table, frames: &'a [Frame], constants: &[Constant]) -> Self {
+    pub(super) fn new(
+        table: &'a Table,
+        frames: &'a [Frame],
+        constants: &[Constant],
+        named: &'a Named,
+    ) -> Self {
         let mut next = 1;
         let mut fields = Vec::with_capacity(table.fields.len());
         for field in &table.fields {
@@ -80,6 +88,7 @@ impl<'a> Od<'a> {
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             defaults: Defaults::new(constants),
+            meanings: (!named.is_empty()).then(|| Meanings::new(named)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
         }
     }

@@ -1,0 +1,146 @@
+//! Values with names.
+
+use super::number;
+use crate::model::{AllowedValues, DataType, EnumValue, Labels, TypeDefinition, TypeKind};
+
+/// The values that have names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Enumeration<'a> {
+    /// The type that says so; `None` where it is the allowed values of the entry.
+    pub definition: Option<&'a TypeDefinition>,
+    /// The data type that holds the values: BOOLEAN, INTEGERn or UNSIGNEDn.
+    pub data_type: DataType,
+    /// The values, in the order of the description; numbers may be there twice.
+    pub values: Vec<NamedValue<'a>>,
+    /// What is no value: lower case, offending text in backticks, no full stop.
+    pub defects: Vec<String>,
+}
+
+/// A value with its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedValue<'a> {
+    /// The name, in English where there is one; empty where it has none.
+    pub name: &'a str,
+    /// The value, which the data type holds.
+    pub number: i128,
+}
+
+impl<'a> Enumeration<'a> {
+    /// The values of a type. One that states none is one more than the value before.
+    pub(super) fn of_type(
+        definition: &'a TypeDefinition,
+        values: &'a [EnumValue],
+        data_type: DataType,
+    ) -> Self {
+        let mut found = Self { definition: Some(definition), ..Self::empty(data_type) };
+        let mut next = Some(0);
+        for value in values {
+            let stated = value.value.as_deref();
+            let number = stated.map_or(next, number);
+            found.put(&value.labels, number, stated);
+            next = number.map(|number| number + 1);
+        }
+        found
+    }
+
+    /// The single values that an entry may have, when one of them has a name.
+    pub(super) fn of_allowed(allowed: &'a AllowedValues, data_type: DataType) -> Option<Self> {
+        if allowed.values.iter().all(|value| name(&value.labels).is_empty()) {
+            return None;
+        }
+        let mut found = Self::empty(data_type);
+        for value in &allowed.values {
+            found.put(&value.labels, number(&value.value), Some(&value.value));
+        }
+        Some(found)
+    }
+
+    fn empty(data_type: DataType) -> Self {
+        let defects = match data_type.integer_range() {
+            Some(_) => Vec::new(),
+            None => vec![format!("values of {data_type} are no numbers that could have names")],
+        };
+        Self { definition: None, data_type, values: Vec::new(), defects }
+    }
+
+    fn put(&mut self, labels: &'a Labels, number: Option<i128>, stated: Option<&str>) {
+        let Some((low, high)) = self.data_type.integer_range() else { return };
+        let name = name(labels);
+        let number = number.map(|number| match self.data_type.kind() {
+            // hex digits of two's complement
+            TypeKind::Signed(bits) if is_hex(stated) && number > high && number < 1 << bits => {
+                number - (1 << bits)
+            }
+            _ => number,
+        });
+        match number.filter(|number| (low..=high).contains(number)) {
+            Some(number) => self.values.push(NamedValue { name, number }),
+            None => {
+                let text = stated
+                    .map_or_else(|| number.map(|number| number.to_string()), |text| Some(text.to_owned()));
+                let text = text.unwrap_or_default();
+                self.defects.push(format!("`{text}` of `{name}` is no value of {}", self.data_type));
+            }
+        }
+    }
+}
+
+fn is_hex(stated: Option<&str>) -> bool {
+    stated.is_some_and(|text| text.trim_ascii().starts_with("0x") || text.trim_ascii().starts_with("0X"))
+}
+
+/// The name that labels give.
+pub(super) fn name(labels: &Labels) -> &str {
+    labels.name_in("en").unwrap_or_default().trim_ascii()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::ScaledValue;
+
+    #[test]
+    fn a_value_without_number_is_one_more_than_the_one_before() {
+        let value = |name: &str, number: Option<&str>| EnumValue {
+            labels: Labels::name("en", name),
+            value: number.map(Into::into),
+        };
+        let values = [
+            value("a", None),
+            value("b", Some("0x7F")),
+            value("c", None),
+            value("d", Some("?")),
+            value("e", None),
+        ];
+        let definition = TypeDefinition::default();
+        let found = Enumeration::of_type(&definition, &values, DataType::INTEGER8);
+        let numbers: Vec<_> = found.values.iter().map(|value| (value.name, value.number)).collect();
+        assert_eq!(numbers, [("a", 0), ("b", 127)]);
+        assert_eq!(
+            found.defects,
+            [
+                "`128` of `c` is no value of INTEGER8",
+                "`?` of `d` is no value of INTEGER8",
+                "`` of `e` is no value of INTEGER8"
+            ]
+        );
+    }
+
+    #[test]
+    fn single_values_need_a_name_and_hex_may_be_negative() {
+        let value = |name: &str, number: &str| ScaledValue {
+            value: number.into(),
+            labels: if name.is_empty() { Labels::default() } else { Labels::name("en", name) },
+            ..ScaledValue::default()
+        };
+        let allowed =
+            |values: &[ScaledValue]| AllowedValues { values: values.to_vec(), ..AllowedValues::default() };
+        let plain = allowed(&[value("", "1"), value("", "2")]);
+        assert_eq!(Enumeration::of_allowed(&plain, DataType::UNSIGNED8), None);
+        let named = allowed(&[value("off", "0xFF"), value("", "2")]);
+        let found = Enumeration::of_allowed(&named, DataType::INTEGER8).unwrap();
+        assert_eq!(found.values.iter().map(|value| value.number).collect::<Vec<_>>(), [-1, 2]);
+        let found = Enumeration::of_allowed(&named, DataType::VISIBLE_STRING).unwrap();
+        assert_eq!((found.values.len(), found.defects.len()), (0, 1));
+    }
+}

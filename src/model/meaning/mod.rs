@@ -1,0 +1,213 @@
+//! What the values of entries mean, as the application process says it (CiA 311 §6.4): names of values, and parts of a word.
+
+mod bit_struct;
+mod enumeration;
+
+use std::collections::HashMap;
+
+pub use bit_struct::{BitField, BitStruct};
+pub use enumeration::{Enumeration, NamedValue};
+
+use super::{
+    AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, FunctionType, Parameter,
+    TypeDefinition, TypeShape, VarDeclaration,
+};
+
+/// So many types may be defined by each other; more is a circle.
+const MAX_DERIVATIONS: usize = 16;
+
+/// What the values of an entry mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Meaning<'a> {
+    /// Its values have names.
+    Enumeration(Enumeration<'a>),
+    /// Its bits are parts.
+    BitStruct(BitStruct<'a>),
+}
+
+/// The types, templates and parameters of a device's application processes, by their ids.
+#[derive(Debug)]
+pub struct Meanings<'a> {
+    device: &'a Device,
+    types: HashMap<&'a str, &'a TypeDefinition>,
+    templates: HashMap<&'a str, &'a Parameter>,
+    allowed: HashMap<&'a str, &'a AllowedValues>,
+    /// What entries refer to that is not theirs alone: parameters, members of structs, variables of functions.
+    shared: HashMap<&'a str, Described<'a>>,
+}
+
+/// What is said of the values of something.
+#[derive(Clone, Copy, Debug, Default)]
+struct Described<'a> {
+    data_type: Option<&'a DataTypeRef>,
+    allowed: Option<&'a AllowedValues>,
+}
+
+impl Device {
+    /// What the values of its entries mean, ready to be asked for.
+    pub fn meanings(&self) -> Meanings<'_> {
+        Meanings::new(self)
+    }
+}
+
+impl<'a> Meanings<'a> {
+    fn new(device: &'a Device) -> Self {
+        let mut found = Self {
+            device,
+            types: HashMap::new(),
+            templates: HashMap::new(),
+            allowed: HashMap::new(),
+            shared: HashMap::new(),
+        };
+        device.application.iter().for_each(|process| found.add(process));
+        found
+    }
+
+    /// Of two equal ids the first counts.
+    fn add(&mut self, process: &'a ApplicationProcess) {
+        for definition in &process.data_types {
+            self.types.entry(&definition.unique_id).or_insert(definition);
+        }
+        for template in &process.parameter_templates {
+            self.templates.entry(&template.parameter.unique_id).or_insert(&template.parameter);
+        }
+        for template in &process.allowed_values_templates {
+            self.allowed.entry(&template.unique_id).or_insert(&template.allowed);
+        }
+        for parameter in &process.parameters {
+            let described = self.of_parameter(parameter);
+            self.shared.entry(&parameter.unique_id).or_insert(described);
+        }
+        let members = process.data_types.iter().filter_map(|definition| match &definition.shape {
+            TypeShape::Struct { members } => Some(members),
+            _ => None,
+        });
+        let of_function =
+            |function: &'a FunctionType| [&function.inputs, &function.outputs, &function.configuration];
+        for variable in members.chain(process.function_types.iter().flat_map(of_function)).flatten() {
+            self.shared.entry(&variable.unique_id).or_insert(Described::of_variable(variable));
+        }
+    }
+
+    /// What the values of an entry mean; `None` where nothing in the description says so.
+    pub fn of(&self, index: u16, sub: u8) -> Option<Meaning<'a>> {
+        let object = self.device.object(index)?;
+        let entry = match object.subs.get(sub) {
+            Some(entry) => entry,
+            None => {
+                Some(&object.main).filter(|_| object.has(sub) && (sub > 0 || object.compact.is_none()))?
+            }
+        };
+        let data_type = entry.data_type?;
+        let described = self.described(entry);
+        let of_element = || {
+            let array = self.described(&object.main).data_type.filter(|_| sub > 0)?;
+            match &self.definition(array)?.shape {
+                TypeShape::Array { element, .. } => self.definition(element.as_ref()?),
+                _ => None,
+            }
+        };
+        let definition =
+            described.data_type.and_then(|reference| self.definition(reference)).or_else(of_element);
+        self.of_type(definition, data_type).or_else(|| {
+            Enumeration::of_allowed(self.values(described.allowed?), data_type).map(Meaning::Enumeration)
+        })
+    }
+
+    /// What the values of a type mean, in an entry of this data type.
+    fn of_type(&self, definition: Option<&'a TypeDefinition>, data_type: DataType) -> Option<Meaning<'a>> {
+        let definition = definition?;
+        match &definition.shape {
+            TypeShape::Enum { values, .. } if !values.is_empty() => {
+                Some(Meaning::Enumeration(Enumeration::of_type(definition, values, data_type)))
+            }
+            TypeShape::Struct { members } if data_type.is_integer() && !members.is_empty() => {
+                Some(Meaning::BitStruct(BitStruct::new(self, definition, members, data_type)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The definition behind a reference, which is no other name of a type.
+    fn definition(&self, reference: &DataTypeRef) -> Option<&'a TypeDefinition> {
+        let mut id = match reference {
+            DataTypeRef::Defined(id) => &**id,
+            _ => return None,
+        };
+        for _ in 0..MAX_DERIVATIONS {
+            let definition = *self.types.get(id)?;
+            match &definition.shape {
+                TypeShape::Derived { base: Some(DataTypeRef::Defined(base)), .. } => id = base,
+                TypeShape::Derived { .. } => return None,
+                _ => return Some(definition),
+            }
+        }
+        None
+    }
+
+    fn described(&self, entry: &'a Entry) -> Described<'a> {
+        match (&entry.parameter, entry.extra.get("uniqueIDRef")) {
+            (Some(parameter), _) => self.of_parameter(parameter),
+            (None, Some(id)) => self.shared.get(id.trim_ascii()).copied().unwrap_or_default(),
+            (None, None) => Described::default(),
+        }
+    }
+
+    /// What a parameter says, else its template.
+    fn of_parameter(&self, parameter: &'a Parameter) -> Described<'a> {
+        let template = parameter.template.as_deref().and_then(|id| self.templates.get(id).copied());
+        let template = template.unwrap_or(parameter);
+        Described {
+            data_type: parameter.data_type.as_ref().or(template.data_type.as_ref()),
+            allowed: parameter.allowed_values.as_ref().or(template.allowed_values.as_ref()),
+        }
+    }
+
+    /// The allowed values, those of the template where there is nothing else.
+    fn values(&self, allowed: &'a AllowedValues) -> &'a AllowedValues {
+        let is_reference = allowed.values.is_empty() && allowed.ranges.is_empty();
+        let template = allowed.template.as_deref().filter(|_| is_reference);
+        template.and_then(|id| self.allowed.get(id).copied()).unwrap_or(allowed)
+    }
+}
+
+impl<'a> Described<'a> {
+    fn of_variable(variable: &'a VarDeclaration) -> Self {
+        Self { data_type: variable.data_type.as_ref(), allowed: variable.allowed_values.as_ref() }
+    }
+}
+
+/// A whole number as descriptions write it: decimal with or without a sign, or `0x` and hex digits.
+fn number(text: &str) -> Option<i128> {
+    let text = text.trim_ascii();
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(rest) => (-1, rest),
+        None => (1, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let (digits, radix) = match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
+        Some(hex) => (hex, 16),
+        None => (digits, 10),
+    };
+    let is_number = !digits.is_empty() && digits.len() <= 24 && digits.chars().all(|c| c.is_digit(radix));
+    if !is_number {
+        return None;
+    }
+    i128::from_str_radix(digits, radix).ok().map(|number| sign * number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_decimal_or_hex() {
+        for (text, expected) in
+            [("10", Some(10)), (" -0x10 ", Some(-16)), ("+3", Some(3)), ("007", Some(7)), ("0XfF", Some(255))]
+        {
+            assert_eq!(number(text), expected, "{text}");
+        }
+        for text in ["", "-", "0x", "1.5", "--1", "0x-1", "ä", "1000000000000000000000000"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+}
