@@ -755,6 +755,18 @@ pub mod axis_26 {
     pub const GAIN_3: u8 = 0x03;
 }
 
+/// What the dictionary says by default of the identity and the services of the node, decoded: COB-IDs
+/// are functions of the node-ID. The values that hold now are in `Data`.
+#[allow(dead_code, unreachable_pub, clippy::cast_lossless)]
+#[rustfmt::skip]
+pub mod defaults {
+    /// COB-ID of boot-up and heartbeat (`CiA` 301).
+    #[must_use]
+    pub const fn heartbeat_cob_id(node_id: u8) -> u32 {
+        0x700 + node_id as u32
+    }
+}
+
 /// The values that can change; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]

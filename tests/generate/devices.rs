@@ -23,6 +23,7 @@ pub(crate) fn device(path: &Path) -> Device {
 pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut paths = support::good_devices();
     paths.push(support::fixtures().join("broken/hostile-unicode.eds"));
+    paths.push(support::fixtures().join("xdd/valve.xdd"));
     let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
     let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
     devices.push(("odd".to_owned(), odd::device()));
