@@ -1,4 +1,4 @@
-{%- if !enums.is_empty() %}
+{% if !enums.is_empty() -%}
 /* What values of entries mean, as the description names them. */
 {%- for view in enums %}
 
@@ -8,9 +8,10 @@
 {%- endfor %}
 {%- endfor %}
 {%- if !words.is_empty() %}
+
 {% endif %}
 {%- endif %}
-{%- if !words.is_empty() %}
+{%- if !words.is_empty() -%}
 /* Parts of the words that entries hold: ..._GET(word) takes one out, ..._WITH(word, value) gives the word with another one,
    of whose bits the lowest count. */
 {%- for view in words %}

@@ -1,4 +1,4 @@
-{%- if !enums.is_empty() %}
+{% if !enums.is_empty() -%}
 /// What values of entries mean, as the description names them.
 #[allow(dead_code, unreachable_pub)]
 #[rustfmt::skip]
@@ -55,9 +55,10 @@ pub mod enums {
 {%- endfor %}
 }
 {%- if !words.is_empty() %}
+
 {% endif %}
 {%- endif %}
-{%- if !words.is_empty() %}
+{%- if !words.is_empty() -%}
 /// Parts of the words that entries hold: `get` takes one out, `with` gives the word with another one.
 #[allow(dead_code, unreachable_pub)]
 #[allow(clippy::cast_lossless, clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
