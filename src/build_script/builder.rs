@@ -127,6 +127,12 @@ impl Builder {
         self
     }
 
+    /// Calls the application before reads and after writes of an object, or of one of its entries; may be called several times.
+    pub fn hook(mut self, at: Address) -> Self {
+        self.request.options.hooks.insert(at);
+        self
+    }
+
     /// The bytes of flash that the tables of each target may take at most, without the code that serves them.
     pub fn max_flash(mut self, bytes: usize) -> Self {
         self.request.room.flash = Some(bytes);

@@ -128,6 +128,7 @@ fn options(args: &GenerateArgs) -> Options {
         prefix: args.prefix.clone(),
         module: args.module.clone(),
         groups: args.groups.clone(),
+        hooks: args.hooks.iter().copied().collect(),
         limits: args.limits,
         template: args.template.clone(),
         table: args.table.into(),

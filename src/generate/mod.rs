@@ -31,6 +31,7 @@ mod defaults;
 mod dictionary;
 mod escape;
 mod frames;
+mod hooks;
 mod meanings;
 mod microcanopen;
 mod names;
@@ -42,6 +43,7 @@ mod resolve;
 mod rom;
 mod rust;
 mod size;
+mod stored;
 mod table;
 #[cfg(feature = "template")]
 mod template;

@@ -1,7 +1,7 @@
 //! What the user may decide about generated code.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -34,6 +34,8 @@ pub struct Options {
     pub module: Option<String>,
     /// Storage groups that objects belong to, the last one that has the index; one that the description states comes first.
     pub groups: Vec<Group>,
+    /// Objects (with all their entries) and entries whose hooks are called before a read and after a write.
+    pub hooks: BTreeSet<Address>,
     /// Whether write functions keep `LowLimit` and `HighLimit`, for stacks that have no place for limits.
     pub limits: bool,
     /// The file of the template that the target `template` renders: its name ends in `.j2`, and what is before that is the
@@ -90,6 +92,8 @@ pub enum Choice {
     Module,
     /// [`Options::groups`].
     Groups,
+    /// [`Options::hooks`].
+    Hooks,
     /// [`Options::template`].
     Template,
     /// [`Options::table`].
@@ -113,6 +117,7 @@ impl Choice {
             Self::Prefix => "prefix",
             Self::Module => "module",
             Self::Groups => "group",
+            Self::Hooks => "hook",
             Self::Template => "template",
             Self::Table => "table",
             Self::EntryNames => "no-names",
@@ -135,6 +140,7 @@ impl Default for Options {
             prefix: None,
             module: None,
             groups: Vec::new(),
+            hooks: BTreeSet::new(),
             limits: false,
             template: None,
             table: CTable::default(),
@@ -154,6 +160,7 @@ impl Options {
             (Choice::Prefix, self.prefix.is_some()),
             (Choice::Module, self.module.is_some()),
             (Choice::Groups, !self.groups.is_empty()),
+            (Choice::Hooks, !self.hooks.is_empty()),
             (Choice::Template, self.template.is_some()),
             (Choice::Table, self.table != default.table),
             (Choice::EntryNames, self.entry_names != default.entry_names),

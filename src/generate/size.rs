@@ -76,7 +76,7 @@ impl SizeReport {
             .collect();
         let total = Size {
             flash: table.rows.len() * layout.row + table.rom.len(),
-            ram: ram(&table.fields, layout.is_ascending),
+            ram: ram(table, layout.is_ascending),
         };
         let of_objects = objects.iter().fold(Size::default(), |sum, object| Size {
             flash: sum.flash + object.size.flash,
@@ -91,30 +91,44 @@ impl SizeReport {
 }
 
 /// Bytes of the struct of values, the one byte of the node-ID among them.
-pub(crate) fn ram(fields: &[TableField], is_ascending: bool) -> usize {
-    let mut sizes: Vec<(usize, usize)> =
-        fields.iter().map(|field| (alignment(field.shape), field_size(field))).collect();
-    sizes.push((1, 1));
-    sizes.sort_by_key(|&(alignment, _)| alignment);
-    let widest = sizes.last().map_or(1, |&(alignment, _)| alignment);
+pub(crate) fn ram(table: &Table, is_ascending: bool) -> usize {
+    let fields = |group| table.members(group).map(|field| (alignment(field.shape), field_size(field)));
+    let groups = (0..table.groups.len()).map(|group| structure(fields(Some(group)), false));
+    let (_, size) = structure(fields(None).chain(groups).chain([(1, 1)]), is_ascending);
+    size
+}
+
+/// Alignment and size of a struct whose members have these.
+fn structure(members: impl Iterator<Item = (usize, usize)>, is_ascending: bool) -> (usize, usize) {
+    let mut members: Vec<(usize, usize)> = members.collect();
+    members.sort_by_key(|&(alignment, _)| alignment);
+    let widest = members.last().map_or(1, |&(alignment, _)| alignment);
     if !is_ascending {
-        sizes.reverse();
+        members.reverse();
     }
-    let end = sizes.iter().fold(0, |end: usize, &(alignment, size)| end.next_multiple_of(alignment) + size);
-    end.next_multiple_of(widest)
+    let end = members.iter().fold(0, |end: usize, &(alignment, size)| end.next_multiple_of(alignment) + size);
+    (widest, end.next_multiple_of(widest))
+}
+
+/// What the struct of a group's values is aligned to.
+pub(crate) fn group_alignment(table: &Table, group: usize) -> usize {
+    table.members(Some(group)).map(|field| alignment(field.shape)).max().unwrap_or(1)
 }
 
 /// Bytes of a field.
 fn field_size(field: &TableField) -> usize {
-    let elements = if field.array { field.rows.len() } else { 1 };
-    let element = match field.shape {
+    element_size(field.shape) * if field.array { field.rows.len() } else { 1 }
+}
+
+/// Bytes of one value in RAM.
+pub(crate) fn element_size(shape: Shape) -> usize {
+    match shape {
         Shape::Block(length) => usize::from(length),
         // behind its length
         Shape::Bytes(_, capacity) => (2 + usize::from(capacity)).next_multiple_of(2),
-        Shape::Word(_) if is_time(field.shape) => 8,
-        Shape::Word(_) => field.shape.size().next_power_of_two(),
-    };
-    element * elements
+        Shape::Word(_) if is_time(shape) => 8,
+        Shape::Word(_) => shape.size().next_power_of_two(),
+    }
 }
 
 /// What the place of a value is a multiple of.

@@ -9,13 +9,15 @@
 //!   16-bit numbers, then the default. All numbers are little-endian. A formula keeps what is added to the node-ID.
 //! * **fields**: the members of the struct of all values that can change. Entries that never change have none: those of
 //!   access type `const`, type definitions, and sub-index 0 of RECORDs and compact objects that is not writable. The
-//!   elements of an ARRAY are one field where they are alike.
+//!   elements of an ARRAY are one field where they are alike. Those of a storage group are the members of a struct of their own.
 
 use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::hooks;
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
 use super::rom::Rom;
 use super::size::ram;
+use super::stored::{Members, TableGroup};
 use super::{GenerateError, Note, Options};
 use crate::model::{Access, DataType, Device, Object, ObjectType};
 
@@ -36,6 +38,8 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Row>,
     /// All fields, in the order of their first rows.
     pub(crate) fields: Vec<TableField>,
+    /// The storage groups that have fields.
+    pub(crate) groups: Vec<TableGroup>,
     /// The bytes in flash.
     pub(crate) rom: Vec<u8>,
     /// What the table leaves out or assumes.
@@ -70,6 +74,8 @@ pub(crate) struct Row {
     pub(crate) rom: usize,
     /// The number of them; other rows may have the same ones.
     pub(crate) rom_length: usize,
+    /// Whether the application is called before it is read and after it is written.
+    pub(crate) hooked: bool,
 }
 
 /// A place in the struct of values.
@@ -91,6 +97,8 @@ pub(crate) struct TableField {
     pub(crate) rows: std::ops::Range<usize>,
     /// Whether it is an array.
     pub(crate) array: bool,
+    /// Number of the storage group whose struct it is a member of.
+    pub(crate) group: Option<usize>,
 }
 
 impl Row {
@@ -108,6 +116,7 @@ impl Row {
             ("NODE_ID_DEFAULT", formula(Some(&resolved.default))),
             ("LOW_NODE_ID", formula(resolved.low.as_ref())),
             ("HIGH_NODE_ID", formula(resolved.high.as_ref())),
+            ("HOOK", self.hooked),
         ]
         .into_iter()
         .filter_map(|(flag, set)| set.then_some(flag))
@@ -124,21 +133,40 @@ impl Table {
     /// The table of a device.
     pub(crate) fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
         let dictionary = Dictionary::new(device, options)?;
+        let mut fields = Scope::of_lower_case("node_id");
+        let members = Members::new(&dictionary, options, &mut fields);
         let mut builder = Builder {
             modules: Scope::of_lower_case("od pdo defaults enums bits"), // for the modules of the templates
-            fields: Scope::of_lower_case("node_id"),
+            fields,
             rom: Rom::default(),
             table: Self::empty(&dictionary, options),
         };
         for object in dictionary.objects {
-            builder.object(object);
+            let group = members.group(object.index);
+            builder.object(object, group);
         }
-        Ok(Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table })
+        let mut table = Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table };
+        members.finish(device, &mut table);
+        hooks::mark(device, options, &mut table);
+        Ok(table)
     }
 
     /// Whether places in RAM or flash need more than 16 bits.
     pub(crate) fn is_wide(&self) -> bool {
-        ram(&self.fields, true).max(self.rom.len()) > usize::from(u16::MAX)
+        ram(self, true).max(self.rom.len()) > usize::from(u16::MAX)
+    }
+
+    /// Where a value is in the struct of values: `persist_comm.speed[1]`.
+    pub(crate) fn place(&self, slot: Slot) -> String {
+        let field = &self.fields[slot.field];
+        let group = field.group.map(|group| format!("{}.", self.groups[group].field)).unwrap_or_default();
+        let element = slot.element.map(|element| format!("[{element}]")).unwrap_or_default();
+        format!("{group}{}{element}", field.name)
+    }
+
+    /// The members of a group's struct, or those of the struct of values that are in no group.
+    pub(crate) fn members(&self, group: Option<usize>) -> impl Iterator<Item = &TableField> {
+        self.fields.iter().filter(move |field| field.group == group)
     }
 
     /// Whether a field holds numbers of this data type.
@@ -156,6 +184,7 @@ impl Table {
             objects: Vec::new(),
             rows: Vec::new(),
             fields: Vec::new(),
+            groups: Vec::new(),
             rom: Vec::new(),
             notes: Vec::new(),
         }
@@ -170,7 +199,7 @@ struct Builder {
 }
 
 impl Builder {
-    fn object(&mut self, resolved: ResolvedObject<'_>) {
+    fn object(&mut self, resolved: ResolvedObject<'_>, group: Option<usize>) {
         let (index, object, single) = (resolved.index, resolved.object, resolved.is_single());
         let object_name = words(&resolved.name);
         let first = self.table.rows.len();
@@ -181,12 +210,15 @@ impl Builder {
             let rom_length = block.len();
             let rom = self.rom.place(block);
             let name = entry.name.to_string();
-            let row = Row { index, sub, name, constant, resolved, slot: None, rom, rom_length };
+            let hooked = false;
+            let row = Row { index, sub, name, constant, resolved, slot: None, rom, rom_length, hooked };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();
         let name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };
+        let first = self.table.fields.len();
         self.place_fields(object, &name, rows.clone());
+        self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
         let module = self.modules.claim(&name, &format!("{index:04x}"));
         self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });
     }
@@ -237,7 +269,7 @@ impl Builder {
             self.table.rows[at].slot = Some(Slot { field, element: array.then_some(element) });
         }
         let name = self.fields.claim(&words, &suffix);
-        self.table.fields.push(TableField { name, shape, rows, array });
+        self.table.fields.push(TableField { name, shape, rows, array, group: None });
     }
 }
 

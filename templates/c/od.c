@@ -67,65 +67,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
     return {{ lower }}_lookup(index, sub, &entry) == {{ upper }}_OK ? entry : NULL;
 }
 
-/* Bytes of a number of this data type; 0 for a type whose values are no numbers. */
-static size_t {{ lower }}_number_size(uint8_t data_type)
-{
-    switch (data_type) {
-    case {{ upper }}_BOOLEAN:
-    case {{ upper }}_INTEGER8:
-    case {{ upper }}_UNSIGNED8:
-        return 1u;
-    case {{ upper }}_INTEGER16:
-    case {{ upper }}_UNSIGNED16:
-        return 2u;
-    case {{ upper }}_INTEGER24:
-    case {{ upper }}_UNSIGNED24:
-        return 3u;
-    case {{ upper }}_INTEGER32:
-    case {{ upper }}_UNSIGNED32:
-    case {{ upper }}_REAL32:
-        return 4u;
-    case {{ upper }}_INTEGER40:
-    case {{ upper }}_UNSIGNED40:
-        return 5u;
-    case {{ upper }}_INTEGER48:
-    case {{ upper }}_UNSIGNED48:
-    case {{ upper }}_TIME_OF_DAY:
-    case {{ upper }}_TIME_DIFFERENCE:
-        return 6u;
-    case {{ upper }}_INTEGER56:
-    case {{ upper }}_UNSIGNED56:
-        return 7u;
-    case {{ upper }}_INTEGER64:
-    case {{ upper }}_UNSIGNED64:
-    case {{ upper }}_REAL64:
-        return 8u;
-    default:
-        return 0u;
-    }
-}
-
-static bool {{ lower }}_is_time(uint8_t data_type)
-{
-    return data_type == {{ upper }}_TIME_OF_DAY || data_type == {{ upper }}_TIME_DIFFERENCE;
-}
-
-static bool {{ lower }}_is_signed(uint8_t data_type)
-{
-    return (data_type >= {{ upper }}_INTEGER8 && data_type <= {{ upper }}_INTEGER32) || data_type == {{ upper }}_INTEGER24
-        || (data_type >= {{ upper }}_INTEGER40 && data_type <= {{ upper }}_INTEGER64);
-}
-
-/* The number of at most eight bytes; the sign goes on to the left. */
-static uint64_t {{ lower }}_number(uint8_t data_type, const uint8_t *bytes, size_t size)
-{
-    uint64_t number = {{ lower }}_is_signed(data_type) && (bytes[size - 1u] & 0x80u) != 0u ? UINT64_MAX : 0u;
-    while (size > 0u) {
-        size--;
-        number = (number << 8) | bytes[size];
-    }
-    return number;
-}
+{% include "_number.c" %}
 
 /* A number that is ordered as the values of the data type are; false for a REAL that is not a number. */
 static bool {{ lower }}_order(uint8_t data_type, uint64_t number, uint64_t *order)
@@ -192,66 +134,7 @@ bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, u
     return true;
 }
 
-/* The number that a field holds. */
-static uint64_t {{ lower }}_load(const uint8_t *field, uint8_t data_type, size_t size)
-{
-    uint64_t number = 0u;
-    if ({{ lower }}_is_time(data_type)) {
-        {{ lower }}_time_t time;
-        memcpy(&time, field, sizeof time);
-        return (time.milliseconds & 0x0FFFFFFFu) | ((uint64_t)time.days << 32);
-    }
-    if (size == 1u) {
-        number = *field;
-    } else if (size == 2u) {
-        uint16_t value;
-        memcpy(&value, field, sizeof value);
-        number = value;
-    } else if (size <= 4u) {
-        uint32_t value;
-        memcpy(&value, field, sizeof value);
-        number = value;
-    } else {
-        memcpy(&number, field, sizeof number);
-    }
-    return number;
-}
-
-/* Puts a number into a field. */
-static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, uint64_t number)
-{
-    if ({{ lower }}_is_time(data_type)) {
-        {{ lower }}_time_t time;
-        memset(&time, 0, sizeof time);
-        time.milliseconds = (uint32_t)(number & 0x0FFFFFFFu);
-        time.days = (uint16_t)((number >> 32) & 0xFFFFu);
-        memcpy(field, &time, sizeof time);
-    } else if (size == 1u) {
-        *field = (uint8_t)(number & 0xFFu);
-    } else if (size == 2u) {
-        const uint16_t value = (uint16_t)(number & 0xFFFFu);
-        memcpy(field, &value, sizeof value);
-    } else if (size <= 4u) {
-        const uint32_t value = (uint32_t)(number & 0xFFFFFFFFu);
-        memcpy(field, &value, sizeof value);
-    } else {
-        memcpy(field, &number, sizeof number);
-    }
-}
-
-/* Puts bytes into a field: behind their number, or all bytes of a block. */
-static void {{ lower }}_store_bytes(uint8_t *field, const {{ lower }}_entry_t *entry, const uint8_t *bytes, size_t length)
-{
-    if (entry->data_type != {{ upper }}_BLOCK) {
-        const uint16_t count = (uint16_t)length;
-        memcpy(field, &count, sizeof count);
-        field += sizeof count;
-        memset(field, 0, {{ lower }}_size(entry));
-    }
-    if (length > 0u) {
-        memcpy(field, bytes, length);
-    }
-}
+{% include "_field.c" %}
 
 void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id)
 {
@@ -274,8 +157,12 @@ void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id)
         }
     }
 }
+{%- if hooks %}
 
-uint32_t {{ lower }}_read(const {{ lower }}_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length)
+{% include "_hooks.c" %}
+{%- endif %}
+
+uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length)
 {
     const {{ lower }}_entry_t *entry = NULL;
     const uint32_t missing = {{ lower }}_lookup(index, sub, &entry);
@@ -289,6 +176,14 @@ uint32_t {{ lower }}_read(const {{ lower }}_data_t *data, uint16_t index, uint8_
     if ((entry->flags & {{ upper }}_READ) == 0u) {
         return {{ upper }}_ABORT_WRITE_ONLY;
     }
+{%- if hooks %}
+    if ((entry->flags & {{ upper }}_HOOK) != 0u) {
+        const uint32_t answer = {{ lower }}_before_read(data, index, sub);
+        if (answer != {{ upper }}_OK) {
+            return answer;
+        }
+    }
+{%- endif %}
     field = (const uint8_t *)data + entry->ram;
     count = {{ lower }}_number_size(entry->data_type);
     if (count > 0u) {
@@ -367,6 +262,9 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     uint32_t answer = {{ lower }}_lookup(index, sub, &entry);
     size_t size;
     uint8_t *field;
+{%- if hooks %}
+    uint8_t old[{{ hook_room }}];
+{%- endif %}
     if (answer != {{ upper }}_OK) {
         return answer;
     }
@@ -381,6 +279,11 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
         return answer;
     }
     field = (uint8_t *)data + entry->ram;
+{%- if hooks %}
+    if ((entry->flags & {{ upper }}_HOOK) != 0u) {
+        memcpy(old, field, {{ lower }}_kept_size(entry));
+    }
+{%- endif %}
     size = {{ lower }}_number_size(entry->data_type);
     if (size > 0u) {
         const uint64_t number = {{ lower }}_number(entry->data_type, (const uint8_t *)bytes, size);
@@ -391,5 +294,17 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     } else {
         {{ lower }}_store_bytes(field, entry, (const uint8_t *)bytes, length);
     }
+{%- if hooks %}
+    if (answer == {{ upper }}_OK && (entry->flags & {{ upper }}_HOOK) != 0u) {
+        answer = {{ lower }}_after_write(data, index, sub);
+        if (answer != {{ upper }}_OK) {
+            memcpy(field, old, {{ lower }}_kept_size(entry));
+        }
+    }
+{%- endif %}
     return answer;
 }
+{%- if !groups.is_empty() %}
+
+{% include "_stored.c" %}
+{%- endif %}

@@ -42,13 +42,28 @@ typedef struct {
     uint32_t milliseconds; /* after midnight, 28 bits */
     uint16_t days;
 } {{ lower }}_time_t;
+{%- for group in groups %}
+
+/* The storage group {{ group.group.name|c_comment }}: what is saved together. */
+typedef struct {
+{%- for field in group.fields %}
+    {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
+    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+{%- endfor %}
+} {{ group.lower }}_t;
+{%- endfor %}
 
 /* The values that can change; constants are in flash. */
 typedef struct {
     uint8_t node_id; /* set by {{ lower }}_init() */
-{%- for field in fields %}
+{%- for member in fields %}
+{%- match member %}
+{%- when MemberView::Field(field) %}
     {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
     {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+{%- when MemberView::Group(group) %}
+    {{ group.lower }}_t {{ group.group.field }}; /* the storage group {{ group.group.name|c_comment }} */
+{%- endmatch %}
 {%- endfor %}
 } {{ lower }}_data_t;
 
@@ -75,6 +90,9 @@ typedef struct {
 #define {{ upper }}_NODE_ID_DEFAULT 0x040u /* the node-ID is added to the default */
 #define {{ upper }}_LOW_NODE_ID 0x080u     /* the node-ID is added to the low limit */
 #define {{ upper }}_HIGH_NODE_ID 0x100u    /* the node-ID is added to the high limit */
+{%- if hooks %}
+#define {{ upper }}_HOOK 0x200u            /* {{ lower }}_before_read() and {{ lower }}_after_write() hear of it */
+{%- endif %}
 
 /* Data types, by their index in CiA 301. */
 #define {{ upper }}_BLOCK 0x00u /* a type of the device's own */
@@ -119,6 +137,13 @@ typedef struct {
 #define {{ upper }}_ABORT_TOO_LOW 0x06090032u         /* below the low limit */
 #define {{ upper }}_ABORT_CANNOT_STORE 0x08000020u    /* no room for the data, the application must take them */
 #define {{ upper }}_ABORT_NO_DATA 0x08000024u         /* there are no data, the application must give them */
+{%- if hooks %}
+#define {{ upper }}_ABORT_INCOMPATIBLE 0x06040043u    /* what a hook may say: the value contradicts others */
+#define {{ upper }}_ABORT_HARDWARE 0x06060000u        /* what a hook may say: the hardware failed */
+#define {{ upper }}_ABORT_GENERAL 0x08000000u         /* what a hook may say: something else is wrong */
+#define {{ upper }}_ABORT_LOCAL_CONTROL 0x08000021u   /* what a hook may say: the device is controlled locally */
+#define {{ upper }}_ABORT_DEVICE_STATE 0x08000022u    /* what a hook may say: not in this state of the device */
+{%- endif %}
 
 /* All entries in ascending order of index and sub-index. */
 #define {{ upper }}_ENTRY_COUNT {{ table.rows.len() }}u
@@ -139,14 +164,22 @@ const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *len
 /* The number that is a limit on the node node_id, with the bits of the value; false when there is none. */
 bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
 bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
+{%- if hooks %}
+
+{% include "_hooks.h" %}
+{%- endif %}
 
 /* Reads a value into a buffer of size bytes, as an SDO upload transfers it. Returns {{ upper }}_OK and the number of its bytes in
    *length, or the code to abort the upload with. */
-uint32_t {{ lower }}_read(const {{ lower }}_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length);
+uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *data, uint16_t index, uint8_t sub, void *buffer, size_t size, size_t *length);
 
 /* Writes a value that an SDO download transferred, if the dictionary allows it. Returns {{ upper }}_OK, or the code to abort the
    download with; then the value did not change. */
 uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub, const void *bytes, size_t length);
+{%- if !groups.is_empty() %}
+
+{% include "_stored.h" %}
+{%- endif %}
 
 #ifdef __cplusplus
 }

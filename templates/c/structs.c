@@ -115,3 +115,16 @@ void {{ lower }}_init(uint8_t node_id)
         }
     }
 }
+{%- if !groups.is_empty() %}
+
+static size_t {{ lower }}_size(const {{ lower }}_entry_t *entry)
+{
+    return entry->size;
+}
+
+{% include "_number.c" %}
+
+{% include "_field.c" %}
+
+{% include "_stored.c" %}
+{%- endif %}

@@ -37,20 +37,35 @@ extern "C" {
 {{ meanings }}
 {%- endif %}
 
-{%- if time %}
+{%- if time || !plain.groups.is_empty() %}
 /* A time of day since 1984-01-01, or a difference of times. */
 typedef struct {
     uint32_t milliseconds; /* after midnight, 28 bits */
     uint16_t days;
 } {{ plain.lower }}_time_t;
 {%- endif %}
+{%- for group in plain.groups %}
+
+/* The storage group {{ group.group.name|c_comment }}: what is saved together. */
+typedef struct {
+{%- for field in group.fields %}
+    {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
+    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+{%- endfor %}
+} {{ group.lower }}_t;
+{%- endfor %}
 
 /* The values that can change; constants are in flash. A string, octet string or DOMAIN has its length before it. */
 typedef struct {
     uint8_t node_id; /* set by {{ plain.lower }}_init() */
-{%- for field in fields() %}
+{%- for member in fields() %}
+{%- match member %}
+{%- when MemberView::Field(field) %}
     {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
     {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+{%- when MemberView::Group(group) %}
+    {{ group.lower }}_t {{ group.group.field }}; /* the storage group {{ group.group.name|c_comment }} */
+{%- endmatch %}
 {%- endfor %}
 } {{ plain.lower }}_data_t;
 extern {{ plain.lower }}_data_t {{ plain.lower }}_data;
@@ -80,6 +95,9 @@ typedef struct {
 #define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /* the node-ID is to be added to the default */
 #define {{ plain.upper }}_LOW_NODE_ID 0x20u     /* the node-ID is to be added to the low limit */
 #define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /* the node-ID is to be added to the high limit */
+{%- if plain.hooks %}
+#define {{ plain.upper }}_HOOK 0x80u           /* the application wants to hear of reads and writes */
+{%- endif %}
 
 /* Data types, by their index in CiA 301. */
 #define {{ plain.upper }}_BLOCK 0x00u /* a type of the device's own */
@@ -118,6 +136,13 @@ const {{ plain.lower }}_entry_t *{{ plain.lower }}_find(uint16_t index, uint8_t 
 
 /* Sets all values to the defaults of the node node_id: 1 to 127, only the lower seven bits count. */
 void {{ plain.lower }}_init(uint8_t node_id);
+{%- if !plain.groups.is_empty() %}
+{%- let lower = plain.lower %}
+{%- let upper = plain.upper.as_str() %}
+{%- let groups = plain.groups.as_slice() %}
+
+{% include "_stored.h" %}
+{%- endif %}
 
 #ifdef __cplusplus
 }

@@ -68,6 +68,14 @@ impl Entry {
     pub const fn fits_rpdo(&self) -> bool {
         self.flags & RPDO != 0
     }
+{%- if hooks %}
+
+    /// Whether [`Hooks`] hear of it.
+    #[must_use]
+    pub const fn is_hooked(&self) -> bool {
+        self.flags & HOOK != 0
+    }
+{%- endif %}
 
     /// Whether the default is only what is added to the node-ID.
     #[must_use]
@@ -263,6 +271,9 @@ const HIGH: u16 = 0x020;
 const NODE_ID_DEFAULT: u16 = 0x040;
 const LOW_NODE_ID: u16 = 0x080;
 const HIGH_NODE_ID: u16 = 0x100;
+{%- if hooks %}
+const HOOK: u16 = 0x200;
+{%- endif %}
 
 const BLOCK: u8 = 0x00;
 const BOOLEAN: u8 = 0x01;

@@ -29,6 +29,18 @@ pub enum Abort {
     CannotStore = 0x0800_0020,
     /// The table has no data, so the application must give them.
     NoData = 0x0800_0024,
+{%- if hooks %}
+    /// What a hook may say: the value contradicts others.
+    Incompatible = 0x0604_0043,
+    /// What a hook may say: the hardware failed.
+    Hardware = 0x0606_0000,
+    /// What a hook may say: something else is wrong.
+    General = 0x0800_0000,
+    /// What a hook may say: the device is controlled locally.
+    LocalControl = 0x0800_0021,
+    /// What a hook may say: not in this state of the device.
+    DeviceState = 0x0800_0022,
+{%- endif %}
 }
 
 #[allow(dead_code, unreachable_pub)]

@@ -42,6 +42,10 @@ pub struct Data {
     {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
     pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}
+{%- for group in groups %}
+    /// The storage group {{ group.group.name|code_span }}.
+    pub {{ group.group.field }}: {{ group.type_name }},
+{%- endfor %}
 }
 
 #[allow(dead_code, unreachable_pub)]
@@ -57,9 +61,12 @@ impl Data {
 {%- for field in fields %}
             {{ field.name }}: {{ field.value }},
 {%- endfor %}
+{%- for group in groups %}
+            {{ group.group.field }}: {{ group.type_name }}::new(node_id),
+{%- endfor %}
         }
     }
-{%- if fields.is_empty() %}
+{%- if table.fields.is_empty() %}
 
     #[allow(clippy::unused_self)]
     fn field(&self, _: Offset) -> Option<&dyn Field> {
@@ -83,6 +90,9 @@ impl Data {
             {{ field.pattern }} => &self.{{ field.name }},
 {%- endif %}
 {%- endfor %}
+{%- for group in groups %}
+            {{ group.first }}..={{ group.last }} => self.{{ group.group.field }}.field(ram)?,
+{%- endfor %}
             _ => return None,
         };
         Some(field)
@@ -98,6 +108,9 @@ impl Data {
 {%- else %}
             {{ field.pattern }} => &mut self.{{ field.name }},
 {%- endif %}
+{%- endfor %}
+{%- for group in groups %}
+            {{ group.first }}..={{ group.last }} => self.{{ group.group.field }}.field_mut(ram)?,
 {%- endfor %}
             _ => return None,
         };
@@ -164,6 +177,15 @@ impl Default for Data {
         Self::new(NODE_ID)
     }
 }
+{%- endif %}
+
+{%- if !groups.is_empty() %}
+
+{% include "_stored.rs" %}
+{%- endif %}
+{%- if hooks %}
+
+{% include "_hooks.rs" %}
 {%- endif %}
 
 {%- if !frames.is_empty() %}

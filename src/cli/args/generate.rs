@@ -10,6 +10,7 @@ use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
 use crate::generate::{CTable, Group, Names, Target};
+use crate::model::Address;
 
 /// Turn a description into what a product compiles or downloads
 ///
@@ -61,6 +62,10 @@ pub(in crate::cli) struct GenerateArgs {
     /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
     #[arg(long = "group", value_name = "INDEXES=NAME")]
     pub groups: Vec<Group>,
+    /// Call the application before reads and after writes of an object or entry, as `6000` or `6000:1`; may be given several
+    /// times, or with commas between
+    #[arg(long = "hook", value_name = "ADDRESS", value_delimiter = ',')]
+    pub hooks: Vec<Address>,
     /// Show what the tables take in flash and RAM, object by object
     #[arg(long, value_enum, value_name = "WHAT")]
     pub report: Option<ReportArg>,

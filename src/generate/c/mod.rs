@@ -3,6 +3,7 @@
 mod defaults;
 mod meanings;
 mod pdo;
+mod stored;
 mod structs;
 mod view;
 
@@ -32,6 +33,8 @@ impl Backend for C {
             Choice::Names,
             Choice::Renamed,
             Choice::Prefix,
+            Choice::Groups,
+            Choice::Hooks,
             Choice::StringCapacity,
             Choice::DomainCapacity,
             Choice::Table,

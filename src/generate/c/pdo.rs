@@ -113,13 +113,7 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
     let row = &table.rows[field.row];
     let name = &field.name;
     let member = format!("pdo->{name}");
-    let place = row.slot.map(|slot| {
-        let name = &table.fields[slot.field].name;
-        match slot.element {
-            Some(element) => format!("data->{name}[{element}]"),
-            None => format!("data->{name}"),
-        }
-    });
+    let place = row.slot.map(|slot| format!("data->{}", table.place(slot)));
     let (first, bits) = (field.first, field.bits);
     let taken = format!("{prefix}_lowest(number >> {first}, {bits}u)");
     match field.carried {

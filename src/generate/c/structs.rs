@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use askama::Template;
 
-use super::view::{Facts, FieldView, Header, is_time, type_name, word_type};
+use super::stored::{GroupView, MemberView, group_views};
+use super::view::{Facts, Header, is_time, type_name, word_type};
 use crate::generate::c_code::{bytes, number};
 use crate::generate::escape::filters;
 use crate::generate::resolve::{Datum, Shape};
@@ -34,6 +35,8 @@ pub(super) struct StructsSource<'a> {
     time: bool,
     /// Whether there is a string, octet string or DOMAIN, and a block.
     bytes: bool,
+    groups: Vec<GroupView<'a>>,
+    has_pointers: bool,
 }
 
 /// All numbers of a type that are a default or a limit, each once.
@@ -62,7 +65,7 @@ impl<'a> StructsHeader<'a> {
         Self { plain: Header::new(table, prefix, facts), names, time }
     }
 
-    fn fields(&self) -> &[FieldView<'a>] {
+    fn fields(&self) -> &[MemberView<'a>] {
         &self.plain.fields
     }
 }
@@ -83,6 +86,8 @@ impl<'a> StructsSource<'a> {
             names,
             time: shape(|shape| matches!(shape, Shape::Word(data_type) if is_time(data_type))),
             bytes: shape(|shape| matches!(shape, Shape::Bytes(..))),
+            groups: group_views(table, prefix),
+            has_pointers: true,
         }
     }
 }
@@ -165,10 +170,7 @@ fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Consta
         |limit: Option<&Datum>| limit.map_or("NULL".to_owned(), |limit| constants.datum(row, limit));
     let (low, high) = (limit(resolved.low.as_ref()), limit(resolved.high.as_ref()));
     let data = match row.slot {
-        Some(slot) => {
-            let element = slot.element.map(|element| format!("[{element}]")).unwrap_or_default();
-            format!("&{}_data.{}{element}", constants.prefix, table.fields[slot.field].name)
-        }
+        Some(slot) => format!("&{}_data.{}", constants.prefix, table.place(slot)),
         None if served => "NULL".to_owned(),
         None => format!("(void *){default}"),
     };

@@ -4,12 +4,13 @@ use askama::Template;
 
 use super::defaults::{Defaults, take_names};
 use super::meanings::Meanings;
+use super::stored::{self, GroupView, MemberView};
 use crate::generate::defaults::Constant;
 use crate::generate::escape::filters;
+use crate::generate::hooks;
 use crate::generate::meanings::Named;
 use crate::generate::names::{LONGEST, Scope};
 use crate::generate::resolve::Shape;
-use crate::generate::size::alignment;
 use crate::generate::table::{Row, Table, TableField, TableObject};
 use crate::model::{DataType, TypeKind};
 
@@ -26,7 +27,11 @@ pub(super) struct Header<'a> {
     pub(super) objects: Vec<ObjectView<'a>>,
     pub(super) defaults: Defaults,
     pub(super) meanings: Option<Meanings<'a>>,
-    pub(super) fields: Vec<FieldView<'a>>,
+    /// Members of the struct of values, the structs of storage groups among them.
+    pub(super) fields: Vec<MemberView<'a>>,
+    pub(super) groups: Vec<GroupView<'a>>,
+    /// Whether an entry has a hook.
+    pub(super) hooks: bool,
 }
 
 /// What headers show beside the table.
@@ -45,6 +50,12 @@ pub(super) struct Source<'a> {
     table: &'a Table,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
+    groups: Vec<GroupView<'a>>,
+    hooks: bool,
+    /// Bytes of the longest value that a hook may refuse.
+    hook_room: usize,
+    /// Whether rows have pointers.
+    has_pointers: bool,
     /// Whether `float` and `double` are used.
     real32: bool,
     real64: bool,
@@ -90,6 +101,9 @@ impl<'a> Header<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
         let mut macros = Scope::of_constants(MACROS);
         take_names(&facts.constants, &mut macros);
+        for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
+            macros.claim(&taken, "");
+        }
         // objects first, so that no entry takes the name of one
         let names: Vec<String> = table
             .objects
@@ -111,7 +125,9 @@ impl<'a> Header<'a> {
             objects,
             defaults: Defaults::new(&facts.constants, prefix),
             meanings,
-            fields: by_alignment(table).into_iter().map(|field| field_view(table, field, prefix)).collect(),
+            fields: stored::members(table, prefix),
+            groups: stored::group_views(table, prefix),
+            hooks: hooks::has_hooks(table),
         }
     }
 }
@@ -124,10 +140,21 @@ impl<'a> Source<'a> {
             table,
             rows: table.rows.iter().map(|row| row_view(table, row, &prefix.to_ascii_uppercase())).collect(),
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
+            groups: stored::group_views(table, prefix),
+            hooks: hooks::has_hooks(table),
+            hook_room: hooks::room(table),
+            has_pointers: false,
             real32: table.keeps(DataType::REAL32),
             real64: table.keeps(DataType::REAL64),
         }
     }
+}
+
+/// What hooks may answer beside the other codes, and how they are defined.
+fn hook_macros(table: &Table) -> Vec<String> {
+    const MACROS: &str =
+        "hook weak abort_incompatible abort_hardware abort_general abort_local_control abort_device_state";
+    if hooks::has_hooks(table) { MACROS.split(' ').map(str::to_owned).collect() } else { Vec::new() }
 }
 
 fn object_view<'a>(
@@ -151,14 +178,7 @@ pub(super) fn macro_name(macros: &mut Scope, prefix: &str, words: &str, suffix: 
     macros.claim(&words[..words.len().min(room)], suffix)
 }
 
-/// Fields with the smallest alignment first, behind the one byte of the node-ID: so hardly any padding is needed.
-fn by_alignment(table: &Table) -> Vec<&TableField> {
-    let mut fields: Vec<&TableField> = table.fields.iter().collect();
-    fields.sort_by_key(|field| alignment(field.shape)); // stable: by index where it is equal
-    fields
-}
-
-fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {
+pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {
     let array = if field.array { format!("[{}]", field.rows.len()) } else { String::new() };
     let name = &field.name;
     let declaration = match field.shape {
@@ -177,13 +197,7 @@ fn row_view<'a>(table: &Table, row: &'a Row, upper: &str) -> RowView<'a> {
     let type_ = type_name(row.resolved.shape);
     let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("{upper}_{flag}")).collect();
     let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
-    let ram = row.slot.map_or("0u".to_owned(), |slot| {
-        let name = &table.fields[slot.field].name;
-        match slot.element {
-            Some(element) => format!("{upper}_RAM({name}[{element}])"),
-            None => format!("{upper}_RAM({name})"),
-        }
-    });
+    let ram = row.slot.map_or("0u".to_owned(), |slot| format!("{upper}_RAM({})", table.place(slot)));
     RowView { row, type_, flags, ram }
 }
 

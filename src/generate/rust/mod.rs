@@ -3,6 +3,7 @@
 mod defaults;
 mod meanings;
 mod pdo;
+mod stored;
 mod view;
 
 pub(super) use view::{value_of, word_type};
@@ -29,7 +30,15 @@ impl Backend for Rust {
     }
 
     fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Module, Choice::StringCapacity, Choice::DomainCapacity]
+        &[
+            Choice::Names,
+            Choice::Renamed,
+            Choice::Module,
+            Choice::Groups,
+            Choice::Hooks,
+            Choice::StringCapacity,
+            Choice::DomainCapacity,
+        ]
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {

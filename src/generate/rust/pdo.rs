@@ -61,13 +61,7 @@ impl<'a> FrameView<'a> {
 
 fn field_view<'a>(table: &'a Table, field: &'a FrameField) -> FieldView<'a> {
     let row = &table.rows[field.row];
-    let place = row.slot.map(|slot| {
-        let name = &table.fields[slot.field].name;
-        match slot.element {
-            Some(element) => format!("data.{name}[{element}]"),
-            None => format!("data.{name}"),
-        }
-    });
+    let place = row.slot.map(|slot| format!("data.{}", table.place(slot)));
     let name = &field.name;
     let (type_, zero) = match field.carried {
         Carried::Number(data_type) => of_number(data_type),

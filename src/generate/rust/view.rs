@@ -5,9 +5,11 @@ use askama::Template;
 use super::defaults::Defaults;
 use super::meanings::Meanings;
 use super::pdo::FrameView;
+use super::stored::{GroupView, group_views};
 use crate::generate::defaults::Constant;
 use crate::generate::escape::{byte_string, filters};
 use crate::generate::frames::Frame;
+use crate::generate::hooks;
 use crate::generate::meanings::Named;
 use crate::generate::resolve::{Datum, Shape};
 use crate::generate::table::{Row, Table, TableField, TableObject};
@@ -21,7 +23,13 @@ pub(super) struct Od<'a> {
     /// The integer type of places in RAM and flash.
     offset: &'static str,
     objects: Vec<ObjectView<'a>>,
+    /// Those in no storage group.
     fields: Vec<FieldView<'a>>,
+    groups: Vec<GroupView<'a>>,
+    /// Whether an entry has a hook.
+    hooks: bool,
+    /// Bytes of the longest value that a hook may refuse.
+    hook_room: usize,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
     defaults: Defaults,
@@ -36,20 +44,20 @@ struct ObjectView<'a> {
     entries: &'a [Row],
 }
 
-/// A field of `Data`.
-struct FieldView<'a> {
-    name: &'a str,
+/// A field of `Data` or of a storage group.
+pub(super) struct FieldView<'a> {
+    pub(super) name: &'a str,
     /// What it holds, for the documentation.
-    first: &'a Row,
-    last: &'a Row,
-    array: bool,
-    type_: String,
+    pub(super) first: &'a Row,
+    pub(super) last: &'a Row,
+    pub(super) array: bool,
+    pub(super) type_: String,
     /// The default, an expression.
-    value: String,
+    pub(super) value: String,
     /// Which places in RAM it has, a pattern.
-    pattern: String,
+    pub(super) pattern: String,
     /// The first of them.
-    place: usize,
+    pub(super) place: usize,
 }
 
 /// A row of the table.
@@ -68,13 +76,8 @@ impl<'a> Od<'a> {
         constants: &[Constant],
         named: &'a Named,
     ) -> Self {
-        let mut next = 1;
-        let mut fields = Vec::with_capacity(table.fields.len());
-        for field in &table.fields {
-            fields.push(field_view(table, field, next));
-            next += field.rows.len();
-        }
-        let ram = |row: &Row| row.slot.map_or(0, |slot| fields[slot.field].place + slot.element.unwrap_or(0));
+        let places = places(table);
+        let ram = |row: &Row| row.slot.map_or(0, |slot| places[slot.field] + slot.element.unwrap_or(0));
         let rows = table.rows.iter().map(|row| row_view(row, ram(row))).collect();
         let objects = table.objects.iter().map(|object| ObjectView {
             object,
@@ -84,7 +87,10 @@ impl<'a> Od<'a> {
             table,
             offset: if has_wide_places(table) { "u32" } else { "u16" },
             objects: objects.collect(),
-            fields,
+            fields: fields_of(table, None, &places),
+            groups: group_views(table, &places),
+            hooks: hooks::has_hooks(table),
+            hook_room: hooks::room(table),
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             defaults: Defaults::new(constants),
@@ -98,6 +104,25 @@ impl<'a> Od<'a> {
 pub(super) fn has_wide_places(table: &Table) -> bool {
     let fields: usize = table.fields.iter().map(|field| field.rows.len()).sum();
     table.rom.len().max(fields + 1) > usize::from(u16::MAX)
+}
+
+/// The first place of each field: those of a group follow each other.
+fn places(table: &Table) -> Vec<usize> {
+    let mut places = vec![0; table.fields.len()];
+    let mut next = 1;
+    for group in std::iter::once(None).chain((0..table.groups.len()).map(Some)) {
+        for (field, place) in table.fields.iter().zip(&mut places).filter(|(field, _)| field.group == group) {
+            *place = next;
+            next += field.rows.len();
+        }
+    }
+    places
+}
+
+/// The fields of a group, or of none.
+pub(super) fn fields_of<'a>(table: &'a Table, group: Option<usize>, places: &[usize]) -> Vec<FieldView<'a>> {
+    let fields = table.fields.iter().zip(places).filter(|(field, _)| field.group == group);
+    fields.map(|(field, &place)| field_view(table, field, place)).collect()
 }
 
 fn field_view<'a>(table: &'a Table, field: &'a TableField, place: usize) -> FieldView<'a> {

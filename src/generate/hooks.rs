@@ -1,0 +1,48 @@
+//! Hooks of the flat table: entries of which the application hears before they are read and after they are written.
+
+use super::notes::in_order;
+use super::size::element_size;
+use super::table::{Row, Table};
+use super::{Note, Options};
+use crate::model::{Address, Device, Place};
+
+/// Marks the rows that somebody asked for; notes what is not there, and what a hook cannot change.
+pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
+    if options.hooks.is_empty() {
+        return;
+    }
+    for &Address { index, sub } in &options.hooks {
+        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        let asked = |row: &&mut Row| row.index == index && sub.is_none_or(|sub| row.sub == sub);
+        let (mut rows, mut constants) = (0, 0);
+        for row in table.rows.iter_mut().filter(asked) {
+            let is_elsewhere = row.slot.is_none() && !row.resolved.constant;
+            row.hooked = !is_elsewhere; // the application transfers it
+            rows += usize::from(row.hooked);
+            constants += usize::from(row.slot.is_none() && row.hooked);
+        }
+        let is_described =
+            device.objects.get(&index).is_some_and(|object| sub.is_none_or(|sub| object.has(sub)));
+        let text = match (rows, is_described) {
+            (0, true) => "the table has nothing here that a hook could be called for",
+            (0, false) => "there is nothing that a hook could be called for",
+            _ if rows == constants => {
+                "the value is in flash: a hook is called before it is read, and cannot change it"
+            }
+            _ => continue,
+        };
+        table.notes.push(Note::new(place, text));
+    }
+    table.notes = in_order(std::mem::take(&mut table.notes));
+}
+
+/// Whether any row is marked.
+pub(crate) fn has_hooks(table: &Table) -> bool {
+    table.rows.iter().any(|row| row.hooked)
+}
+
+/// Bytes of the longest value that comes back when a hook refuses what was written; at least those of a number.
+pub(crate) fn room(table: &Table) -> usize {
+    let kept = table.rows.iter().filter(|row| row.hooked && row.slot.is_some() && row.access().is_writable());
+    kept.map(|row| element_size(row.resolved.shape)).max().unwrap_or(0).max(8)
+}

@@ -1,0 +1,60 @@
+/* The number that a field holds. */
+static uint64_t {{ lower }}_load(const uint8_t *field, uint8_t data_type, size_t size)
+{
+    uint64_t number = 0u;
+    if ({{ lower }}_is_time(data_type)) {
+        {{ lower }}_time_t time;
+        memcpy(&time, field, sizeof time);
+        return (time.milliseconds & 0x0FFFFFFFu) | ((uint64_t)time.days << 32);
+    }
+    if (size == 1u) {
+        number = *field;
+    } else if (size == 2u) {
+        uint16_t value;
+        memcpy(&value, field, sizeof value);
+        number = value;
+    } else if (size <= 4u) {
+        uint32_t value;
+        memcpy(&value, field, sizeof value);
+        number = value;
+    } else {
+        memcpy(&number, field, sizeof number);
+    }
+    return number;
+}
+
+/* Puts a number into a field. */
+static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, uint64_t number)
+{
+    if ({{ lower }}_is_time(data_type)) {
+        {{ lower }}_time_t time;
+        memset(&time, 0, sizeof time);
+        time.milliseconds = (uint32_t)(number & 0x0FFFFFFFu);
+        time.days = (uint16_t)((number >> 32) & 0xFFFFu);
+        memcpy(field, &time, sizeof time);
+    } else if (size == 1u) {
+        *field = (uint8_t)(number & 0xFFu);
+    } else if (size == 2u) {
+        const uint16_t value = (uint16_t)(number & 0xFFFFu);
+        memcpy(field, &value, sizeof value);
+    } else if (size <= 4u) {
+        const uint32_t value = (uint32_t)(number & 0xFFFFFFFFu);
+        memcpy(field, &value, sizeof value);
+    } else {
+        memcpy(field, &number, sizeof number);
+    }
+}
+
+/* Puts bytes into a field: behind their number, or all bytes of a block. */
+static void {{ lower }}_store_bytes(uint8_t *field, const {{ lower }}_entry_t *entry, const uint8_t *bytes, size_t length)
+{
+    if (entry->data_type != {{ upper }}_BLOCK) {
+        const uint16_t count = (uint16_t)length;
+        memcpy(field, &count, sizeof count);
+        field += sizeof count;
+        memset(field, 0, {{ lower }}_size(entry));
+    }
+    if (length > 0u) {
+        memcpy(field, bytes, length);
+    }
+}
