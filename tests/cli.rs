@@ -18,9 +18,15 @@ fn sessions() {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
-    for page in
-        ["README.md", "docs/ci.md", "docs/cli.md", "docs/json.md", "docs/formats.md", "docs/profiles.md"]
-    {
+    for page in [
+        "README.md",
+        "docs/ci.md",
+        "docs/cli.md",
+        "docs/json.md",
+        "docs/formats.md",
+        "docs/profiles.md",
+        "docs/storage.md",
+    ] {
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();

@@ -6,6 +6,9 @@ use super::table::{Row, Table};
 use super::{Note, Options};
 use crate::model::{Address, Device, Place};
 
+/// More bytes than one expects on a stack.
+const LONG: usize = 256;
+
 /// Marks the rows that somebody asked for; notes what is not there, and what a hook cannot change.
 pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
     if options.hooks.is_empty() {
@@ -33,6 +36,16 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
         };
         table.notes.push(Note::new(place, text));
     }
+    let long = table.rows.iter().filter(|row| row.hooked && element_size(row.resolved.shape) > LONG);
+    let long = long.filter(|row| row.slot.is_some() && row.access().is_writable()).map(|row| {
+        let text = format!(
+            "{} bytes on the stack keep the old value while a hook looks at the new one",
+            element_size(row.resolved.shape)
+        );
+        Note::new(Place::entry(row.index, row.sub), text)
+    });
+    let long: Vec<Note> = long.collect();
+    table.notes.extend(long);
     table.notes = in_order(std::mem::take(&mut table.notes));
 }
 

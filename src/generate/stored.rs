@@ -96,7 +96,9 @@ impl Members {
             group.layout = layout(&rows);
             group.image_size = rows.iter().map(|row| image_length(row.resolved.shape)).sum::<usize>() + 6;
             group.sub_index = sub_index(device, &rows);
-            self.notes.extend(rows.iter().filter_map(|row| of_the_firmware(row, &group.name)));
+            let mut facts: Vec<u16> = rows.iter().filter(|row| is_fact(row)).map(|row| row.index).collect();
+            facts.dedup();
+            self.notes.extend(facts.into_iter().map(|index| of_the_firmware(index, &group.name)));
         }
         table.groups = self.groups;
         if !self.notes.is_empty() {
@@ -164,16 +166,15 @@ fn sub_index(device: &Device, rows: &[&Row]) -> Option<u8> {
     device.objects.get(&STORE).is_some_and(|object| object.has(sub)).then_some(sub)
 }
 
-/// What an older firmware's image would bring back although the new one has another value.
-fn of_the_firmware(row: &Row, group: &str) -> Option<Note> {
-    let is_fact =
-        matches!(row.index, 0x1000 | 0x1008..=0x100A | 0x1018) && !row.resolved.access.is_writable();
-    is_fact.then(|| {
-        let text = format!(
-            "a fact about the firmware is saved with `{group}`: an older image brings an older one back"
-        );
-        Note::new(Place::entry(row.index, row.sub), text).help("make it `const`, so that it stays in flash")
-    })
+/// Whether a value says what the firmware is.
+fn is_fact(row: &Row) -> bool {
+    matches!(row.index, 0x1000 | 0x1008..=0x100A | 0x1018) && !row.resolved.access.is_writable()
+}
+
+fn of_the_firmware(index: u16, group: &str) -> Note {
+    let text =
+        format!("facts about the firmware are saved with `{group}`: an older image brings older ones back");
+    Note::new(Place::object(index), text).help("make them `const`, so that they stay in flash")
 }
 
 #[cfg(test)]

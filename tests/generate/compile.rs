@@ -28,8 +28,13 @@ pub(crate) fn c_compiler() -> Option<String> {
 
 /// Generates into a folder.
 pub(crate) fn generate_into(folder: &Path, device: &Device, target: &str) -> Generated {
+    generate_with(folder, device, target, &Options::default())
+}
+
+/// Generates into a folder as somebody asked for it.
+pub(crate) fn generate_with(folder: &Path, device: &Device, target: &str, options: &Options) -> Generated {
     let target = Target::named(target).unwrap();
-    let generated = generate(device, target, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
     for file in &generated.files {
         std::fs::write(folder.join(&file.path), &file.contents).unwrap();
     }

@@ -8,6 +8,7 @@ mod compile;
 mod crates;
 mod defaults;
 mod devices;
+mod hooks;
 mod meanings;
 mod notes;
 mod odd;
@@ -16,6 +17,7 @@ mod output;
 mod pdo;
 mod script;
 mod size;
+mod stored;
 #[path = "../support/mod.rs"]
 mod support;
 #[cfg(feature = "template")]

@@ -70,6 +70,11 @@ impl Dictionary {
         Ok(Vec::new())
     }
 
+    /// The bytes of a value, whoever may read it.
+    pub(crate) fn value(&self, index: u16, sub: u8) -> &[u8] {
+        &self.values[&(index, sub)]
+    }
+
     /// The table as the drivers print it.
     pub(crate) fn table(&self) -> Vec<String> {
         self.facts.iter().map(|(&(index, sub), facts)| facts.row(index, sub, self.node_id)).collect()

@@ -6,7 +6,7 @@ use std::process::Command;
 use objdict::generate::{Options, OutputFile, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
+use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
 use crate::{device, devices, support};
 
 /// All files that the targets of tables give.
@@ -154,6 +154,10 @@ fn rustfmt_changes_nothing() {
         let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
         succeed(rustfmt.current_dir(folder), "").unwrap_or_else(|error| panic!("{name}: {error}"));
     }
+    generate_with(folder.path(), &crate::odd::device(), "rust", &crate::stored::options());
+    let mut rustfmt = Command::new(&program);
+    let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
+    succeed(rustfmt.current_dir(folder.path()), "").unwrap();
 }
 
 #[test]
@@ -187,6 +191,9 @@ fn clippy_finds_nothing() {
         modules
             .push_str(&format!("/// A table.\npub mod od{number} {{ include!(\"od{number}/od.rs\"); }}\n"));
     }
+    std::fs::create_dir(folder.join("src/grouped")).unwrap();
+    generate_with(&folder.join("src/grouped"), &crate::odd::device(), "rust", &crate::stored::options());
+    modules.push_str("/// A table.\npub mod grouped { include!(\"grouped/od.rs\"); }\n");
     std::fs::write(folder.join("src/lib.rs"), modules).unwrap();
     let mut clippy = Command::new(cargo);
     let clippy = clippy.args(["clippy", "--offline", "--quiet"]).current_dir(folder);

@@ -4,11 +4,12 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
+use objdict::generate::Options;
 use objdict::model::{
     Access, DataType, Device, Entry, MappedObject, Object, ObjectType, Pdo, PdoKind, TypeKind, Value,
 };
 
-use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
 use crate::oracle::{Facts, facts_of, hex};
 use crate::{devices, for_all};
 
@@ -315,15 +316,21 @@ int main(void)
 ";
 
 /// Compiles a program in a folder with what was generated there, and runs it.
-fn run(folder: &Path, device: &Device, session: &Session, name: &str) -> Result<(), String> {
+fn run(
+    folder: &Path,
+    device: &Device,
+    options: &Options,
+    session: &Session,
+    name: &str,
+) -> Result<(), String> {
     let fail = |error: String| format!("{name}: {error}");
-    generate_into(folder, device, "rust");
+    generate_with(folder, device, "rust", options);
     std::fs::write(folder.join("driver.rs"), &session.rust).map_err(|error| error.to_string())?;
     succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").map_err(fail)?;
     let output = succeed(&mut Command::new(folder.join("in-rust")), "").map_err(fail)?;
     session.compare(name, "Rust", &output)?;
     let Some(compiler) = c_compiler() else { return Ok(()) };
-    generate_into(folder, device, "c");
+    generate_with(folder, device, "c", options);
     std::fs::write(folder.join("driver.c"), &session.c).map_err(|error| error.to_string())?;
     let mut cc = cc(&compiler, folder);
     succeed(cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]), "").map_err(fail)?;
@@ -346,6 +353,17 @@ fn frames_are_packed_as_the_description_says() {
     assert!(with_pdos.len() > 8, "{}", with_pdos.len());
     for_all(&with_pdos, |(name, device, expected)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        run(folder.path(), device, &Session::new(expected), name)
+        run(folder.path(), device, &Options::default(), &Session::new(expected), name)
     });
+}
+
+/// What frames carry lies in structs of storage groups.
+#[test]
+fn frames_follow_their_values_into_groups() {
+    let device = odd();
+    let expected: Vec<Expected> = device.pdos().filter_map(|pdo| Expected::new(&device, &pdo)).collect();
+    let mut options = Options::default();
+    options.groups = ["2000-2003=FIRST", "2004-FFFF=SECOND"].map(|group| group.parse().unwrap()).to_vec();
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &device, &options, &Session::new(&expected), "odd frames in groups").unwrap();
 }

@@ -9,6 +9,7 @@ mod view;
 
 use super::defaults::constants;
 use super::frames::frames;
+use super::hooks::has_hooks;
 use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
@@ -63,6 +64,11 @@ impl Backend for C {
                 render(source, &structs::StructsSource::new(&table, &prefix, names))?,
             ],
         };
+        if options.table == CTable::Structs && has_hooks(&table) {
+            let text = "an array of structures has no functions that could call hooks";
+            let note = Note::new(Place::device(), text);
+            notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
+        }
         if options.table == CTable::Compact && !names {
             notes.push(Note::new(Place::device(), "the compact table has no names that could be left out"));
         }

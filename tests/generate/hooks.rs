@@ -1,0 +1,285 @@
+//! Hooks are called for the entries that they are asked for and no others, before a read and after a write, and what they
+//! answer comes through.
+
+use std::process::Command;
+
+use objdict::generate::{Options, Target, generate};
+use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
+
+use crate::compile::{c_compiler, cc, driver, generate_with, rustc, succeed};
+use crate::devices::{devices, for_all};
+use crate::{compare, script, support};
+
+fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>) -> Entry {
+    Entry {
+        name: name.into(),
+        object_type: Some(ObjectType::Var),
+        data_type: Some(data_type),
+        access: Some(access),
+        default,
+        ..Entry::default()
+    }
+}
+
+fn device() -> Device {
+    let mut device = Device::default();
+    let mut var = |index, main| device.objects.insert(index, Object { main, ..Object::default() });
+    var(0x2000, entry("Counter", DataType::UNSIGNED16, Access::Rw, None));
+    var(0x2002, entry("Label", DataType::VISIBLE_STRING, Access::Rw, Some(Value::Text("old".into()))));
+    var(0x2003, entry("Fixed", DataType::UNSIGNED32, Access::Const, Some(Value::Unsigned(7))));
+    var(0x2004, entry("State", DataType::UNSIGNED8, Access::Ro, None));
+    var(0x2005, entry("Clock", DataType::TIME_OF_DAY, Access::Rw, None));
+    var(0x2006, entry("Data", DataType::DOMAIN, Access::Rw, None));
+    var(0x2007, entry("Plain", DataType::UNSIGNED16, Access::Rw, None));
+    var(0x2008, entry("Key", DataType::INTEGER24, Access::Wo, None));
+    let subs = (1..=3).map(|sub| (sub, entry("Speed", DataType::INTEGER32, Access::Rw, None)));
+    let main = Entry { name: "Speeds".into(), object_type: Some(ObjectType::Array), ..Entry::default() };
+    device.objects.insert(0x2001, Object { main, subs: subs.collect(), ..Object::default() });
+    device
+}
+
+fn options(hooks: &[&str]) -> Options {
+    let mut options = Options::default();
+    options.hooks = hooks.iter().map(|at| at.parse().unwrap()).collect();
+    options
+}
+
+const HOOKS: [&str; 8] = ["2000", "0x2001:2", "2002", "2003", "2004", "2005", "2006", "2008"];
+
+/// What is done, and what the program shall print: the calls of hooks, then the answer.
+const SESSION: &[(&str, &[&str])] = &[
+    // before_read() counts, and what it counted is read
+    ("r 2000 00", &["before 2000 00", "ok 0100"]),
+    ("r 2000 00", &["before 2000 00", "ok 0200"]),
+    // after_write() sees the new value
+    ("w 2000 00 0A00", &["after 2000 00 10", "ok -"]),
+    ("r 2000 00", &["before 2000 00", "ok 0B00"]),
+    // refused: the old value is back
+    ("w 2000 00 0D00", &["after 2000 00 13", "abort 06040043"]),
+    ("r 2000 00", &["before 2000 00", "ok 0C00"]),
+    // what the dictionary refuses, no hook hears of
+    ("w 2000 00 0A", &["abort 06070013"]),
+    ("r 2009 00", &["abort 06020000"]),
+    ("w 2003 00 01000000", &["abort 06010002"]),
+    ("r 2008 00", &["abort 06010001"]),
+    // one entry of an object only
+    ("w 2001 01 05000000", &["ok -"]),
+    ("w 2001 02 05000000", &["after 2001 02 12", "ok -"]),
+    ("r 2001 01", &["ok 05000000"]),
+    ("r 2001 02", &["before 2001 02", "ok 05000000"]),
+    ("r 2001 03", &["ok 00000000"]),
+    ("w 2007 00 0D00", &["ok -"]),
+    // values that are no numbers come back whole
+    ("w 2002 00 6E6577", &["after 2002 00 12", "ok -"]),
+    ("w 2002 00 626164206F6E6573", &["after 2002 00 12", "abort 08000022"]),
+    ("r 2002 00", &["before 2002 00", "ok 6E6577"]),
+    ("w 2005 00 010203040506", &["after 2005 00 12", "ok -"]),
+    ("w 2005 00 FFFFFFFFFFFF", &["after 2005 00 12", "abort 08000021"]),
+    ("r 2005 00", &["before 2005 00", "ok 010203040506"]),
+    ("w 2008 00 FFFFFF", &["after 2008 00 12", "ok -"]),
+    // an upload is aborted
+    ("r 2004 00", &["before 2004 00", "abort 06060000"]),
+    ("r 2003 00", &["before 2003 00", "ok 07000000"]),
+    // no room: the application transfers it
+    ("r 2006 00", &["abort 08000024"]),
+    ("w 2006 00 01", &["abort 08000020"]),
+];
+
+const RUST: &str = r#"
+mod od {
+    include!(env!("OD_RS"));
+}
+
+struct Application;
+
+impl od::Hooks for Application {
+    fn before_read(&mut self, data: &mut od::Data, index: u16, sub: u8) -> Result<(), od::Abort> {
+        println!("before {index:04X} {sub:02X}");
+        data.counter += u16::from(index == 0x2000);
+        if index == 0x2004 { Err(od::Abort::Hardware) } else { Ok(()) }
+    }
+
+    fn after_write(&mut self, data: &mut od::Data, index: u16, sub: u8) -> Result<(), od::Abort> {
+        println!("after {index:04X} {sub:02X} {}", data.counter);
+        if index == 0x2000 && data.counter == 13 {
+            Err(od::Abort::Incompatible)
+        } else if data.label.as_slice() == b"bad ones" {
+            Err(od::Abort::DeviceState)
+        } else if data.clock.days == 0xFFFF {
+            Err(od::Abort::LocalControl)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// Hears of nothing.
+struct Silent;
+
+impl od::Hooks for Silent {}
+
+fn main() {
+    let mut data = od::Data::new(1);
+    for line in std::io::stdin().lines() {
+        let line = line.unwrap();
+        let words: Vec<&str> = line.split(' ').collect();
+        let number = |word: usize| u16::from_str_radix(words[word], 16).unwrap();
+        let (index, sub) = (number(1), number(2) as u8);
+        let answer = if words[0] == "r" {
+            let mut buffer = [0; 100];
+            let length = data.read_with(&mut Application, index, sub, &mut buffer);
+            length.map(|length| buffer[..length].iter().map(|byte| format!("{byte:02X}")).collect())
+        } else {
+            let bytes: Vec<u8> = (0..words[3].len() / 2)
+                .map(|at| u8::from_str_radix(&words[3][2 * at..2 * at + 2], 16).unwrap())
+                .collect();
+            let hooks: &mut dyn od::Hooks = &mut Application;
+            data.write_with(hooks, index, sub, &bytes).map(|()| String::from("-"))
+        };
+        match answer {
+            Ok(bytes) => println!("ok {bytes}"),
+            Err(abort) => println!("abort {:08X}", abort.code()),
+        }
+    }
+    assert_eq!(data.read_with(&mut Silent, 0x2000, 0, &mut [0; 2]), Ok(2));
+    assert_eq!(data.write_with(&mut Silent, 0x2000, 0, &[13, 0]), Ok(()));
+    assert!(od::find(0x2000, 0).unwrap().is_hooked() && !od::find(0x2007, 0).unwrap().is_hooked());
+}
+"#;
+
+const C: &str = r#"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "od.h"
+
+uint32_t od_before_read(od_data_t *data, uint16_t index, uint8_t sub)
+{
+    printf("before %04X %02X\n", (unsigned)index, (unsigned)sub);
+    if (index == OD_COUNTER) {
+        data->counter++;
+    }
+    return index == OD_STATE ? OD_ABORT_HARDWARE : OD_OK;
+}
+
+uint32_t od_after_write(od_data_t *data, uint16_t index, uint8_t sub)
+{
+    printf("after %04X %02X %u\n", (unsigned)index, (unsigned)sub, (unsigned)data->counter);
+    if (index == OD_COUNTER && data->counter == 13u) {
+        return OD_ABORT_INCOMPATIBLE;
+    }
+    if (data->label.length == 8u && memcmp(data->label.bytes, "bad ones", 8u) == 0) {
+        return OD_ABORT_DEVICE_STATE;
+    }
+    return data->clock.days == 0xFFFFu ? OD_ABORT_LOCAL_CONTROL : OD_OK;
+}
+
+int main(void)
+{
+    static od_data_t data;
+    static char line[1000];
+    od_init(&data, 1);
+    while (fgets(line, sizeof line, stdin) != NULL) {
+        const uint16_t index = (uint16_t)strtoul(line + 2, NULL, 16);
+        const uint8_t sub = (uint8_t)strtoul(line + 7, NULL, 16);
+        uint8_t buffer[100];
+        size_t length = 0;
+        uint32_t answer;
+        size_t at;
+        if (line[0] == 'r') {
+            answer = od_read(&data, index, sub, buffer, sizeof buffer, &length);
+        } else {
+            for (at = 10; line[at] != '\n'; at += 2) {
+                char pair[3] = {line[at], line[at + 1], '\0'};
+                buffer[length++] = (uint8_t)strtoul(pair, NULL, 16);
+            }
+            answer = od_write(&data, index, sub, buffer, length);
+            length = 0;
+        }
+        if (answer != OD_OK) {
+            printf("abort %08lX\n", (unsigned long)answer);
+            continue;
+        }
+        printf("ok ");
+        for (at = 0; at < length; at++) {
+            printf("%02X", (unsigned)buffer[at]);
+        }
+        printf(line[0] == 'r' ? "\n" : "-\n");
+    }
+    return 0;
+}
+"#;
+
+#[test]
+fn hooks_are_called_for_what_they_are_asked_for() {
+    let (device, options) = (device(), options(&HOOKS));
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let input: String = SESSION.iter().map(|(line, _)| format!("{line}\n")).collect();
+    let expected: Vec<&str> = SESSION.iter().flat_map(|(_, lines)| *lines).copied().collect();
+
+    generate_with(folder, &device, "rust", &options);
+    std::fs::write(folder.join("driver.rs"), RUST).unwrap();
+    succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").unwrap();
+    let output = succeed(&mut Command::new(folder.join("in-rust")), &input).unwrap();
+    assert_eq!(output.lines().collect::<Vec<_>>(), expected, "Rust");
+
+    let Some(compiler) = c_compiler() else { return };
+    generate_with(folder, &device, "c", &options);
+    std::fs::write(folder.join("driver.c"), C).unwrap();
+    for level in ["-O0", "-O2"] {
+        let mut cc = cc(&compiler, folder);
+        succeed(cc.args([level, "-I.", "-o", "in-c", "od.c", "driver.c"]), "").unwrap();
+        let output = succeed(&mut Command::new(folder.join("in-c")), &input).unwrap();
+        assert_eq!(output.lines().collect::<Vec<_>>(), expected, "C {level}");
+    }
+}
+
+/// With hooks that nobody defines, and with values in groups, everything answers as without.
+#[test]
+fn answers_are_the_same_with_hooks_and_groups() {
+    let chosen = ["odd", "constant", "all-types.eds"];
+    let mut devices: Vec<_> =
+        devices().into_iter().filter(|(name, _)| chosen.contains(&name.as_str())).collect();
+    assert_eq!(devices.len(), chosen.len());
+    let path = support::fixtures().join("xdd/io-401.xdd");
+    devices.push(("io-401.xdd".to_owned(), crate::devices::device(&path)));
+    for_all(&devices, |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let mut options = Options::default();
+        options.hooks = device.objects.keys().map(|index| format!("{index:X}").parse().unwrap()).collect();
+        options.groups = ["1000-31FF=COMM", "3300-34FF=OTHER"].map(|group| group.parse().unwrap()).to_vec();
+        let script = script::of(device);
+        generate_with(folder, device, "rust", &options);
+        succeed(rustc(folder).arg(driver("driver.rs")).args(["-o", "in-rust"]), "").map_err(fail)?;
+        let output = succeed(&mut Command::new(folder.join("in-rust")), &script.input).map_err(fail)?;
+        compare(name, "Rust", &script, &output)?;
+        let Some(compiler) = c_compiler() else { return Ok(()) };
+        generate_with(folder, device, "c", &options);
+        let mut cc = cc(&compiler, folder);
+        succeed(cc.args(["-O1", "-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
+        let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
+        compare(name, "C", &script, &output)
+    });
+}
+
+#[test]
+fn hooks_that_can_do_little_are_told() {
+    let told = |hooks: &[&str]| {
+        let generated = generate(&device(), Target::named("rust").unwrap(), &options(hooks)).unwrap();
+        let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
+        notes.into_iter().filter(|note| note.contains("hook")).collect::<Vec<_>>()
+    };
+    assert_eq!(told(&["2000", "2001", "2001:1", "2004"]), [""; 0]);
+    assert_eq!(
+        told(&["2003", "2006", "2009", "2001:4"]),
+        [
+            "0x2003: the value is in flash: a hook is called before it is read, and cannot change it",
+            "0x2006: the table has nothing here that a hook could be called for",
+            "0x2009: there is nothing that a hook could be called for",
+            "0x2001sub4: there is nothing that a hook could be called for",
+        ]
+    );
+}

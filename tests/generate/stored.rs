@@ -1,0 +1,531 @@
+//! Images of storage groups: byte by byte as docs/generate.md describes them, the same in Rust and in C, and refused when
+//! anything about them is wrong.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+
+use objdict::generate::{Options, Target, generate, size};
+use objdict::model::{Access, Device, ObjectType, StackOptions, TypeKind};
+
+use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
+use crate::devices::{device, devices, for_all};
+use crate::oracle::{Dictionary, Facts, facts_of, hex};
+use crate::script::edges;
+use crate::{odd, support};
+
+/// A group as it is in code.
+#[derive(Clone, Copy)]
+struct Group {
+    /// The member of the struct of values.
+    field: &'static str,
+    /// Its type in Rust.
+    type_name: &'static str,
+    first: u16,
+    last: u16,
+}
+
+const fn group(field: &'static str, type_name: &'static str, first: u16, last: u16) -> Group {
+    Group { field, type_name, first, last }
+}
+
+const GROUPS: [Group; 3] = [
+    group("comm", "Comm", 0x0001, 0x2FFF),
+    group("values", "Values", 0x3000, 0x34FF),
+    group("a_1", "A1", 0x6000, 0x9FFF),
+];
+
+/// Groups, and hooks as well.
+pub(crate) fn options() -> Options {
+    let mut options = Options::default();
+    options.hooks = ["3000", "3300:1"].map(|hook| hook.parse().unwrap()).into();
+    let groups = ["1-2FFF=COMM", "3000-34FF=values", "6000-9FFF=a_1"];
+    options.groups = groups.map(|group| group.parse().unwrap()).to_vec();
+    options
+}
+
+/// The entries of a group whose values can change.
+fn members(device: &Device, group: Group) -> Vec<(u16, u8, Facts)> {
+    let entries = facts_of(device).filter(|((index, _), _)| (group.first..=group.last).contains(index));
+    let entries = entries.filter(|((index, sub), facts)| {
+        let object = &device.objects[index];
+        let count = *sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
+        let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
+        let fixed = facts.access == Access::Const || facts.access == Access::Ro && (count || definition);
+        !fixed && facts.size > 0
+    });
+    entries.map(|((index, sub), facts)| (index, sub, facts)).collect()
+}
+
+/// The remainder of a division of polynomials, bit by bit.
+fn crc(bytes: &[u8]) -> [u8; 2] {
+    let mut register = 0_u32;
+    let bits = bytes.iter().chain(&[0, 0]).flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1));
+    for bit in bits {
+        register = register << 1 | u32::from(bit);
+        if register >> 16 == 1 {
+            register ^= 0x1_1021;
+        }
+    }
+    u16::try_from(register).unwrap().to_le_bytes()
+}
+
+#[test]
+fn the_crc_is_that_of_block_transfers() {
+    assert_eq!(crc(b"123456789"), [0xC3, 0x31]);
+}
+
+/// The image of a group, worked out from the description.
+fn image(members: &[(u16, u8, Facts)], values: &Dictionary) -> Vec<u8> {
+    let mut hash = 0x811C_9DC5_u32;
+    let mut bytes = Vec::new();
+    for (index, sub, facts) in members {
+        let data_type = if facts.kind.is_some() { facts.data_type.0 } else { 0 };
+        let [index_low, index_high] = index.to_le_bytes();
+        let [low, high] = u16::try_from(facts.size).unwrap().to_le_bytes();
+        for byte in [index_low, index_high, *sub, data_type.to_le_bytes()[0], low, high] {
+            hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+        }
+        let value = values.value(*index, *sub);
+        if has_length(facts) {
+            bytes.extend(u16::try_from(value.len()).unwrap().to_le_bytes());
+        }
+        bytes.extend(value);
+        bytes.resize(bytes.len() + facts.size - value.len(), 0);
+    }
+    sealed([hash.to_le_bytes().to_vec(), bytes].concat())
+}
+
+/// With the CRC behind.
+fn sealed(mut image: Vec<u8>) -> Vec<u8> {
+    image.extend(crc(&image));
+    image
+}
+
+fn has_length(facts: &Facts) -> bool {
+    facts.kind.is_some() && facts.data_type.byte_length().is_none()
+}
+
+/// What is done, and what is answered.
+#[derive(Default)]
+struct Session {
+    input: String,
+    expected: Vec<String>,
+}
+
+impl Session {
+    fn line(&mut self, line: std::fmt::Arguments<'_>, answer: impl Into<String>) {
+        writeln!(self.input, "{line}").unwrap();
+        self.expected.push(answer.into());
+    }
+
+    fn save(&mut self, group: Group, image: &[u8]) {
+        self.line(format_args!("s {}", group.field), hex(image));
+    }
+
+    fn load(&mut self, group: Group, image: &[u8], answer: u8) {
+        self.line(format_args!("l {} {}", group.field, hex(image)), answer.to_string());
+    }
+
+    /// Images of defaults and of other values on one node, taken over by another; then damaged ones.
+    fn of(device: &Device, groups: &[Group], writes: bool) -> Self {
+        let mut session = Self::default();
+        let all: Vec<(Group, Vec<_>)> = groups.iter().map(|&group| (group, members(device, group))).collect();
+        let (mut values, others) = (Dictionary::new(device, 5), Dictionary::new(device, 127));
+        session.line(format_args!("i 05"), "0");
+        for (group, members) in &all {
+            session.save(*group, &image(members, &values));
+        }
+        for (index, sub, facts) in all.iter().flat_map(|(_, members)| members) {
+            let longer = if has_length(facts) { vec![0x41; facts.size & !1] } else { Vec::new() };
+            for value in edges(facts).into_iter().chain([longer]).filter(|_| writes) {
+                let answer = values.write(*index, *sub, &value).err().unwrap_or(0);
+                let line = format!("w {index:04X} {sub:02X} {}", hex(&value));
+                session.line(format_args!("{line}"), format!("{answer:X}"));
+            }
+        }
+        let images: Vec<Vec<u8>> = all.iter().map(|(_, members)| image(members, &values)).collect();
+        for ((group, _), image) in all.iter().zip(&images) {
+            session.save(*group, image);
+        }
+        session.line(format_args!("i 7F"), "0");
+        for ((group, members), kept) in all.iter().zip(&images) {
+            let before = image(members, &others);
+            session.save(*group, &before);
+            for (damaged, answer) in damaged(kept, members) {
+                session.load(*group, &damaged, answer);
+                session.save(*group, &before);
+            }
+            session.load(*group, kept, 0);
+            session.save(*group, kept);
+        }
+        session
+    }
+
+    fn compare(&self, name: &str, language: &str, output: &str) -> Result<(), String> {
+        let lines: Vec<&str> = output.lines().collect();
+        let wrong = lines.iter().zip(&self.expected).position(|(line, expected)| line != expected);
+        match wrong {
+            Some(at) => Err(format!(
+                "{name}, {language}: `{}` gives `{}`, not `{}`",
+                self.input.lines().nth(at).unwrap_or_default(),
+                lines[at],
+                self.expected[at]
+            )),
+            None if lines.len() != self.expected.len() => Err(format!("{name}, {language}: {}", lines.len())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Images that are wrong, and what they are refused for.
+fn damaged(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<(Vec<u8>, u8)> {
+    let flipped = |at: usize| {
+        let mut image = image.to_vec();
+        image[at] ^= 0x10;
+        image
+    };
+    let end = image.len();
+    let mut images = vec![
+        (Vec::new(), 1),
+        (image[..end - 1].to_vec(), 1),
+        ([image, &[0]].concat(), 1),
+        (flipped(0), 2),
+        (flipped(3), 2),
+        (vec![0; end], 2),
+        (vec![0xFF; end], 2),
+        (flipped(4), 3),
+        (flipped(end - 3), 3),
+        (flipped(end - 2), 3),
+        (flipped(end - 1), 3),
+    ];
+    let mut at = 4;
+    for (.., facts) in members {
+        let mut body = image[..end - 2].to_vec();
+        if facts.kind == Some(TypeKind::Boolean) {
+            body[at] = 2;
+            images.push((sealed(body), 4));
+        } else if has_length(facts) {
+            let longer = u16::try_from(facts.size + 1).unwrap().to_le_bytes();
+            body[at..at + 2].copy_from_slice(&longer);
+            images.push((sealed(body), 4));
+            at += 2;
+        }
+        at += facts.size;
+    }
+    assert_eq!(at, end - 2);
+    images
+}
+
+const RUST: &str = r#"
+mod od {
+    include!(env!("OD_RS"));
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02X}")).collect()
+}
+
+fn bytes(text: &str) -> Vec<u8> {
+    let text = text.trim_matches('-');
+    (0..text.len() / 2).map(|at| u8::from_str_radix(&text[2 * at..2 * at + 2], 16).unwrap()).collect()
+}
+
+fn number(text: &str) -> u16 {
+    u16::from_str_radix(text, 16).unwrap()
+}
+
+fn answer(answer: Result<(), od::ImageError>) -> String {
+    String::from(match answer {
+        Ok(()) => "0",
+        Err(od::ImageError::Length) => "1",
+        Err(od::ImageError::Layout) => "2",
+        Err(od::ImageError::Checksum) => "3",
+        Err(od::ImageError::Value) => "4",
+    })
+}
+
+fn main() {
+    let mut data = od::Data::new(1);
+    for line in std::io::stdin().lines() {
+        let line = line.unwrap();
+        let words: Vec<&str> = line.split(' ').collect();
+        let shown = match words[..] {
+            ["i", node_id] => {
+                data = od::Data::new(number(node_id) as u8);
+                String::from("0")
+            }
+            ["w", index, sub, value] => {
+                let answer = data.write(number(index), number(sub) as u8, &bytes(value));
+                answer.map_or_else(|abort| format!("{:X}", abort.code()), |()| String::from("0"))
+            }
+"#;
+
+const C: &str = r#"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "od.h"
+
+static char line[400000];
+static uint8_t bytes[200000];
+static uint8_t image[200000];
+
+static size_t parse(const char *text)
+{
+    size_t length = 0;
+    while (text[0] != '-' && text[0] != '\n') {
+        char pair[3] = {text[0], text[1], '\0'};
+        bytes[length++] = (uint8_t)strtoul(pair, NULL, 16);
+        text += 2;
+    }
+    return length;
+}
+
+static void show(size_t length)
+{
+    size_t at;
+    for (at = 0; at < length; at++) {
+        printf("%02X", (unsigned)image[at]);
+    }
+    printf("\n");
+}
+
+int main(void)
+{
+    while (fgets(line, sizeof line, stdin) != NULL) {
+        memset(image, 0xEE, sizeof image);
+"#;
+
+/// Programs that do what the lines of a session say.
+fn programs(groups: &[Group], has_write: bool) -> (String, String) {
+    let (mut rust, mut c) = (RUST.to_owned(), C.to_owned());
+    if has_write {
+        c = c.replace("int main", "static od_data_t data;\n\nint main");
+    }
+    let (data, init) = if has_write {
+        ("data", "od_init(&data, (uint8_t)strtoul(line + 2, NULL, 16))")
+    } else {
+        ("od_data", "od_init((uint8_t)strtoul(line + 2, NULL, 16))")
+    };
+    writeln!(c, "        if (line[0] == 'i') {{ {init}; printf(\"0\\n\"); continue; }}").unwrap();
+    if has_write {
+        c.push_str(
+            "        if (line[0] == 'w') {
+            const uint16_t index = (uint16_t)strtoul(line + 2, NULL, 16);
+            const uint8_t sub = (uint8_t)strtoul(line + 7, NULL, 16);
+            const size_t length = parse(line + 10);
+            printf(\"%lX\\n\", (unsigned long)od_write(&data, index, sub, bytes, length));
+            continue;
+        }
+",
+        );
+    }
+    for Group { field, type_name, .. } in groups {
+        let upper = field.to_uppercase();
+        writeln!(
+            rust,
+            "[\"s\", \"{field}\"] => {{ let mut image = [0xEE; od::{type_name}::IMAGE_SIZE]; \
+             data.{field}.save(&mut image); hex(&image) }}
+             [\"l\", \"{field}\", image] => answer(data.{field}.load(&bytes(image))),"
+        )
+        .unwrap();
+        let skip = 3 + field.len();
+        writeln!(
+            c,
+            "if (strncmp(line, \"s {field}\\n\", {skip}) == 0) {{ od_{field}_save(&{data}.{field}, image); \
+             show(OD_{upper}_IMAGE_SIZE); continue; }}
+             if (strncmp(line, \"l {field} \", {skip}) == 0) {{ const size_t length = parse(line + {skip}); \
+             printf(\"%d\\n\", (int)od_{field}_load(&{data}.{field}, bytes, length)); continue; }}"
+        )
+        .unwrap();
+    }
+    rust.push_str("_ => panic!(\"{line}\"),\n};\nprintln!(\"{shown}\");\n}\n}\n");
+    c.push_str("        printf(\"? %s\", line);\n    }\n    return 0;\n}\n");
+    (rust, c)
+}
+
+fn run(
+    folder: &Path,
+    device: &Device,
+    options: &Options,
+    groups: &[Group],
+    name: &str,
+) -> Result<(), String> {
+    let fail = |error: String| format!("{name}: {error}");
+    let session = Session::of(device, groups, true);
+    let (rust, c) = programs(groups, true);
+    generate_with(folder, device, "rust", options);
+    std::fs::write(folder.join("driver.rs"), rust).map_err(|error| error.to_string())?;
+    succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").map_err(fail)?;
+    let output = succeed(&mut Command::new(folder.join("in-rust")), &session.input).map_err(fail)?;
+    session.compare(name, "Rust", &output)?;
+    let Some(compiler) = c_compiler() else { return Ok(()) };
+    generate_with(folder, device, "c", options);
+    std::fs::write(folder.join("driver.c"), c).map_err(|error| error.to_string())?;
+    succeed(cc(&compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")
+        .map_err(fail)?;
+    let output = succeed(&mut Command::new(folder.join("in-c")), &session.input).map_err(fail)?;
+    session.compare(name, "C", &output)?;
+
+    let session = Session::of(device, groups, false);
+    let (_, c) = programs(groups, false);
+    let mut options = options.clone();
+    options.table = objdict::generate::CTable::Structs;
+    generate_with(folder, device, "c", &options);
+    std::fs::write(folder.join("driver.c"), c).map_err(|error| error.to_string())?;
+    succeed(cc(&compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")
+        .map_err(fail)?;
+    let output = succeed(&mut Command::new(folder.join("in-c")), &session.input).map_err(fail)?;
+    session.compare(name, "C, structs", &output)
+}
+
+/// Each language saves what the description says and loads what the other one saved, which is the same.
+#[test]
+fn images_are_the_same_in_both_languages() {
+    let chosen = ["odd", "all-types.eds", "io-401.eds"];
+    let devices: Vec<_> = devices().into_iter().filter(|(name, _)| chosen.contains(&name.as_str())).collect();
+    assert_eq!(devices.len(), chosen.len());
+    for_all(&devices, |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let groups: Vec<Group> =
+            GROUPS.into_iter().filter(|&group| !members(device, group).is_empty()).collect();
+        run(folder.path(), device, &options(), &groups, name)
+    });
+}
+
+/// Groups that the description states, with names that are no identifiers, keywords, or taken.
+#[test]
+fn stated_groups_get_names_of_their_own() {
+    let mut device = odd::device();
+    let stated = [
+        ("速度", "group", "Group"),
+        ("type", "type_", "Type"),
+        ("*/ } #error", "error", "Error"),
+        ("self", "self_", "SelfGroup"),
+        ("tpdo1", "tpdo1_group", "Tpdo1Group"),
+        ("Data", "data_group", "DataGroup"),
+        ("a 1", "a_1", "A1"),
+        ("A-1", "a_1_3201", "A13201"),
+        ("a1", "a1", "A1Group"),
+        ("node_id", "node_id_3203", "NodeId3203"),
+        ("option", "option", "OptionGroup"),
+        ("\u{202E}", "group_3205", "Group3205"),
+        (" RAM ", "", ""),
+        ("rom", "", ""),
+    ];
+    let mut groups = Vec::new();
+    let indexes: Vec<u16> = device.objects.range(0x3100..).map(|(&index, _)| index).collect();
+    let mut free = indexes.into_iter().filter(|index| !matches!(index, 0x3100 | 0x3101));
+    for (name, field, type_name) in stated {
+        let index = free.next().unwrap();
+        let stack = StackOptions { storage_group: Some(name.into()), ..StackOptions::default() };
+        device.objects.get_mut(&index).unwrap().main.stack = Some(Box::new(stack));
+        if !field.is_empty() {
+            groups.push(group(field, type_name, index, index));
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &device, &Options::default(), &groups, "stated").unwrap();
+}
+
+#[test]
+fn what_belongs_to_no_struct_or_should_not_is_told() {
+    let mut device = device(&support::fixtures().join("eds/io-401.eds"));
+    let store = device.objects.get_mut(&0x1010).unwrap();
+    let command = store.subs.get(1).unwrap().clone();
+    assert!([2, 3].map(|sub| store.subs.insert(sub, command.clone())).iter().all(Option::is_none));
+    let told = |groups: &[&str]| {
+        let mut options = Options::default();
+        options.groups = groups.iter().map(|group| group.parse().unwrap()).collect();
+        let generated = generate(&device, Target::named("c").unwrap(), &options).unwrap();
+        let header = String::from_utf8(generated.files[0].contents.clone()).unwrap();
+        let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
+        (header, notes)
+    };
+    let (plain, _) = told(&[]);
+    assert_eq!(told(&["1000-FFFF=ram"]).0, plain);
+    let (header, notes) = told(&["1000-1FFF=COMM", "6000-9FFF=APP", "B000-BFFF=NONE"]);
+    for line in ["#define OD_COMM_STORE_SUB_INDEX 2u\n", "#define OD_APP_STORE_SUB_INDEX 3u\n"] {
+        assert!(header.contains(line), "{header}");
+    }
+    assert!(!told(&["1000-9FFF=BOTH"]).0.contains("STORE_SUB_INDEX 2u"));
+    insta::assert_snapshot!("group_notes", notes.join("\n"));
+}
+
+const RUST_SIZE: &str = r#"
+mod od {
+    include!(env!("OD_RS"));
+}
+
+fn main() {
+    println!("{} {}", size_of_val(&od::ENTRIES), size_of::<od::Data>());
+}
+"#;
+
+const C_SIZE: &str = r#"
+#include <stdio.h>
+#include "od.c"
+
+int main(void)
+{
+    printf("%lu %lu\n", (unsigned long)(OD_ENTRY_COUNT * sizeof(od_entry_t) + OD_ROM_SIZE), (unsigned long)sizeof(od_data_t));
+    return 0;
+}
+"#;
+
+/// The report of sizes knows the structs.
+#[test]
+fn sizes_are_those_of_the_compilers() {
+    let press = device(&support::fixtures().join("xdd/press-402.xdd"));
+    let all = device(&support::fixtures().join("eds/all-types.eds"));
+    for (device, options) in [(odd::device(), options()), (all, options()), (press, Options::default())] {
+        let report = |target| {
+            let report = size(&device, Target::named(target).unwrap(), &options).unwrap().unwrap().total;
+            (report.flash, report.ram)
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        generate_with(folder, &device, "rust", &options);
+        std::fs::write(folder.join("size.rs"), RUST_SIZE).unwrap();
+        succeed(rustc(folder).args(["-Adead-code", "size.rs", "-o", "in-rust"]), "").unwrap();
+        let output = succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+        let (rows, ram) = output.trim().split_once(' ').unwrap();
+        assert_eq!(report("rust").1.to_string(), ram);
+        assert!(report("rust").0 > rows.parse().unwrap());
+        let Some(compiler) = c_compiler() else { continue };
+        generate_with(folder, &device, "c", &options);
+        std::fs::write(folder.join("size.c"), C_SIZE).unwrap();
+        succeed(cc(&compiler, folder).args(["-I.", "-o", "in-c", "size.c"]), "").unwrap();
+        let output = succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
+        let (flash, ram) = report("c");
+        assert_eq!(output.trim(), format!("{flash} {ram}"));
+    }
+}
+
+/// The examples of the documentation, with the tables that they are about.
+#[test]
+fn the_examples_of_the_documentation_run() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/storage.md")).unwrap();
+    let example = |language: &str| {
+        let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
+        rest.split_once("```\n").unwrap().0
+    };
+    let mut options = Options::default();
+    options.groups = vec!["1014-1017=PERSIST_COMM".parse().unwrap()];
+    options.hooks = ["1010:1".parse().unwrap()].into();
+    let device = device(&support::fixtures().join("eds/io-401.eds"));
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for target in ["rust", "c"] {
+        assert_eq!(generate_with(folder, &device, target, &options).notes, []);
+    }
+    std::fs::write(folder.join("example.rs"), example("rust")).unwrap();
+    succeed(rustc(folder).args(["-o", "in-rust", "example.rs"]), "").unwrap();
+    succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+    std::fs::write(folder.join("example.c"), example("c")).unwrap();
+    if let Some(compiler) = c_compiler() {
+        succeed(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"]), "").unwrap();
+        succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
+    }
+}
