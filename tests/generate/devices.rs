@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::format;
+use objdict::diagnostic::Severity;
+use objdict::format::{self, Format};
 use objdict::generate::{Options, Target, generate};
 use objdict::model::Device;
 use objdict::source::SourceOptions;
@@ -19,7 +20,8 @@ pub(crate) fn device(path: &Path) -> Device {
     format::open(path, &SourceOptions::default()).unwrap().into_device()
 }
 
-/// Every healthy fixture, the hostile ones, and a device with everything that no fixture has.
+/// Every healthy fixture, the hostile ones, and a device with everything that no fixture has; where the variable
+/// `OBJDICT_CORPUS_DIR` names a folder, also every description below it in which the check finds no error.
 pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut paths = support::good_devices();
     paths.push(support::fixtures().join("broken/hostile-unicode.eds"));
@@ -28,7 +30,30 @@ pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
     devices.push(("odd".to_owned(), odd::device()));
     devices.push(("constant".to_owned(), odd::constant()));
+    if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
+        further(Path::new(&folder), &mut devices);
+    }
     devices
+}
+
+/// Adds every description below a folder without an error finding.
+fn further(folder: &Path, devices: &mut Vec<(String, Device)>) {
+    let mut paths: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            further(&path, devices);
+            continue;
+        }
+        let is_known =
+            path.file_name().is_some_and(|name| Format::from_name(&name.to_string_lossy()).is_some());
+        let Some(Ok(description)) = is_known.then(|| format::open(&path, &SourceOptions::default())) else {
+            continue;
+        };
+        if objdict::check(&description).iter().all(|finding| finding.severity != Severity::Error) {
+            devices.push((path.display().to_string(), description.into_device()));
+        }
+    }
 }
 
 /// Calls `check` for each item on as many threads as there are cores; fails with all messages.

@@ -83,7 +83,10 @@ impl Dictionary {
 
 /// All entries of a device that a table has.
 pub(crate) fn facts_of(device: &Device) -> impl Iterator<Item = ((u16, u8), Facts)> + '_ {
-    device.objects.iter().flat_map(move |(&index, object)| {
+    let is_disabled =
+        |object: &Object| object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true));
+    let objects = device.objects.iter().filter(move |(_, object)| !is_disabled(object));
+    objects.flat_map(move |(&index, object)| {
         object
             .entries()
             .filter_map(move |(sub, entry)| Some(((index, sub), Facts::new(device, object, sub, &entry)?)))

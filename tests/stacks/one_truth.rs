@@ -121,6 +121,8 @@ const OF_CANOPEN_STACK: &[(Aspect, &str)] = &[
     (Aspect::Default, "the error history is empty when the stack begins"),
     (Aspect::Default, "its value has no bit 0, so no SDO"),
     (Aspect::Default, "the stack answers 1 or 0 and nothing else"),
+    (Aspect::Default, "the stack does not add the node-ID here"),
+    (Aspect::Default, "the stack does not keep bits 24 to 31"),
 ];
 
 const OF_MICROCANOPEN: &[(Aspect, &str)] = &[

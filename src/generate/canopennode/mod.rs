@@ -50,6 +50,7 @@ impl Backend for CanOpenNode {
             notes::of_object(object, &mut own);
             node_id::notes(object, dictionary.node_id, &mut own);
         }
+        notes::of_pdos(device, &mut own);
         notes::of_stack(device, &mut own);
         drop(tables);
         drop(objects);

@@ -15,17 +15,41 @@ pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
     }));
 }
 
+/// PDOs that the stack takes for a defect.
+pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
+    for pdo in device.pdos() {
+        let is_valid = pdo.cob_id.is_some_and(|id| id.is_valid());
+        if is_valid && pdo.mapping.is_some() && pdo.used_slots().next().is_none() {
+            let text =
+                format!("{pdo} maps nothing: the stack reports an error when it starts, and switches it off");
+            let note = Note::new(Place::entry(pdo.communication_index(), 1), text);
+            notes.push(note.help("set bit 31 of the COB-ID of a PDO that is not in use"));
+        }
+    }
+}
+
 /// What becomes of an object's values.
 pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
     for member in object.members() {
         let place = Place::entry(object.index, member.entry.sub);
         let texts = [text(member), octets(member), other(member)];
         notes.extend(texts.into_iter().flatten().map(|note| Note { place: place.clone(), ..note }));
+        if object.index == 0x1003 && has_errors(&member.entry.resolved.default) {
+            notes.push(Note::new(place.clone(), "the error history is empty when the stack starts"));
+        }
         let stack = member.entry.entry.stack.as_deref();
         if stack.is_some_and(|stack| stack.detects_change == Some(true)) {
             let note = Note::new(place.clone(), "the tables have no room for `CO_flagsPDO`");
             notes.push(note.help("let the application attach an extension and call `OD_requestTPDO`"));
         }
+    }
+}
+
+/// Whether a default of the error history is one of a history with errors.
+fn has_errors(default: &Datum) -> bool {
+    match default {
+        Datum::Word(word) | Datum::Formula(word) => *word != 0,
+        Datum::Bytes(bytes) => bytes.iter().any(|&byte| byte != 0),
     }
 }
 

@@ -1,0 +1,198 @@
+/* A node of the real CANopenNode with generated tables and no CAN controller: it starts, and every entry is uploaded from
+   its SDO server, frame by frame. `node N` prints index, sub-index and bytes of each, or the code of the abort. */
+#include "CANopen.h"
+#include "OD.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static frame_t answer;
+static uint16_t answers_at;
+
+void CO_CANsetConfigurationMode(void *can)
+{
+    (void)can;
+}
+
+void CO_CANsetNormalMode(CO_CANmodule_t *module)
+{
+    module->CANnormal = true;
+}
+
+CO_ReturnError_t CO_CANmodule_init(CO_CANmodule_t *module, void *can, CO_CANrx_t rx[], uint16_t rx_size, CO_CANtx_t tx[],
+                                   uint16_t tx_size, uint16_t bit_rate)
+{
+    (void)bit_rate;
+    memset(module, 0, sizeof *module);
+    memset(rx, 0, sizeof *rx * rx_size);
+    memset(tx, 0, sizeof *tx * tx_size);
+    module->CANptr = can;
+    module->rxArray = rx;
+    module->rxSize = rx_size;
+    module->txArray = tx;
+    module->txSize = tx_size;
+    return CO_ERROR_NO;
+}
+
+void CO_CANmodule_disable(CO_CANmodule_t *module)
+{
+    (void)module;
+}
+
+CO_ReturnError_t CO_CANrxBufferInit(CO_CANmodule_t *module, uint16_t index, uint16_t can_id, uint16_t mask, bool_t rtr,
+                                    void *object, void (*receive)(void *object, void *message))
+{
+    (void)rtr;
+    if (index >= module->rxSize) {
+        return CO_ERROR_ILLEGAL_ARGUMENT;
+    }
+    module->rxArray[index].ident = can_id;
+    module->rxArray[index].mask = mask;
+    module->rxArray[index].object = object;
+    module->rxArray[index].CANrx_callback = receive;
+    return CO_ERROR_NO;
+}
+
+CO_CANtx_t *CO_CANtxBufferInit(CO_CANmodule_t *module, uint16_t index, uint16_t can_id, bool_t rtr, uint8_t length,
+                               bool_t sync)
+{
+    (void)rtr;
+    if (index >= module->txSize) {
+        return NULL;
+    }
+    module->txArray[index].ident = can_id;
+    module->txArray[index].DLC = length;
+    module->txArray[index].syncFlag = sync;
+    return &module->txArray[index];
+}
+
+CO_ReturnError_t CO_CANsend(CO_CANmodule_t *module, CO_CANtx_t *buffer)
+{
+    (void)module;
+    if (buffer->ident == answers_at) {
+        answer.length = buffer->DLC;
+        memcpy(answer.bytes, buffer->data, sizeof answer.bytes);
+    }
+    return CO_ERROR_NO;
+}
+
+void CO_CANclearPendingSyncPDOs(CO_CANmodule_t *module)
+{
+    (void)module;
+}
+
+void CO_CANmodule_process(CO_CANmodule_t *module)
+{
+    (void)module;
+}
+
+/* Ends with the name of a step that failed. */
+static void demand(const char *step, CO_ReturnError_t error, uint32_t info)
+{
+    if (error != CO_ERROR_NO) {
+        printf("%s: error %d, %04lX\n", step, (int)error, (unsigned long)info);
+        exit(1);
+    }
+}
+
+static CO_t *start(uint8_t node_id)
+{
+    uint32_t info = 0;
+    uint8_t pending_id = node_id;
+    uint16_t bit_rate = 125;
+    CO_LSS_address_t address;
+    CO_t *node = CO_new(NULL, &info);
+    if (node == NULL) {
+        printf("CO_new: no memory\n");
+        exit(1);
+    }
+    OD_applyNodeId(node_id);
+    demand("CO_CANinit", CO_CANinit(node, NULL, bit_rate), 0);
+    memset(&address, 0, sizeof address);
+    demand("CO_LSSinit", CO_LSSinit(node, &address, &pending_id, &bit_rate), 0);
+    demand("CO_CANopenInit",
+           CO_CANopenInit(node, NULL, NULL, OD, NULL, 0, 500, 1000, 500, false, node_id, &info), info);
+    info = 0;
+    demand("CO_CANopenInitPDO", CO_CANopenInitPDO(node, node->em, OD, node_id, &info), 0);
+    if (info != 0) {
+        printf("CO_CANopenInitPDO: %04lX is not valid\n", (unsigned long)info);
+    }
+    CO_CANsetNormalMode(node->CANmodule);
+    for (int i = 0; i < 3; i++) {
+        CO_process(node, false, 1000, NULL);
+    }
+    return node;
+}
+
+/* Sends a request to the SDO server, and lets it answer. */
+static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
+{
+    frame_t frame = {can_id, 8, {0}};
+    memcpy(frame.bytes, request, 8);
+    memset(&answer, 0, sizeof answer);
+    for (uint16_t i = 0; i < node->CANmodule->rxSize; i++) {
+        const CO_CANrx_t *rx = &node->CANmodule->rxArray[i];
+        if (rx->ident == can_id && rx->CANrx_callback != NULL) {
+            rx->CANrx_callback(rx->object, &frame);
+        }
+    }
+    for (int i = 0; i < 20 && answer.length == 0; i++) {
+        CO_process(node, false, 1000, NULL);
+    }
+}
+
+static void print_bytes(const uint8_t *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        printf("%02X", bytes[i]);
+    }
+}
+
+/* Uploads an entry, as CiA 301 has it. */
+static void upload(CO_t *node, uint8_t node_id, uint16_t index, uint8_t sub)
+{
+    const uint16_t can_id = (uint16_t)(0x600u + node_id);
+    uint8_t request[8] = {0x40, (uint8_t)(index & 0xFFu), (uint8_t)(index >> 8), sub, 0, 0, 0, 0};
+    uint8_t toggle = 0;
+    printf("%04X %02X ", index, sub);
+    ask(node, can_id, request);
+    if (answer.length == 8 && (answer.bytes[0] & 0xE3u) == 0x43u) {
+        print_bytes(&answer.bytes[4], 4u - ((answer.bytes[0] >> 2) & 3u));
+    } else if (answer.length == 8 && (answer.bytes[0] & 0xE2u) == 0x40u) {
+        bool_t last = false;
+        while (!last) {
+            memset(request, 0, sizeof request);
+            request[0] = (uint8_t)(0x60u | toggle);
+            ask(node, can_id, request);
+            if (answer.length != 8 || (answer.bytes[0] & 0xF0u) != toggle) {
+                break;
+            }
+            print_bytes(&answer.bytes[1], 7u - ((answer.bytes[0] >> 1) & 7u));
+            last = (answer.bytes[0] & 1u) != 0;
+            toggle ^= 0x10u;
+        }
+    }
+    if (answer.length == 0) {
+        printf("silent");
+    } else if (answer.bytes[0] == 0x80u) {
+        printf("abort %02X%02X%02X%02X", answer.bytes[7], answer.bytes[6], answer.bytes[5], answer.bytes[4]);
+    }
+    printf("\n");
+}
+
+int main(int argc, char **argv)
+{
+    const uint8_t node_id = (uint8_t)(argc == 2 ? atoi(argv[1]) : 0);
+    CO_t *node = start(node_id);
+    answers_at = (uint16_t)(0x580u + node_id);
+    for (uint16_t i = 0; i < OD->size; i++) {
+        for (unsigned sub = 0; sub <= 0xFF; sub++) {
+            OD_IO_t io;
+            if (OD_getSub(&OD->list[i], (uint8_t)sub, &io, true) == ODR_OK) {
+                upload(node, node_id, OD->list[i].index, (uint8_t)sub);
+            }
+        }
+    }
+    return 0;
+}
