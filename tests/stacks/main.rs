@@ -25,6 +25,7 @@ mod one_truth;
 #[path = "../generate/oracle.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;
+mod pages;
 #[path = "../generate/script.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod script;
