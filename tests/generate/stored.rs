@@ -156,6 +156,9 @@ impl Session {
                 session.load(*group, &damaged, answer);
                 session.save(*group, &before);
             }
+            session.load(*group, &with_void_bits(kept, members), 0);
+            session.save(*group, kept);
+            session.line(format_args!("i 7F"), "0");
             session.load(*group, kept, 0);
             session.save(*group, kept);
         }
@@ -176,6 +179,19 @@ impl Session {
             None => Ok(()),
         }
     }
+}
+
+/// The same values, with bits of times that mean nothing.
+fn with_void_bits(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<u8> {
+    let mut body = image[..image.len() - 2].to_vec();
+    let mut at = 4;
+    for (.., facts) in members {
+        if matches!(facts.kind, Some(TypeKind::TimeOfDay | TypeKind::TimeDifference)) {
+            body[at + 3] |= 0xF0;
+        }
+        at += facts.size + if has_length(facts) { 2 } else { 0 };
+    }
+    sealed(body)
 }
 
 /// Images that are wrong, and what they are refused for.
