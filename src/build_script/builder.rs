@@ -35,7 +35,7 @@ pub struct Builder {
 impl Builder {
     /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
     pub fn new(path: impl AsRef<Path>) -> Self {
-        let request = Request { file: path.as_ref().to_owned(), sizes: true, ..Request::default() };
+        let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
         Self { request, out_dir: None, max_warnings: MAX_WARNINGS, failure: None }
     }
 
@@ -142,6 +142,12 @@ impl Builder {
     /// The bytes of RAM that the values of each target may take at most.
     pub fn max_ram(mut self, bytes: usize) -> Self {
         self.request.room.ram = Some(bytes);
+        self
+    }
+
+    /// Works out what the tables of each target take, for [`Built::sizes`]; without it, only when there is a limit.
+    pub fn sizes(mut self) -> Self {
+        self.request.sizes = true;
         self
     }
 
@@ -304,7 +310,7 @@ fn with_advice(line: String, help: Option<&str>) -> String {
 
 fn write(production: &Production, folder: &Path) -> Result<Built, Error> {
     let Production { objects, entries, .. } = *production;
-    let sizes = production.sizes.iter().map(|(target, report)| (target.name(), report.clone())).collect();
+    let sizes = production.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
     let mut built = Built { objects, entries, files: Vec::new(), sizes };
     for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
         let path = folder.join(&file.path);

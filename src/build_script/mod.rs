@@ -42,7 +42,7 @@ mod cargo;
 use std::path::{Path, PathBuf};
 
 pub use self::builder::Builder;
-use crate::generate::SizeReport;
+use crate::generate::Sizes;
 pub use crate::production::Error;
 
 /// What a build script made.
@@ -55,8 +55,9 @@ pub struct Built {
     pub entries: usize,
     /// The files, in the order of the targets; those that were there already with these contents too.
     pub files: Vec<PathBuf>,
-    /// What the tables take in flash and RAM, by the names of the targets of which it is known.
-    pub sizes: Vec<(&'static str, SizeReport)>,
+    /// What the tables take in flash and RAM, by the names of the targets; empty unless
+    /// [that is asked for](Builder::sizes).
+    pub sizes: Vec<(&'static str, Sizes)>,
 }
 
 /// Writes `od.rs`, the dictionary of a description in Rust, to `OUT_DIR`: [`Builder::new`] without any option.

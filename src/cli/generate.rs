@@ -71,8 +71,7 @@ fn write(
         writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;
         table.write(out)?;
         if args.report.is_some() {
-            let targets = production.outputs.iter().map(|(target, _)| target.name());
-            sizes::write_tables(targets, &production.sizes, out)?;
+            sizes::write_tables(&production.sizes, out)?;
         }
     }
     Ok(out.flush()?)

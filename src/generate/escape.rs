@@ -34,7 +34,12 @@ pub(super) fn c_comment(text: &str) -> String {
 
 /// A string literal of C in UTF-8.
 pub(super) fn c_text(text: &str) -> String {
-    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+    super::c_code::literal(shown(text).as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+}
+
+/// What a [`c_text`] holds.
+pub(super) fn shown(text: &str) -> String {
+    printable(text).trim().to_owned()
 }
 
 /// One line of harmless characters.

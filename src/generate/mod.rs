@@ -33,6 +33,7 @@ mod escape;
 mod frames;
 mod hooks;
 mod meanings;
+mod memory;
 mod microcanopen;
 mod names;
 mod notes;
@@ -55,7 +56,7 @@ use std::fmt;
 
 pub use options::{CTable, Choice, Group, Names, Options};
 pub use renames::{ChoiceError, renames};
-pub use size::{ObjectSize, Size, SizeReport};
+pub use size::{ObjectSize, Size, SizeReport, Sizes};
 
 use crate::diagnostic::Severity;
 use crate::model::{Device, Place};
@@ -107,13 +108,11 @@ pub trait Backend: Sync {
     /// When the device asks for something that would come out wrong, see [`GenerateError`].
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError>;
 
-    /// What the tables take in flash and RAM; `None` of a target that has none, or whose stack decides it.
+    /// What the tables take in flash and RAM, or why that is not known.
     ///
     /// # Errors
     /// As [`Backend::generate`].
-    fn size(&self, _: &Device, _: &Options) -> Result<Option<SizeReport>, GenerateError> {
-        Ok(None)
-    }
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError>;
 }
 
 /// A target of the registry.
@@ -320,11 +319,11 @@ pub(crate) fn without_effect(targets: &[Target], options: &Options) -> Vec<Note>
     without.map(note).collect()
 }
 
-/// What the tables of `target` take in flash and RAM, without the code that serves them; `None` where that is not known.
+/// What the tables of `target` take in flash and RAM, without the code that serves them, or why that is not known.
 ///
 /// # Errors
 /// As [`generate`].
-pub fn size(device: &Device, target: Target, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
     target.0.size(device, options)
 }
 

@@ -32,13 +32,28 @@ pub struct ObjectSize {
 /// What the tables of a target take, object by object.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SizeReport {
+    /// What is counted, and for which processor: a line in lower case.
+    pub counted: &'static str,
     /// The objects, by index.
     pub objects: Vec<ObjectSize>,
-    /// What belongs to no object: the node-ID, and gaps between values.
+    /// What belongs to no object: the node-ID, end marks, and gaps between values.
     pub rest: Size,
     /// All together.
     pub total: Size,
 }
+
+/// What is known of the sizes of a target's tables.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sizes {
+    /// What they take.
+    Known(SizeReport),
+    /// Why it is not known: a line in lower case.
+    Unknown(&'static str),
+}
+
+/// What is counted of a [`Table`].
+const COUNTED: &str =
+    "the tables and values, on any processor that aligns numbers to their size; without code";
 
 /// How a target lays its tables out.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +66,11 @@ pub(crate) struct Layout {
 }
 
 impl SizeReport {
+    pub(crate) fn new(counted: &'static str, objects: Vec<ObjectSize>, rest: Size) -> Self {
+        let total = objects.iter().fold(rest, |sum, object| sum + object.size);
+        Self { counted, objects, rest, total }
+    }
+
     pub(crate) fn of_table(table: &Table, layout: Layout) -> Self {
         let mut taken = vec![false; table.rom.len()];
         let mut rom_of = |row: &Row| {
@@ -78,15 +98,20 @@ impl SizeReport {
             flash: table.rows.len() * layout.row + table.rom.len(),
             ram: ram(table, layout.is_ascending),
         };
-        let of_objects = objects.iter().fold(Size::default(), |sum, object| Size {
-            flash: sum.flash + object.size.flash,
-            ram: sum.ram + object.size.ram,
-        });
+        let of_objects = objects.iter().fold(Size::default(), |sum, object| sum + object.size);
         let rest = Size {
             flash: total.flash.saturating_sub(of_objects.flash),
             ram: total.ram.saturating_sub(of_objects.ram),
         };
-        Self { objects, rest, total }
+        Self { counted: COUNTED, objects, rest, total }
+    }
+}
+
+impl std::ops::Add for Size {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { flash: self.flash + other.flash, ram: self.ram + other.ram }
     }
 }
 
@@ -116,7 +141,7 @@ pub(crate) fn group_alignment(table: &Table, group: usize) -> usize {
 }
 
 /// Bytes of a field.
-fn field_size(field: &TableField) -> usize {
+pub(crate) fn field_size(field: &TableField) -> usize {
     element_size(field.shape) * if field.array { field.rows.len() } else { 1 }
 }
 

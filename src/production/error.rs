@@ -83,6 +83,14 @@ pub enum Error {
         /// What they may take.
         most: usize,
     },
+    /// The tables may take only so much, and what they take is known of none of the targets.
+    #[error("target `{target}`: what the tables take is not known and cannot be limited: {why}")]
+    NotMeasured {
+        /// The first of the targets.
+        target: &'static str,
+        /// Why it is not known.
+        why: &'static str,
+    },
     /// Two targets would write the same file.
     #[error("the targets `{first}` and `{second}` both write `{path}`")]
     SameFile {
@@ -132,6 +140,7 @@ impl Error {
             Self::TooLarge { .. } => {
                 Some("`objdict generate --report size` shows what each object takes".to_owned())
             }
+            Self::NotMeasured { .. } => Some("the map file of the linker says it".to_owned()),
             Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
             Self::NoOutDir => Some(
                 "Cargo sets it for build scripts; elsewhere say where the files go with `out_dir`".to_owned(),

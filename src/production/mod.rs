@@ -25,7 +25,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::input::{Input, InputError, Reading};
 use crate::generate::{
-    self, Generated, Note, Options, Size, SizeReport, Target, files_of, renames, without_effect,
+    self, Generated, Note, Options, Size, Sizes, Target, files_of, renames, without_effect,
 };
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
@@ -117,9 +117,8 @@ pub(crate) struct Production {
     pub(crate) entries: usize,
     /// What was made, in the order of the targets.
     pub(crate) outputs: Vec<(Target, Generated)>,
-    /// What the tables take, of the targets of which that is known; empty where nobody wants to know.
-    #[cfg_attr(not(feature = "cli"), allow(dead_code, reason = "only the command reports them"))]
-    pub(crate) sizes: Vec<(Target, SizeReport)>,
+    /// What the tables take; empty where nobody wants to know.
+    pub(crate) sizes: Vec<(Target, Sizes)>,
 }
 
 impl Request {
@@ -214,14 +213,9 @@ impl Request {
             let refused = |error| Error::Target { target: target.name(), error };
             let mut generated = files_of(&device, target, &options).map_err(refused)?;
             if self.sizes || self.room.is_limited() {
-                match generate::size(&device, target, &options).map_err(refused)? {
-                    Some(report) => {
-                        self.room.admit(target, report.total)?;
-                        sizes.push((target, report));
-                    }
-                    None if self.room.is_limited() => generated.notes.push(unknown_size()),
-                    None => {}
-                }
+                let size = generate::size(&device, target, &options).map_err(refused)?;
+                generated.notes.extend(self.room.admit(target, &size)?);
+                sizes.push((target, size));
             }
             for file in &generated.files {
                 if let Some(first) = paths.insert(file.path.clone(), target.name()) {
@@ -231,6 +225,7 @@ impl Request {
             }
             outputs.push((target, generated));
         }
+        self.room.is_measured(&sizes)?;
         if let Some((_, first)) = outputs.first_mut() {
             first.notes.splice(0..0, without_effect(&self.targets, &options));
         }
@@ -258,20 +253,36 @@ impl Room {
         self.flash.is_some() || self.ram.is_some()
     }
 
-    /// Refuses tables that take more.
-    fn admit(self, target: Target, size: Size) -> Result<(), Error> {
-        for (memory, bytes, most) in [("flash", size.flash, self.flash), ("RAM", size.ram, self.ram)] {
+    /// Refuses tables that take more; a note where that is not known.
+    fn admit(self, target: Target, sizes: &Sizes) -> Result<Option<Note>, Error> {
+        let Size { flash, ram } = match sizes {
+            Sizes::Known(report) => report.total,
+            Sizes::Unknown(why) if self.is_limited() => {
+                let text = format!("what the tables take is not known and so not limited: {why}");
+                let note = Note::new(Place::device(), text);
+                return Ok(Some(note.help("the map file of the linker says it")));
+            }
+            Sizes::Unknown(_) => return Ok(None),
+        };
+        for (memory, bytes, most) in [("flash", flash, self.flash), ("RAM", ram, self.ram)] {
             if let Some(most) = most.filter(|&most| bytes > most) {
                 return Err(Error::TooLarge { target: target.name(), memory, bytes, most });
             }
         }
-        Ok(())
+        Ok(None)
     }
-}
 
-fn unknown_size() -> Note {
-    Note::new(Place::device(), "what the tables of this target take is not known")
-        .help("the map file of the linker says it")
+    /// Refuses limits that hold for none of the targets.
+    fn is_measured(self, sizes: &[(Target, Sizes)]) -> Result<(), Error> {
+        match sizes.first() {
+            Some((target, Sizes::Unknown(why)))
+                if self.is_limited() && sizes.iter().all(|(_, sizes)| matches!(sizes, Sizes::Unknown(_))) =>
+            {
+                Err(Error::NotMeasured { target: target.name(), why })
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 impl Judged {

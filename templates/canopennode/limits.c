@@ -23,6 +23,7 @@ typedef struct {
     uint64_t low;
     uint64_t high;
     uint16_t index;
+    uint16_t object; /* place in the list */
     uint8_t subIndex;
     uint8_t length;
     uint8_t flags;
@@ -30,17 +31,12 @@ typedef struct {
 
 static CO_PROGMEM Limit_t limits[] = {
 {%- for row in limits.rows %}
-    { {{- row.low }}, {{ row.high }}, 0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.length }}, {{ row.flags }}},
+    { {{- row.low }}, {{ row.high }}, 0x{{ "{:04X}"|format(row.index) }}, {{ row.position }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.length }}, {{ row.flags }}},
 {%- endfor %}
 };
 
 static uint8_t limitNodeId;
-static OD_extension_t limitExtensions[{{ limits.positions.len() }}];
-static CO_PROGMEM uint16_t limitedObjects[{{ limits.positions.len() }}] = {
-{%- for position in limits.positions %}
-    {{ position }},
-{%- endfor %}
-};
+static OD_extension_t limitExtensions[{{ limits.objects }}];
 
 /* The number of a value, with its sign up to the highest bit. */
 static uint64_t limitedValue(CO_PROGMEM Limit_t *limit, const void *buf)
@@ -124,17 +120,34 @@ static ODR_t checkLimit(CO_PROGMEM Limit_t *limit, const void *buf, OD_size_t co
     return ODR_OK;
 }
 
+static uint32_t limitKey(uint16_t index, uint8_t subIndex)
+{
+    return ((uint32_t)index << 8) | subIndex;
+}
+
+/* The limits of an entry, by binary search; NULL where it has none. */
+static CO_PROGMEM Limit_t *findLimit(uint16_t index, uint8_t subIndex)
+{
+    const uint32_t key = limitKey(index, subIndex);
+    CO_PROGMEM Limit_t *limit = limits;
+    size_t count = sizeof(limits) / sizeof(limits[0]);
+    while (count > 1U) { /* ends at the last row that is not greater */
+        const size_t half = count / 2U;
+        if (limitKey(limit[half].index, limit[half].subIndex) <= key) {
+            limit += half;
+        }
+        count -= half;
+    }
+    return limitKey(limit->index, limit->subIndex) == key ? limit : NULL;
+}
+
 ODR_t {{ od }}_writeLimited(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten)
 {
     if (stream != NULL && buf != NULL) {
-        for (uint16_t i = 0; i < sizeof(limits) / sizeof(limits[0]); i++) {
-            if (limits[i].index == stream->index && limits[i].subIndex == stream->subIndex) {
-                const ODR_t answer = checkLimit(&limits[i], buf, count);
-                if (answer != ODR_OK) {
-                    return answer;
-                }
-                break;
-            }
+        CO_PROGMEM Limit_t *limit = findLimit(stream->index, stream->subIndex);
+        const ODR_t answer = limit != NULL ? checkLimit(limit, buf, count) : ODR_OK;
+        if (answer != ODR_OK) {
+            return answer;
         }
     }
     return OD_writeOriginal(stream, buf, count, countWritten);
@@ -142,14 +155,18 @@ ODR_t {{ od }}_writeLimited(OD_stream_t *stream, const void *buf, OD_size_t coun
 
 void {{ od }}_initLimits(uint8_t nodeId)
 {
+    OD_extension_t *extension = limitExtensions;
     limitNodeId = (uint8_t)(nodeId & 0x7FU);
-    for (uint16_t i = 0; i < sizeof(limitedObjects) / sizeof(limitedObjects[0]); i++) {
-        OD_entry_t *entry = &ODList[limitedObjects[i]];
+    for (size_t i = 0; i < sizeof(limits) / sizeof(limits[0]); i++) {
+        OD_entry_t *entry = &ODList[limits[i].object];
+        if (i > 0U && limits[i].object != limits[i - 1U].object) {
+            extension++;
+        }
         if (entry->extension == NULL) {
-            limitExtensions[i].object = NULL;
-            limitExtensions[i].read = OD_readOriginal;
-            limitExtensions[i].write = {{ od }}_writeLimited;
-            (void)OD_extension_init(entry, &limitExtensions[i]);
+            extension->object = NULL;
+            extension->read = OD_readOriginal;
+            extension->write = {{ od }}_writeLimited;
+            (void)OD_extension_init(entry, extension);
         }
     }
 }

@@ -15,6 +15,7 @@ mod odd;
 mod oracle;
 mod output;
 mod pdo;
+mod processors;
 mod script;
 mod size;
 mod stored;
@@ -31,6 +32,7 @@ use objdict::model::Device;
 
 use compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
 use devices::{arbitrary_devices, device, devices, for_all};
+use processors::build;
 use script::Script;
 
 /// The first answers that differ from what was expected.
@@ -75,9 +77,8 @@ fn rust_and_c_answer_as_the_description_says() {
         let Some(compiler) = &compiler else { return Ok(()) };
         generate_into(folder, device, "c");
         let mut cc = cc(compiler, folder);
-        succeed(cc.args(["-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
-        let in_c =
-            succeed(&mut std::process::Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
+        cc.args(["-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c"));
+        let in_c = build(&cc).and_then(|programs| programs.run(&[], &script.input)).map_err(fail)?;
         compare(name, "C", &script, &in_c)
     });
     let answers = answers.into_inner();

@@ -7,6 +7,7 @@ use objdict::generate::{Options, OutputFile, Target, generate};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
+use crate::processors::build;
 use crate::{device, devices, support};
 
 /// All files that the targets of tables give.
@@ -220,7 +221,7 @@ fn the_examples_of_the_documentation_run() {
     succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
     std::fs::write(folder.join("example.c"), example("c")).unwrap();
     if let Some(compiler) = c_compiler() {
-        succeed(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"]), "").unwrap();
-        succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
+        let programs = build(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"])).unwrap();
+        programs.run(&[], "").unwrap();
     }
 }

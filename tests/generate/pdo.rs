@@ -11,6 +11,7 @@ use objdict::model::{
 
 use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
 use crate::oracle::{Facts, facts_of, hex};
+use crate::processors::build;
 use crate::{devices, for_all};
 
 /// The node that everything is packed for.
@@ -333,8 +334,8 @@ fn run(
     generate_with(folder, device, "c", options);
     std::fs::write(folder.join("driver.c"), &session.c).map_err(|error| error.to_string())?;
     let mut cc = cc(&compiler, folder);
-    succeed(cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]), "").map_err(fail)?;
-    let output = succeed(&mut Command::new(folder.join("in-c")), "").map_err(fail)?;
+    cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]);
+    let output = build(&cc).and_then(|programs| programs.run(&[], "")).map_err(fail)?;
     session.compare(name, "C", &output)
 }
 

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use objdict::generate::{Options, SizeReport, Target, size};
+use objdict::generate::{Options, SizeReport, Sizes, Target, size};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
@@ -30,8 +30,10 @@ int main(void)
 "#;
 
 fn report(device: &Device, target: &str) -> SizeReport {
-    let report = size(device, Target::named(target).unwrap(), &Options::default()).unwrap();
-    report.unwrap_or_else(|| panic!("no sizes of `{target}`"))
+    match size(device, Target::named(target).unwrap(), &Options::default()).unwrap() {
+        Sizes::Known(report) => report,
+        Sizes::Unknown(why) => panic!("no sizes of `{target}`: {why}"),
+    }
 }
 
 fn devices() -> Vec<(&'static str, Device)> {
@@ -57,9 +59,9 @@ fn sizes_are_those_of_the_compilers() {
         let Some(compiler) = c_compiler() else { continue };
         generate_into(folder, &device, "c");
         std::fs::write(folder.join("size.c"), C).unwrap();
+        let in_c = report(&device, "c").total;
         succeed(cc(&compiler, folder).args(["-I.", "-o", "in-c", "size.c"]), "").unwrap();
         let output = succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
-        let in_c = report(&device, "c").total;
         assert_eq!(output.trim(), format!("{} {}", in_c.flash, in_c.ram), "{name}, C");
         let rows: usize = report(&device, "c").objects.iter().map(|object| object.entries).sum();
         let rows_in_c = in_c.flash - rom; // the same defaults and limits in both
@@ -74,7 +76,7 @@ fn sizes_are_those_of_the_compilers() {
 fn the_objects_make_up_the_total() {
     for (name, device) in devices() {
         for target in ["rust", "c"] {
-            let SizeReport { objects, rest, total } = report(&device, target);
+            let SizeReport { objects, rest, total, .. } = report(&device, target);
             let flash: usize = objects.iter().map(|object| object.size.flash).sum();
             let ram: usize = objects.iter().map(|object| object.size.ram).sum();
             assert_eq!((flash + rest.flash, ram + rest.ram), (total.flash, total.ram), "{name}, {target}");

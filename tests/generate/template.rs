@@ -5,9 +5,10 @@ use std::path::Path;
 use objdict::generate::{GenerateError, Generated, Options, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc};
 use crate::devices::{device, devices, for_all};
 use crate::oracle::{facts_of, hex};
+use crate::processors::build;
 use crate::support;
 
 /// The template of the page.
@@ -67,12 +68,12 @@ fn the_example_compiles_and_has_every_entry() {
             .map_err(|error| error.to_string())?;
         std::fs::write(folder.join("main.c"), MAIN).map_err(|error| error.to_string())?;
         let mut cc = cc(&compiler, folder);
-        succeed(cc.args(["-o", "run", "table.c", "main.c"]), "")
-            .map_err(|error| format!("{name}: {error}"))?;
-        let printed = succeed(&mut std::process::Command::new(folder.join("run")), "")?;
+        cc.args(["-o", "run", "table.c", "main.c"]);
         let expected: String = facts_of(device)
             .map(|((index, sub), facts)| format!("{index:04X} {sub:02X} {}\n", hex(&facts.default_on(0))))
             .collect();
+        let printed = build(&cc).and_then(|programs| programs.run(&[], ""));
+        let printed = printed.map_err(|error| format!("{name}: {error}"))?;
         if printed == expected { Ok(()) } else { Err(format!("{name}:\n{printed}\nexpected:\n{expected}")) }
     });
 }

@@ -17,6 +17,7 @@ mod compile;
 #[path = "../generate/devices.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod devices;
+mod measure;
 mod microcanopen;
 mod objdict_macros;
 #[path = "../generate/odd.rs"]
@@ -26,9 +27,12 @@ mod one_truth;
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;
 mod pages;
+#[path = "../generate/processors.rs"]
+mod processors;
 #[path = "../generate/script.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod script;
+mod sizes;
 #[path = "../support/mod.rs"]
 mod support;
 mod truth;

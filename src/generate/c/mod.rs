@@ -14,7 +14,7 @@ use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
-use super::{Backend, CTable, Choice, GenerateError, Generated, Note, Options, SizeReport, render};
+use super::{Backend, CTable, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Place};
 
 /// Tables for C.
@@ -79,12 +79,13 @@ impl Backend for C {
         Ok(Generated { files, notes: in_order(notes) })
     }
 
-    fn size(&self, device: &Device, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
-        if options.table == CTable::Structs {
-            return Ok(None); // pointers are as long as the processor has them
-        }
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
         let table = Table::new(device, options)?;
+        if options.table == CTable::Structs {
+            let prefix = options.prefix_or("od")?;
+            return Ok(Sizes::Known(structs::size(&table, &prefix, options.entry_names)));
+        }
         let row = if table.is_wide() { 16 } else { 10 };
-        Ok(Some(SizeReport::of_table(&table, Layout { row, is_ascending: true })))
+        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, is_ascending: true })))
     }
 }

@@ -1,14 +1,17 @@
 //! What templates/c/structs.h and structs.c show: the table as an array of structures with pointers.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use askama::Template;
 
 use super::stored::{GroupView, MemberView, group_views};
 use super::view::{Facts, Header, is_time, type_name, word_type};
+use crate::generate::SizeReport;
 use crate::generate::c_code::{bytes, number};
-use crate::generate::escape::filters;
+use crate::generate::escape::{filters, shown};
+use crate::generate::memory::{Extent, Memory, Tally};
 use crate::generate::resolve::{Datum, Shape};
+use crate::generate::size::{field_size, ram};
 use crate::generate::table::{Row, Table};
 use crate::model::DataType;
 
@@ -72,7 +75,7 @@ impl<'a> StructsHeader<'a> {
 
 impl<'a> StructsSource<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
-        let mut constants = Constants { prefix, pools: Vec::new(), blocks: Vec::new() };
+        let mut constants = Constants::new(prefix);
         let upper = prefix.to_ascii_uppercase();
         let rows = table.rows.iter().map(|row| row_view(table, row, &upper, &mut constants)).collect();
         let shape = |check: fn(Shape) -> bool| table.rows.iter().any(|row| check(row.resolved.shape));
@@ -97,11 +100,17 @@ struct Constants<'a> {
     prefix: &'a str,
     pools: Vec<Pool>,
     blocks: Vec<String>,
+    /// What they take, with the indexes of the objects that have them first.
+    taken: Vec<(u16, usize)>,
 }
 
-impl Constants<'_> {
+impl<'a> Constants<'a> {
+    fn new(prefix: &'a str) -> Self {
+        Self { prefix, pools: Vec::new(), blocks: Vec::new(), taken: Vec::new() }
+    }
+
     /// The address of a number.
-    fn number(&mut self, word: u64, data_type: DataType) -> String {
+    fn number(&mut self, index: u16, word: u64, data_type: DataType) -> String {
         let mut c_type = word_type(data_type).to_owned();
         let text = if is_time(data_type) {
             c_type = format!("{}_time_t", self.prefix);
@@ -127,6 +136,8 @@ impl Constants<'_> {
         let number = *pool.at.entry(text.clone()).or_insert(next);
         if number == next {
             pool.numbers.push(text);
+            let size = if is_time(data_type) { time().size } else { Extent::of_c(&pool.c_type).size };
+            self.taken.push((index, size));
         }
         format!("&{}[{number}]", pool.name)
     }
@@ -136,9 +147,13 @@ impl Constants<'_> {
         let name = format!("{}_D{:04X}_{:02X}", self.prefix, row.index, row.sub);
         let (size, text) = (value.len(), bytes(value));
         self.blocks.push(match row.resolved.shape {
-            Shape::Block(_) => format!("static const uint8_t {name}[{size}] = {text};"),
+            Shape::Block(_) => {
+                self.taken.push((row.index, size));
+                format!("static const uint8_t {name}[{size}] = {text};")
+            }
             _ => {
                 let room = size.max(1); // C has no empty arrays
+                self.taken.push((row.index, Extent::behind_length(room).size));
                 format!("static const struct {{ uint16_t length; uint8_t bytes[{room}]; }} {name} = {{{size}u, {text}}};")
             }
         });
@@ -148,12 +163,49 @@ impl Constants<'_> {
     fn datum(&mut self, row: &Row, datum: &Datum) -> String {
         match (datum, row.resolved.shape) {
             (Datum::Word(word) | Datum::Formula(word), Shape::Word(data_type)) => {
-                self.number(*word, data_type)
+                self.number(row.index, *word, data_type)
             }
             (Datum::Bytes(bytes), _) => self.block(row, bytes),
             _ => "NULL".to_owned(), // a number is only of a number's shape
         }
     }
+}
+
+/// What the table takes.
+pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
+    let objects = table.objects.iter();
+    let mut tally = Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())));
+    let mut constants = Constants::new(prefix);
+    let mut texts = HashSet::new();
+    let numbers = [Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE, Extent::HALF];
+    let pointers = [Extent::POINTER; 5];
+    let entry = Extent::structure(numbers.into_iter().chain(pointers.into_iter().skip(usize::from(!names))));
+    for row in &table.rows {
+        row_view(table, row, "", &mut constants);
+        tally.of(row.index, Memory::Flash, entry.size);
+        let text = shown(&row.name);
+        if names && texts.insert(text.clone()) {
+            tally.of(row.index, Memory::Flash, text.len() + 1);
+        }
+    }
+    for (index, bytes) in constants.taken {
+        tally.of(index, Memory::Flash, bytes);
+    }
+    let mut gaps = ram(table, true);
+    for field in &table.fields {
+        gaps -= field_size(field);
+        tally.of(table.rows[field.rows.start].index, Memory::Zeroed, field_size(field));
+    }
+    tally.rest(Memory::Zeroed, gaps); // and the node-ID
+    tally.report(COUNTED)
+}
+
+/// What is counted.
+const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
+
+/// The structure of a time.
+fn time() -> Extent {
+    Extent::structure([Extent::WORD, Extent::HALF])
 }
 
 fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Constants<'_>) -> RowView<'a> {

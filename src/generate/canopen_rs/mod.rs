@@ -6,7 +6,7 @@ mod view;
 use super::dictionary::Dictionary;
 use super::names::Scope;
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
 use crate::model::Device;
 
 /// Bytes that a string, octet string or DOMAIN of the crate has room for (`MAX_STRING_LEN`).
@@ -41,5 +41,9 @@ impl Backend for CanopenRs {
         }
         let file = render(format!("{module}.rs"), &view::Od::new(&dictionary, options.made_by(), function))?;
         Ok(Generated { files: vec![file], notes })
+    }
+
+    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
+        Ok(Sizes::Unknown("the crate canopen-rs builds the tables while the firmware runs"))
     }
 }

@@ -1,11 +1,12 @@
 //! The variables and constants behind the rows, and the storage groups that they lie in.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 use super::cell::{Cell, Planned};
 use super::para::STORE;
 use crate::generate::c_code::{bytes, literal};
-use crate::generate::dictionary::{Dictionary, ResolvedObject};
+use crate::generate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::generate::memory::{self, Extent, Memory};
 use crate::generate::names::{Scope, words};
 use crate::generate::variables::{Variable, variables};
 use crate::generate::{Note, Options};
@@ -20,6 +21,9 @@ pub(super) struct Member {
     /// What stands behind its name.
     suffix: String,
     pub(super) initializer: String,
+    pub(super) extent: Extent,
+    /// Whether it begins with nothing but zeros.
+    pub(super) zero: bool,
     pub(super) index: u16,
     pub(super) sub: u8,
     /// The last sub-index, of an array.
@@ -75,8 +79,12 @@ pub(super) struct Layout {
     pub(super) variables: Vec<Member>,
     /// Definitions in flash, and of what the types of the stack need in RAM.
     pub(super) definitions: Vec<String>,
+    /// What the definitions take, by index, the texts that stand in them too.
+    pub(super) taken: Vec<(u16, Memory, usize)>,
     /// What the rows point at, by object and entry; empty for a parameter group.
     pub(super) data: Vec<Vec<String>>,
+    /// Those that are literals.
+    texts: HashSet<Vec<u8>>,
 }
 
 /// Names of CANopenNode for groups that are not kept when the power is off.
@@ -197,6 +205,8 @@ impl Layout {
             name,
             suffix: format!("{array}{suffix}"),
             initializer: if variable.array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
+            extent: variable.kind.extent.times(values.len()),
+            zero: variable.entries.clone().all(|at| is_zero(&planned[at].cell, &object.entries[at])),
             index: object.index,
             sub: first.sub,
             last,
@@ -223,6 +233,7 @@ impl Layout {
         let named = |letter: char| format!("{prefix}_{letter}{index:04X}_{sub:02X}");
         let (constant, descriptor) = (named('C'), named('D'));
         let path = std::mem::take(&mut self.data[object][entry]);
+        self.take(index, cell);
         let data = match cell {
             Cell::Direct(value) => format!("{value}u"),
             Cell::Number { flash: true, c_type, value } => {
@@ -268,6 +279,26 @@ impl Layout {
         self.data[object][entry] = data;
     }
 
+    /// Counts what [`Self::describe`] defines.
+    fn take(&mut self, index: u16, cell: &Cell) {
+        let constant = match cell {
+            Cell::Number { flash: true, c_type, .. } => Extent::of_c(c_type).size,
+            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // the same literal
+            Cell::Text(text) => text.len() + 1,
+            Cell::Block { flash: true, bytes, .. } | Cell::Data(bytes) => bytes.len().max(1),
+            _ => 0,
+        };
+        let descriptor = match cell {
+            Cell::Text(_) => [Extent::WORD, Extent::POINTER].as_slice(), // CO_OBJ_STR
+            Cell::Block { .. } | Cell::Data(_) => &[Extent::WORD, Extent::WORD, Extent::POINTER], // CO_OBJ_DOM
+            Cell::Bytes { .. } => &[Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER],
+            _ => &[],
+        };
+        let descriptor = Extent::structure(descriptor.iter().copied());
+        self.taken.push((index, Memory::Flash, constant));
+        self.taken.push((index, Memory::Initialised, descriptor.size));
+    }
+
     fn drop_empty_groups(&mut self, notes: &mut Vec<Note>) {
         for group in self.groups.extract_if(.., |group| group.members.is_empty()) {
             let text = format!("the storage group `{}` has no values that can change", group.name);
@@ -281,23 +312,50 @@ impl Layout {
 pub(super) struct Kind {
     base: String,
     suffix: String,
+    extent: Extent,
     /// Whether it can be part of a storage group.
     stored: bool,
 }
 
 /// The variable that a cell needs.
 fn ram(cell: &Cell) -> Option<Kind> {
-    let kind = |base: &str, suffix: String, stored| Some(Kind { base: base.to_owned(), suffix, stored });
+    let kind = |base: &str, suffix: String, extent, stored| {
+        Some(Kind { base: base.to_owned(), suffix, extent, stored })
+    };
+    let number = |c_type: &str| kind(c_type, String::new(), Extent::of_c(c_type), true);
     match cell {
-        Cell::Number { flash: false, c_type, .. } => kind(c_type, String::new(), true),
-        Cell::Block { flash: false, c_type: Some(c_type), .. } => kind(c_type, String::new(), true),
-        Cell::Block { flash: false, bytes, .. } => kind("uint8_t", format!("[{}]", bytes.len()), true),
-        Cell::Bytes { room, .. } => {
-            kind(&format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}"), String::new(), true)
+        Cell::Number { flash: false, c_type, .. } => number(c_type),
+        Cell::Block { flash: false, c_type: Some(c_type), .. } => number(c_type),
+        Cell::Block { flash: false, bytes, .. } => {
+            kind("uint8_t", format!("[{}]", bytes.len()), Extent::BYTE.times(bytes.len()), true)
         }
-        Cell::Application => kind("CO_OBJ_DOM", String::new(), false),
-        Cell::Consumer { .. } => kind("CO_HBCONS", String::new(), false),
+        Cell::Bytes { room, .. } => {
+            let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
+            kind(&base, String::new(), Extent::behind_length(*room), true)
+        }
+        Cell::Application => {
+            let extent = Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]);
+            kind("CO_OBJ_DOM", String::new(), extent, false)
+        }
+        Cell::Consumer { .. } => kind("CO_HBCONS", String::new(), consumer(), false),
         _ => None,
+    }
+}
+
+/// `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
+fn consumer() -> Extent {
+    let (pointer, half, byte) = (Extent::POINTER, Extent::HALF, Extent::BYTE);
+    Extent::structure([pointer, pointer, byte, half, half, byte, byte])
+}
+
+/// Whether the variable of a cell begins with nothing but zeros.
+fn is_zero(cell: &Cell, entry: &ResolvedEntry<'_>) -> bool {
+    match cell {
+        Cell::Block { bytes, .. } => bytes.iter().all(|&byte| byte == 0),
+        Cell::Bytes { bytes, .. } => bytes.is_empty(), // before them is their length
+        Cell::Consumer { time, node_id } => (*time, *node_id) == (0, 0),
+        Cell::Application => true,
+        _ => memory::is_zero(&entry.resolved.default),
     }
 }
 

@@ -9,13 +9,14 @@ mod cell;
 mod checks;
 mod layout;
 mod para;
+mod sizes;
 mod special;
 mod view;
 
 use super::c_code::file_stem;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
 use crate::model::Device;
 
 /// Tables for canopen-stack.
@@ -59,6 +60,17 @@ impl Backend for CanopenStack {
             render(format!("{stem}_spec.c"), &view::Specification::new(&head, &dictionary))?,
         ];
         Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+    }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let dictionary = Dictionary::new(device, options)?;
+        let prefix = options.prefix_or("od")?;
+        let mut notes = Vec::new();
+        let planned = cell::Planner { node_id: dictionary.node_id, notes: &mut notes }.plan(&dictionary);
+        let mut layout = layout::Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
+        let parameters = para::Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
+        let rows = view::rows(&dictionary, &planned, &layout);
+        Ok(Sizes::Known(sizes::report(&dictionary, &planned, &layout, &parameters, &rows)))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::generate::dictionary::Dictionary;
 use crate::model::Place;
 
 pub(super) const STORE: u16 = 0x1010;
-const RESTORE: u16 = 0x1011;
+pub(super) const RESTORE: u16 = 0x1011;
 
 /// The arrays of `CO_PARA`.
 #[derive(Debug, Default)]

@@ -12,7 +12,7 @@ use crate::model::PdoKind;
 
 /// A row of the table.
 pub(super) struct Row {
-    index: u16,
+    pub(super) index: u16,
     sub: u8,
     flags: String,
     type_: Type,
@@ -127,7 +127,7 @@ impl Head {
     }
 }
 
-fn has(planned: &[Vec<Planned>], type_: Type) -> bool {
+pub(super) fn has(planned: &[Vec<Planned>], type_: Type) -> bool {
     planned.iter().flatten().any(|row| row.type_ == type_)
 }
 

@@ -24,6 +24,8 @@ const OF_STACK: [(u16, u16); 10] = [
 /// An entry with a limit.
 pub(super) struct Limited {
     pub(super) index: u16,
+    /// Place of the object in the list.
+    pub(super) position: usize,
     pub(super) sub: u8,
     /// Bytes of a value.
     pub(super) length: usize,
@@ -36,7 +38,12 @@ pub(super) struct Limited {
 }
 
 /// The limits of an object, if they can be enforced; else notes tell of them.
-pub(super) fn limited(object: &Planned<'_>, enforce: bool, notes: &mut Vec<Note>) -> Vec<Limited> {
+pub(super) fn limited(
+    object: &Planned<'_>,
+    position: usize,
+    enforce: bool,
+    notes: &mut Vec<Note>,
+) -> Vec<Limited> {
     let mut members = object.members().filter(|member| {
         let resolved = &member.entry.resolved;
         resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
@@ -44,7 +51,7 @@ pub(super) fn limited(object: &Planned<'_>, enforce: bool, notes: &mut Vec<Note>
     let of_stack = OF_STACK.iter().any(|(first, last)| (*first..=*last).contains(&object.index));
     if enforce && !of_stack {
         return members
-            .filter_map(|member| row(object.index, member.entry.sub, &member.entry.resolved))
+            .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
             .collect();
     }
     if let Some(member) = members.next() {
@@ -66,7 +73,7 @@ pub(super) fn limited(object: &Planned<'_>, enforce: bool, notes: &mut Vec<Note>
     Vec::new()
 }
 
-fn row(index: u16, sub: u8, resolved: &Resolved) -> Option<Limited> {
+fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {
     let Shape::Word(data_type) = resolved.shape else { return None };
     let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, bits));
     let formula = |limit: &Option<Datum>| matches!(limit, Some(Datum::Formula(_)));
@@ -82,6 +89,7 @@ fn row(index: u16, sub: u8, resolved: &Resolved) -> Option<Limited> {
     let flags: Vec<&str> = flags.into_iter().filter_map(|(flag, set)| set.then_some(flag)).collect();
     Some(Limited {
         index,
+        position,
         sub,
         length: resolved.shape.size(),
         flags: flags.join(" | "),

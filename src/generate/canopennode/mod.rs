@@ -7,12 +7,13 @@ mod names;
 mod node_id;
 mod notes;
 mod plan;
+mod sizes;
 mod storage;
 mod view;
 
 use super::dictionary::Dictionary;
 use super::notes::in_order;
-use super::{Backend, Choice, GenerateError, Generated, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
 use crate::model::Device;
 
 /// The object dictionary of CANopenNode.
@@ -56,5 +57,14 @@ impl Backend for CanOpenNode {
         drop(objects);
         dictionary.notes.append(&mut super::notes::once_per_object(in_order(own)));
         Ok(Generated { files: vec![header, source], notes: in_order(dictionary.notes) })
+    }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let prefix = options.prefix_or("od")?.to_ascii_uppercase();
+        let dictionary = Dictionary::new(device, options)?;
+        let mut notes = Vec::new();
+        let objects = plan::plan(&dictionary, options, &mut notes);
+        let tables = view::Tables::new(&dictionary, &objects, options, &prefix, &mut notes);
+        Ok(Sizes::Known(sizes::report(&dictionary, &objects, &tables)))
     }
 }

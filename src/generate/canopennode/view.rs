@@ -39,7 +39,7 @@ pub(super) struct Tables {
     objects: Vec<ObjectView>,
     applied: Vec<Applied>,
     /// `None` where limits are not enforced.
-    limits: Option<Limits>,
+    pub(super) limits: Option<Limits>,
     /// Whether math.h is needed.
     math: bool,
     /// Whether 1016h is there, which the stack names in any case.
@@ -82,10 +82,10 @@ struct ObjectView {
 }
 
 /// Entries with limits and the extensions that keep them.
-struct Limits {
-    rows: Vec<Limited>,
-    /// Places in the list of the objects that have some.
-    positions: Vec<usize>,
+pub(super) struct Limits {
+    pub(super) rows: Vec<Limited>,
+    /// How many objects have some.
+    pub(super) objects: usize,
     real: bool,
 }
 
@@ -99,12 +99,10 @@ impl Tables {
     ) -> Self {
         let info = dictionary.device.device_info.clone().unwrap_or_default();
         let counters = Counters::new(dictionary.objects.iter().map(|object| (object.index, object.object)));
-        let mut limits = Limits { rows: Vec::new(), positions: Vec::new(), real: false };
+        let mut limits = Limits { rows: Vec::new(), objects: 0, real: false };
         for (position, object) in objects.iter().enumerate() {
-            let rows = limited(object, options.limits, notes);
-            if !rows.is_empty() {
-                limits.positions.push(position);
-            }
+            let rows = limited(object, position, options.limits, notes);
+            limits.objects += usize::from(!rows.is_empty());
             limits.real |= rows.iter().any(|row| row.real);
             limits.rows.extend(rows);
         }

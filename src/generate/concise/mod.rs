@@ -1,6 +1,6 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
 
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile};
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile, Sizes};
 use crate::download::{Configuration, Download, Plan, PlanError, PlanOptions, Step, encode, plan};
 use crate::model::{Device, Place};
 
@@ -30,6 +30,10 @@ impl Backend for Concise {
         })?;
         let path = format!("{}.cdcf", options.file_stem);
         Ok(Generated { files: vec![OutputFile { path, contents }], notes })
+    }
+
+    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
+        Ok(Sizes::Unknown("a concise DCF is no table of the firmware, but data for a manager"))
     }
 }
 

@@ -11,9 +11,13 @@ mod view;
 
 use super::c_code::file_stem;
 use super::dictionary::Dictionary;
+use super::memory::{Memory, Tally};
 use super::notes::{in_order, once_per_device};
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Part};
+use image::Image;
+use pdos::Call;
+use replies::Reply;
 
 /// Tables for MicroCANopen.
 pub(super) struct MicroCanopen;
@@ -38,9 +42,7 @@ impl Backend for MicroCanopen {
         let mut dictionary = Dictionary::new(device, options)?;
         let prefix = options.prefix_or("od")?;
         let mut notes = std::mem::take(&mut dictionary.notes);
-        let mut image = image::Image::new(&dictionary, &prefix, &mut notes);
-        let calls = pdos::calls(&dictionary, &mut image, &mut notes);
-        image.place_the_rest();
+        let (image, calls) = image(&dictionary, &prefix, &mut notes);
         let replies = replies::replies(&dictionary, &prefix, &mut notes);
         for (rows, what) in [(replies.len(), "SDO replies"), (image.entries.len(), "process data entries")] {
             if rows > MOST_ROWS {
@@ -57,4 +59,46 @@ impl Backend for MicroCanopen {
         ];
         Ok(Generated { files, notes: once_per_device(in_order(notes)) })
     }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let dictionary = Dictionary::new(device, options)?;
+        let prefix = options.prefix_or("od")?;
+        let mut notes = Vec::new();
+        let (image, _) = image(&dictionary, &prefix, &mut notes);
+        let replies = replies::replies(&dictionary, &prefix, &mut notes);
+        Ok(Sizes::Known(size(&dictionary, &image, &replies)))
+    }
+}
+
+/// The process image, and the calls that initialise its PDOs.
+fn image(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> (Image, Vec<Call>) {
+    let mut image = Image::new(dictionary, prefix, notes);
+    let calls = pdos::calls(dictionary, &mut image, notes);
+    image.place_the_rest();
+    (image, calls)
+}
+
+/// What is counted.
+const COUNTED: &str =
+    "the tables with offsets of 16 bits, and the process image; without code and what is in the stack";
+
+/// Bytes of an SDO reply.
+const REPLY: usize = 8;
+
+/// Bytes of a row for the process image whose offsets have 16 bits.
+const ROW: usize = 6;
+
+fn size(dictionary: &Dictionary<'_>, image: &Image, replies: &[Reply]) -> SizeReport {
+    let mut tally = Tally::of_dictionary(dictionary);
+    for reply in replies {
+        tally.of(reply.index, Memory::Flash, REPLY);
+    }
+    for entry in &image.entries {
+        tally.of(entry.index, Memory::Flash, ROW);
+        tally.of(entry.index, Memory::Zeroed, entry.size);
+    }
+    tally.rest(Memory::Flash, REPLY + ROW); // end marks
+    let entries: usize = image.entries.iter().map(|entry| entry.size).sum();
+    tally.rest(Memory::Zeroed, image.size.max(1).saturating_sub(entries)); // dummies of the mapping; C has no empty arrays
+    tally.report(COUNTED)
 }

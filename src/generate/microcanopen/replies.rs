@@ -9,6 +9,7 @@ use crate::model::Place;
 /// A row of the table.
 #[derive(Debug)]
 pub(super) struct Reply {
+    pub(super) index: u16,
     pub(super) row: String,
     pub(super) described: String,
 }
@@ -19,7 +20,7 @@ pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec
     for object in &dictionary.objects {
         for entry in &object.entries {
             if let Some(row) = reply(object.index, entry, prefix, notes) {
-                replies.push(Reply { row, described: entry.entry.name.to_string() });
+                replies.push(Reply { index: object.index, row, described: entry.entry.name.to_string() });
             }
         }
     }

@@ -10,11 +10,12 @@ mod view;
 
 use super::c_code::{bytes, exact_type, little_endian, number};
 use super::dictionary::{Dictionary, ResolvedEntry};
+use super::memory::{self, Extent, Memory, Tally};
 use super::names::Scope;
 use super::notes::{in_order, once_per_device};
 use super::resolve::{Datum, Shape};
 use super::variables::variables;
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, render};
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Place};
 
 /// Tables of macros.
@@ -47,6 +48,36 @@ impl Backend for ObjdictMacros {
         ];
         Ok(Generated { files, notes: once_per_device(in_order(notes)) })
     }
+
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let dictionary = Dictionary::new(device, options)?;
+        let prefix = options.prefix_or("g")?;
+        let mut notes = Vec::new();
+        let objects = Objects::new(&dictionary, &prefix, &mut notes);
+        let pdos = mapping::pdos(&dictionary, &objects, &mut notes);
+        Ok(Sizes::Known(size(&dictionary, &objects, &pdos)))
+    }
+}
+
+/// What is counted.
+const COUNTED: &str = "the rows as `objdict.h` declares them, mapping and values, on a processor of 32 bits";
+
+fn size(dictionary: &Dictionary<'_>, objects: &Objects, pdos: &[mapping::PdoRow]) -> SizeReport {
+    let row = Extent::structure([Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::WORD, Extent::POINTER]);
+    let mapped = Extent::structure([Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::POINTER]);
+    let pdo_map = Extent::structure([Extent::BYTE, mapped.times(mapping::SLOTS)]);
+    let mut tally = Tally::of_dictionary(dictionary);
+    for object in &objects.rows {
+        tally.of(object.index, Memory::Flash, row.size);
+    }
+    for variable in &objects.variables {
+        tally.of(variable.index, variable.memory, variable.size);
+    }
+    for pdo in pdos {
+        let index = pdo.kind.mapping_index(pdo.number);
+        tally.of(index.unwrap_or(0), Memory::Flash, pdo_map.size); // 0: of no object
+    }
+    tally.report(COUNTED)
 }
 
 /// The rows and the variables behind them.
@@ -72,6 +103,11 @@ struct ObjectRow {
 /// A variable.
 #[derive(Debug)]
 struct Definition {
+    /// The index of its object.
+    index: u16,
+    memory: Memory,
+    /// Bytes.
+    size: usize,
     declaration: String,
     initializer: String,
     described: String,
@@ -105,11 +141,22 @@ impl Objects {
                 addresses[variable.object][at] = format!("&{name}{element}");
             }
             let array = if variable.array { format!("[{}]", values.len()) } else { String::new() };
-            let Kind { constant, base, suffix } = variable.kind;
-            let constant = if constant { "const " } else { "" };
+            let Kind { constant, base, suffix } = &variable.kind;
+            let constant = if *constant { "const " } else { "" };
             let object = &dictionary.objects[variable.object];
             let first = &object.entries[variable.entries.start].entry.name;
+            let entries = variable.entries.clone().map(|at| entry(variable.object, at));
+            let size = entries.clone().map(length).sum();
+            let begins_with_zeros = entries.clone().all(|entry| is_zero(entry, dictionary.node_id));
+            let memory = match (variable.kind.constant, begins_with_zeros) {
+                (true, _) => Memory::Flash,
+                (false, true) => Memory::Zeroed,
+                (false, false) => Memory::Initialised,
+            };
             definitions.push(Definition {
+                index: object.index,
+                memory,
+                size,
                 declaration: format!("{constant}{base} {name}{array}{suffix}"),
                 initializer: if variable.array {
                     format!("{{{}}}", values.join(", "))
@@ -171,6 +218,14 @@ fn word(entry: &ResolvedEntry<'_>) -> Option<u64> {
     match entry.resolved.default {
         Datum::Word(word) | Datum::Formula(word) => Some(word),
         Datum::Bytes(_) => None,
+    }
+}
+
+/// Whether a value begins with nothing but zeros.
+fn is_zero(entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> bool {
+    match &entry.resolved.default {
+        Datum::Formula(_) if node_id.is_some() => false,
+        default => memory::is_zero(default),
     }
 }
 

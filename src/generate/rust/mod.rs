@@ -14,7 +14,7 @@ use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, Sizes, render};
 use crate::model::Device;
 
 /// Tables for Rust, with or without its standard library.
@@ -52,9 +52,9 @@ impl Backend for Rust {
         Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 
-    fn size(&self, device: &Device, options: &Options) -> Result<Option<SizeReport>, GenerateError> {
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
         let table = Table::new(device, options)?;
         let row = if view::has_wide_places(&table) { 14 } else { 10 };
-        Ok(Some(SizeReport::of_table(&table, Layout { row, is_ascending: false })))
+        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, is_ascending: false })))
     }
 }

@@ -11,7 +11,7 @@ use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
 
 use super::dictionary::Dictionary;
-use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile};
+use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile, Sizes};
 use crate::model::Device;
 
 /// Steps of a template, so that one that never ends does: so many, and so many more for each entry.
@@ -54,6 +54,10 @@ impl Backend for Template {
         let contents = render(&file, &source, context, fuel).map_err(|error| explained(&file, &error))?;
         let notes = dictionary.notes;
         Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes })
+    }
+
+    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
+        Ok(Sizes::Unknown("nobody but the template knows what it makes"))
     }
 }
 

@@ -1,5 +1,5 @@
 /* Executes operations from the standard input on the table of od.h, see driver.rs. */
-#include <inttypes.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void print_bytes(const uint8_t *bytes, size_t length)
 static void print_limit(bool exists, uint64_t limit)
 {
     if (exists) {
-        printf(" %" PRIX64, limit);
+        printf(" %llX", (unsigned long long)limit);
     } else {
         printf(" -");
     }

@@ -1,15 +1,15 @@
 //! The target `c` with `--table structs`: it lacks nothing.
 
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{CTable, Note, Options, Target, generate};
 use objdict::model::{DataType, Device, Value};
 
 use crate::beside;
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{facts_of, hex};
+use crate::processors::{Programs, build};
 use crate::truth::{compare, truth};
 
 /// A limit on a node, as the harness prints it.
@@ -47,9 +47,7 @@ pub(crate) fn dump(
     let mut cc = cc(compiler, folder);
     let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
     cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
-    succeed(&mut cc, "")?;
-    let mut harness = Command::new(folder.join("harness"));
-    Ok((succeed(harness.arg(node_id.to_string()), "")?, generated.notes))
+    Ok((build(&cc)?.run(&[&node_id.to_string()], "")?, generated.notes))
 }
 
 #[test]
@@ -61,10 +59,10 @@ fn the_array_of_structures_has_what_the_description_says() {
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let node_id = if names { 5 } else { 127 };
             let (dump, _) = dump(&compiler, folder.path(), device, (node_id, names)).map_err(fail)?;
-            let mut harness = Command::new(folder.path().join("harness"));
-            harness.arg(node_id.to_string());
             compare(name, &truth(device, node_id), &dump)?;
-            let dump = succeed(harness.arg("limits"), "").map_err(fail)?;
+            let dump = Programs::at(&folder.path().join("harness"))
+                .run(&[&node_id.to_string(), "limits"], "")
+                .map_err(fail)?;
             let expected = with_limits(device, node_id);
             for (expected, line) in expected.iter().zip(dump.lines()) {
                 if expected != line {

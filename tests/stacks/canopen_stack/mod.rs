@@ -1,13 +1,13 @@
 //! The target `canopen-stack`.
 
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{Generated, Group, Note, Options, Target, generate};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::processors::build;
 use crate::truth::{Lack, Row, compare, truth, without};
 use crate::{beside, checkout};
 
@@ -90,8 +90,7 @@ pub(crate) fn dump(
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
     cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
-    succeed(cc.arg(beside("canopen_stack", "harness.c")), "")?;
-    Ok((succeed(&mut Command::new(folder.join("harness")), "")?, notes))
+    Ok((build(cc.arg(beside("canopen_stack", "harness.c")))?.run(&[], "")?, notes))
 }
 
 #[test]

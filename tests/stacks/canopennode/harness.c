@@ -158,6 +158,16 @@ static void start(uint8_t node_id)
 
 static uint8_t buffer[0x20000];
 
+/* What the place of a number is a multiple of: processors of 32 bits need not align 64 bits to 8 bytes. */
+static size_t alignment(size_t length)
+{
+    struct widest {
+        char first;
+        uint64_t number;
+    };
+    return length == sizeof(uint64_t) ? offsetof(struct widest, number) : length;
+}
+
 static void dump_entry(OD_IO_t *io)
 {
     const OD_stream_t *stream = &io->stream;
@@ -168,7 +178,7 @@ static void dump_entry(OD_IO_t *io)
         fprintf(stderr, "%04X %02X: %d\n", stream->index, stream->subIndex, (int)answer);
         exit(1);
     }
-    if ((flags & ODA_MB) != 0 && (size_t)stream->dataOrig % length != 0) {
+    if ((flags & ODA_MB) != 0 && (size_t)stream->dataOrig % alignment(length) != 0) {
         fprintf(stderr, "%04X %02X: not aligned\n", stream->index, stream->subIndex);
         exit(1);
     }

@@ -14,6 +14,7 @@ use objdict::model::{Device, TypeKind};
 use crate::compile::{c_compiler, cc, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{Answer, Dictionary, Facts, facts_of, hex};
+use crate::processors::build;
 use crate::script::edges;
 use crate::truth::{Lack, Row, compare, truth, without};
 use crate::{beside, checkout};
@@ -97,9 +98,7 @@ pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(St
     let notes = generate_into(folder, device, &Options::default());
     let mut cc = with_declarations(compiler, folder);
     cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
-    succeed(&mut cc, "")?;
-    let mut harness = Command::new(folder.join("harness"));
-    Ok((succeed(harness.args(["dump", &NODE_ID.to_string()]), "")?, notes))
+    Ok((build(&cc)?.run(&["dump", &NODE_ID.to_string()], "")?, notes))
 }
 
 #[test]
@@ -148,7 +147,7 @@ fn limits_are_kept_where_it_is_asked_for() {
         generate_into(folder, device, &options);
         let mut cc = with_declarations(&compiler, folder);
         cc.args(["-DWITH_LIMITS", "-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
-        succeed(&mut cc, "").map_err(fail)?;
+        let programs = build(&cc).map_err(fail)?;
         let mut dictionary = Dictionary::new(device, NODE_ID);
         let (mut input, mut expected) = (String::new(), Vec::new());
         for ((index, sub), facts) in facts_of(device).filter(|((index, _), facts)| is_kept(*index, facts)) {
@@ -160,8 +159,7 @@ fn limits_are_kept_where_it_is_asked_for() {
             }
         }
         writes.fetch_add(expected.len(), Ordering::Relaxed);
-        let mut harness = Command::new(folder.join("harness"));
-        let output = succeed(harness.args(["write", &NODE_ID.to_string()]), &input).map_err(fail)?;
+        let output = programs.run(&["write", &NODE_ID.to_string()], &input).map_err(fail)?;
         let answers: Vec<String> =
             input.lines().zip(output.lines()).map(|(line, answer)| format!("{line}: {answer}")).collect();
         if answers == expected {
@@ -194,8 +192,7 @@ fn several_dictionaries_go_into_one_program_and_into_cpp() {
     generate_into(folder, &crate::odd::device(), &with_limits());
     let mut cc = with_declarations(&compiler, folder);
     cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "MOTOR.c"]);
-    succeed(cc.arg(beside("canopennode", "several.c")), "").unwrap();
-    succeed(&mut Command::new(folder.join("several")), "").unwrap();
+    build(cc.arg(beside("canopennode", "several.c"))).unwrap().run(&[], "").unwrap();
 
     let cpp = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
     if Command::new(&cpp).arg("--version").output().is_err() {

@@ -1,14 +1,14 @@
 //! The target `microcanopen`.
 
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{Generated, Note, Options, Target, generate};
 use objdict::model::{Device, TypeKind};
 
 use crate::beside;
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
+use crate::processors::{Programs, build};
 use crate::support::fixtures;
 use crate::truth::{Lack, Row, compare, truth, without};
 
@@ -62,12 +62,11 @@ fn write(folder: &Path, device: &Device, node_id: u8) -> Generated {
     generated
 }
 
-fn build(compiler: &str, folder: &Path) -> Result<Command, String> {
+fn built(compiler: &str, folder: &Path) -> Result<Programs, String> {
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("microcanopen", "include").display()));
     cc.args(["-o", "harness", "device_mco.c"]).arg(beside("microcanopen", "harness.c"));
-    succeed(&mut cc, "")?;
-    Ok(Command::new(folder.join("harness")))
+    build(&cc)
 }
 
 /// The entries as the stack finds them, a line each, and the notes.
@@ -78,7 +77,7 @@ pub(crate) fn dump(
     node_id: u8,
 ) -> Result<(String, Vec<Note>), String> {
     let notes = write(folder, device, node_id).notes;
-    Ok((succeed(&mut build(compiler, folder)?, "")?, notes))
+    Ok((built(compiler, folder)?.run(&[], "")?, notes))
 }
 
 #[test]
@@ -100,7 +99,7 @@ fn pdos_are_initialised_with_what_lies_in_the_image() {
     let Some(compiler) = c_compiler() else { return };
     let folder = tempfile::tempdir().unwrap();
     let generated = write(folder.path(), &device(&fixtures().join("eds/io-401.eds")), 5);
-    let calls = succeed(build(&compiler, folder.path()).unwrap().arg("pdos"), "").unwrap();
+    let calls = built(&compiler, folder.path()).unwrap().run(&["pdos"], "").unwrap();
     insta::assert_snapshot!("calls", calls);
     let notes: String = generated.notes.iter().map(|note| format!("{note}\n")).collect();
     insta::assert_snapshot!("notes", notes);

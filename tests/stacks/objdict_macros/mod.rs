@@ -1,14 +1,14 @@
 //! The target `objdict-macros`.
 
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{Device, PdoKind};
 
 use crate::beside;
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc};
 use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::processors::{Programs, build};
 use crate::truth::{Lack, Row, compare, truth, without};
 
 /// What the rows do not have.
@@ -61,8 +61,7 @@ pub(crate) fn dump(
     }
     let mut cc = cc(compiler, folder);
     let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
-    succeed(cc.arg(beside("objdict_macros", "harness.c")), "")?;
-    Ok((succeed(&mut Command::new(folder.join("harness")), "")?, generated.notes))
+    Ok((build(cc.arg(beside("objdict_macros", "harness.c")))?.run(&[], "")?, generated.notes))
 }
 
 #[test]
@@ -73,9 +72,8 @@ fn the_rows_have_what_the_description_says() {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
-            let mut harness = Command::new(folder.path().join("harness"));
             compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
-            let maps = succeed(harness.arg("mapping"), "").map_err(fail)?;
+            let maps = Programs::at(&folder.path().join("harness")).run(&["mapping"], "").map_err(fail)?;
             if maps != mapping(device) {
                 return Err(fail(format!("{maps}\nwhere this was expected:\n{}", mapping(device))));
             }

@@ -28,6 +28,7 @@ struct CO_OBJ_T;
 struct CO_NODE_T;
 
 typedef enum { CO_ERR_NONE, CO_ERR_BAD_ARG, CO_ERR_OBJ_SIZE, CO_ERR_TYPE_RD, CO_ERR_TYPE_WR } CO_ERR;
+typedef enum { CO_INVALID, CO_INIT, CO_PREOP, CO_OPERATIONAL, CO_STOP } CO_MODE;
 typedef enum { CO_RESET_INVALID, CO_RESET_NODE, CO_RESET_COM } CO_NMT_RESET;
 
 typedef struct {
@@ -114,7 +115,7 @@ typedef struct {
 typedef struct CO_HBCONS_T {
     struct CO_NODE_T *Node;
     struct CO_HBCONS_T *Next;
-    int State;
+    CO_MODE State;
     int16_t Tmr;
     uint16_t Time;
     uint8_t NodeId;

@@ -15,7 +15,10 @@ extern "C" {
 #define CO_PROGMEM const
 #define OD_FLAGS_PDO_SIZE 4U
 
-typedef bool bool_t;
+#ifndef BOOL_T
+#define BOOL_T uint_fast8_t
+#endif
+typedef BOOL_T bool_t;
 typedef float float32_t;
 typedef double float64_t;
 typedef uint32_t OD_size_t;

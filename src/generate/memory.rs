@@ -1,0 +1,172 @@
+//! What C makes of types and variables on the processor that sizes are worked out for, and the sum of it by object.
+//!
+//! The processor is one of 32 bits, as a Cortex-M with the compiler arm-none-eabi-gcc: pointers have 4 bytes, numbers are
+//! aligned to their size (8 bytes at most), an enumeration is as short as its numbers allow. A variable that begins with
+//! anything but zeros takes as much flash as RAM, for start-up code copies it from there.
+
+use super::dictionary::Dictionary;
+use super::resolve::Datum;
+use super::size::{ObjectSize, Size, SizeReport};
+
+/// What a type takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Extent {
+    /// Bytes.
+    pub(crate) size: usize,
+    /// What its place is a multiple of.
+    alignment: usize,
+}
+
+impl Extent {
+    pub(crate) const BYTE: Self = Self::number(1);
+    pub(crate) const HALF: Self = Self::number(2);
+    pub(crate) const WORD: Self = Self::number(4);
+    pub(crate) const POINTER: Self = Self::number(4);
+
+    /// A number of 1, 2, 4 or 8 bytes.
+    pub(crate) const fn number(size: usize) -> Self {
+        Self { size, alignment: size }
+    }
+
+    /// A number type of C: `uint16_t`, `float`, `char`.
+    pub(crate) fn of_c(c_type: &str) -> Self {
+        let size = match c_type {
+            "float" => 4,
+            "double" => 8,
+            "bool_t" => 4, // of CANopenNode: `uint_fast8_t`, which arm-none-eabi-gcc makes as long as a word
+            _ => c_type.chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap_or(8) / 8,
+        };
+        Self::number(size)
+    }
+
+    /// So many of it, one behind the other.
+    pub(crate) fn times(self, count: usize) -> Self {
+        Self { size: self.size * count, ..self }
+    }
+
+    /// A structure of these members.
+    pub(crate) fn structure(members: impl IntoIterator<Item = Self>) -> Self {
+        let begin = Self { size: 0, alignment: 1 };
+        let all = members.into_iter().fold(begin, |so_far, member| Self {
+            size: so_far.size.next_multiple_of(member.alignment) + member.size,
+            alignment: so_far.alignment.max(member.alignment),
+        });
+        Self { size: all.size.next_multiple_of(all.alignment), ..all }
+    }
+
+    /// A string, octet string or DOMAIN behind its length, 16 bits.
+    pub(crate) fn behind_length(room: usize) -> Self {
+        Self::structure([Self::HALF, Self::BYTE.times(room)])
+    }
+}
+
+/// Where something lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Memory {
+    Flash,
+    /// RAM that begins with zeros.
+    Zeroed,
+    /// RAM, and the flash that it is copied from.
+    Initialised,
+}
+
+impl Memory {
+    /// RAM with values that begin like this.
+    pub(crate) fn of_values<'a>(defaults: impl IntoIterator<Item = &'a Datum>) -> Self {
+        if defaults.into_iter().all(is_zero) { Self::Zeroed } else { Self::Initialised }
+    }
+}
+
+/// Whether a value begins with nothing but zeros.
+pub(crate) fn is_zero(datum: &Datum) -> bool {
+    match datum {
+        Datum::Word(word) | Datum::Formula(word) => *word == 0,
+        Datum::Bytes(bytes) => bytes.iter().all(|&byte| byte == 0),
+    }
+}
+
+/// Sums up what the objects of a dictionary take.
+#[derive(Debug)]
+pub(crate) struct Tally {
+    objects: Vec<ObjectSize>,
+    rest: Size,
+}
+
+impl Tally {
+    /// Nothing yet, of objects in ascending order: index, name and number of entries.
+    pub(crate) fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
+        let objects = objects.into_iter().map(|(index, name, entries)| ObjectSize {
+            index,
+            name: name.to_owned(),
+            entries,
+            size: Size::default(),
+        });
+        Self { objects: objects.collect(), rest: Size::default() }
+    }
+
+    /// Nothing yet, of the objects of a dictionary.
+    pub(crate) fn of_dictionary(dictionary: &Dictionary<'_>) -> Self {
+        let objects = dictionary.objects.iter();
+        Self::new(objects.map(|object| (object.index, object.object.name(), object.entries.len())))
+    }
+
+    /// Adds bytes of an object.
+    pub(crate) fn of(&mut self, index: u16, memory: Memory, bytes: usize) {
+        let at = self.objects.binary_search_by_key(&index, |object| object.index).ok();
+        let size =
+            at.and_then(|at| self.objects.get_mut(at)).map_or(&mut self.rest, |object| &mut object.size);
+        add(size, memory, bytes);
+    }
+
+    /// Adds bytes that belong to no object.
+    pub(crate) fn rest(&mut self, memory: Memory, bytes: usize) {
+        add(&mut self.rest, memory, bytes);
+    }
+
+    /// Adds a variable that is a structure: its members with the objects that they are of; those that are of none, and
+    /// the gaps, go to the rest.
+    pub(crate) fn structure(&mut self, memory: Memory, members: &[(Option<u16>, Extent)]) {
+        let whole = Extent::structure(members.iter().map(|&(_, extent)| extent)).size;
+        let mut gaps = whole;
+        for &(index, extent) in members {
+            if let Some(index) = index {
+                gaps -= extent.size;
+                self.of(index, memory, extent.size);
+            }
+        }
+        self.rest(memory, gaps);
+    }
+
+    /// The sums. `counted` says of what, see [`SizeReport::counted`].
+    pub(crate) fn report(self, counted: &'static str) -> SizeReport {
+        SizeReport::new(counted, self.objects, self.rest)
+    }
+}
+
+fn add(size: &mut Size, memory: Memory, bytes: usize) {
+    size.flash += if memory == Memory::Zeroed { 0 } else { bytes };
+    size.ram += if memory == Memory::Flash { 0 } else { bytes };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn types_of_c() {
+        let sizes =
+            ["uint8_t", "int16_t", "float32_t", "double", "int64_t"].map(|name| Extent::of_c(name).size);
+        assert_eq!(sizes, [1, 2, 4, 8, 8]);
+        let row = Extent::structure([Extent::HALF, Extent::BYTE, Extent::POINTER, Extent::BYTE]);
+        assert_eq!(row, Extent { size: 12, alignment: 4 });
+        assert_eq!(Extent::behind_length(3).size, 6);
+    }
+
+    #[test]
+    fn gaps_belong_to_no_object() {
+        let mut tally = Tally { objects: Vec::new(), rest: Size::default() };
+        tally.structure(Memory::Initialised, &[(Some(0x2000), Extent::BYTE), (None, Extent::WORD)]);
+        tally.rest(Memory::Zeroed, 2);
+        assert_eq!(tally.report("").total, Size { flash: 8, ram: 10 });
+    }
+}
