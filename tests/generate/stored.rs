@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{Options, Target, generate, size};
+use objdict::generate::{Options, SizeReport, Sizes, Target, generate, size};
 use objdict::model::{Access, Device, ObjectType, StackOptions, TypeKind};
 
 use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
@@ -497,7 +497,10 @@ fn sizes_are_those_of_the_compilers() {
     let all = device(&support::fixtures().join("eds/all-types.eds"));
     for (device, options) in [(odd::device(), options()), (all, options()), (press, Options::default())] {
         let report = |target| {
-            let report = size(&device, Target::named(target).unwrap(), &options).unwrap().unwrap().total;
+            let sizes = size(&device, Target::named(target).unwrap(), &options).unwrap();
+            let Sizes::Known(SizeReport { total: report, .. }) = sizes else {
+                panic!("no sizes of `{target}`")
+            };
             (report.flash, report.ram)
         };
         let folder = tempfile::tempdir().unwrap();
