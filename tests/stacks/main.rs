@@ -17,6 +17,7 @@ mod compile;
 #[path = "../generate/devices.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod devices;
+mod figures;
 mod measure;
 mod microcanopen;
 mod objdict_macros;
