@@ -11,8 +11,8 @@ use crate::compile::{c_compiler, cc, succeed};
 use crate::measure::{Measured, tools};
 use crate::processors::build;
 
-/// What CANopenNode's own generator makes of that device takes on a Cortex-M4, in bytes: constants, and values with the list
-/// of objects. None of the values is zero for sure, so flash has them too.
+/// What CANopenNode's own generator makes of that device takes on a Cortex-M4, in bytes: constants, and the values with the
+/// list of objects. Values that do not begin with zeros are in flash too.
 const CONSTANTS: usize = 1_716;
 const VALUES: usize = 1_376;
 
