@@ -143,7 +143,7 @@ impl Facts {
         facts.size = match data_type.byte_length() {
             Some(length) => usize::from(length),
             None if own => defined_length(device, data_type)?,
-            None => facts.room(),
+            None => facts.room(entry),
         };
         Some(facts)
     }
@@ -155,11 +155,14 @@ impl Facts {
         facts(self) == facts(other)
     }
 
-    fn room(&self) -> usize {
+    fn room(&self, entry: &Entry) -> usize {
         let length = self.default_on(1).len();
+        let stated = entry.stack.as_ref().and_then(|stack| stack.min_string_length).unwrap_or(0);
+        let bytes = if self.kind == Some(TypeKind::UnicodeString) { 2 } else { 1 };
+        let least = if stated > 0 { stated as usize * bytes } else { STRING_ROOM };
         let domain = self.kind == Some(TypeKind::Domain);
         let grows = length == 0 || self.access.is_writable();
-        if grows && !domain && self.access != Access::Const { length.max(STRING_ROOM) } else { length }
+        if grows && !domain && self.access != Access::Const { length.max(least) } else { length }
     }
 
     pub(crate) fn has_no_data(&self) -> bool {
