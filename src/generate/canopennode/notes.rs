@@ -5,7 +5,7 @@ use super::storage::{is_odd_nan, is_text};
 use crate::compat::canopennode::unmet;
 use crate::generate::Note;
 use crate::generate::resolve::{Datum, Shape};
-use crate::model::{DataType, Device, Place};
+use crate::model::{CobId, DataType, Device, Place};
 
 /// What the stack demands of the device and does not get: the same that `--compat canopennode` finds.
 pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
@@ -18,7 +18,7 @@ pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
 /// PDOs that the stack takes for a defect.
 pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
     for pdo in device.pdos() {
-        let is_valid = pdo.cob_id.is_some_and(|id| id.is_valid());
+        let is_valid = pdo.cob_id.is_some_and(CobId::is_valid);
         if is_valid && pdo.mapping.is_some() && pdo.used_slots().next().is_none() {
             let text =
                 format!("{pdo} maps nothing: the stack reports an error when it starts, and switches it off");
