@@ -9,7 +9,7 @@ use super::cargo::Cargo;
 use super::{Built, Error};
 use crate::diagnostic::{Severity, counted};
 use crate::format::input::{FileKind, bytes_of};
-use crate::generate::{CTable, Group, Names, Target};
+use crate::generate::{CTable, Derive, Group, Names, Target};
 use crate::lint::Level;
 use crate::model::Address;
 use crate::production::{Configuration, Judged, Production, Request, said, save};
@@ -87,9 +87,22 @@ impl Builder {
         self
     }
 
-    /// Leave the names of entries out of tables that have them.
+    /// Leave the names of entries out.
     pub fn no_names(mut self) -> Self {
         self.request.options.entry_names = false;
+        self
+    }
+
+    /// Whether the Rust file has names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits` of the crate
+    /// that takes it in.
+    pub fn feature_gates(mut self, gates: bool) -> Self {
+        self.request.options.feature_gates = gates;
+        self
+    }
+
+    /// A crate whose traits the types of the Rust file derive; may be called several times.
+    pub fn derive(mut self, derive: Derive) -> Self {
+        self.request.options.derives.push(derive);
         self
     }
 

@@ -132,6 +132,8 @@ fn options(args: &GenerateArgs) -> Options {
         template: args.template.clone(),
         table: args.table.into(),
         entry_names: !args.no_names,
+        feature_gates: args.feature_gates,
+        derives: args.derive.iter().copied().map(Into::into).collect(),
         ..default
     }
 }

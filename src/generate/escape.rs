@@ -42,6 +42,12 @@ pub(super) fn shown(text: &str) -> String {
     printable(text).trim().to_owned()
 }
 
+/// A string literal of Rust.
+pub(super) fn rust_text(text: &str) -> String {
+    let plain = printable(text).replace('\\', "\\\\").replace('"', "\\\"");
+    format!("\"{}\"", plain.trim())
+}
+
 /// One line of harmless characters.
 fn printable(text: &str) -> String {
     let mut shown = String::new();
@@ -118,6 +124,12 @@ pub(super) mod filters {
     pub(in crate::generate) fn code_span(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
         let span = super::code_span(text.as_ref());
         Ok(span)
+    }
+
+    #[askama::filter_fn]
+    pub(in crate::generate) fn rust_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::rust_text(text.as_ref());
+        Ok(literal)
     }
 
     #[askama::filter_fn]

@@ -54,7 +54,7 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
-pub use options::{CTable, Choice, Group, Names, Options};
+pub use options::{CTable, Choice, Derive, Group, Names, Options};
 pub use renames::{ChoiceError, renames};
 pub use size::{ObjectSize, Size, SizeReport, Sizes};
 

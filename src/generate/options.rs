@@ -46,6 +46,11 @@ pub struct Options {
     /// Whether the table names its entries, for people who read it on the device; what has no room for names has none
     /// anyway.
     pub entry_names: bool,
+    /// Whether optional parts of the Rust file (names, PDOs, limits) are there only with the Cargo features `od-names`, `od-pdo` and
+    /// `od-limits` of the crate that takes it in.
+    pub feature_gates: bool,
+    /// The traits of other crates that the types of the Rust file derive.
+    pub derives: Vec<Derive>,
     /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
     pub source_hash: Option<u64>,
 }
@@ -68,6 +73,15 @@ pub enum CTable {
     Compact,
     /// An array of structures with pointers to value, limits and default, for a stack of one's own.
     Structs,
+}
+
+/// Traits of another crate that generated Rust types derive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Derive {
+    /// `Format` of the crate `defmt`.
+    Defmt,
+    /// `Serialize` and `Deserialize` of the crate `serde`.
+    Serde,
 }
 
 /// A storage group: objects whose values are kept together.
@@ -100,6 +114,10 @@ pub enum Choice {
     Table,
     /// [`Options::entry_names`].
     EntryNames,
+    /// [`Options::feature_gates`].
+    FeatureGates,
+    /// [`Options::derives`].
+    Derives,
     /// [`Options::string_capacity`].
     StringCapacity,
     /// [`Options::domain_capacity`].
@@ -121,6 +139,8 @@ impl Choice {
             Self::Template => "template",
             Self::Table => "table",
             Self::EntryNames => "no-names",
+            Self::FeatureGates => "feature-gates",
+            Self::Derives => "derive",
             Self::StringCapacity => "string-capacity",
             Self::DomainCapacity => "domain-capacity",
             Self::Limits => "limits",
@@ -145,6 +165,8 @@ impl Default for Options {
             template: None,
             table: CTable::default(),
             entry_names: true,
+            feature_gates: false,
+            derives: Vec::new(),
             source_hash: None,
         }
     }
@@ -164,6 +186,8 @@ impl Options {
             (Choice::Template, self.template.is_some()),
             (Choice::Table, self.table != default.table),
             (Choice::EntryNames, self.entry_names != default.entry_names),
+            (Choice::FeatureGates, self.feature_gates),
+            (Choice::Derives, !self.derives.is_empty()),
             (Choice::StringCapacity, self.string_capacity != default.string_capacity),
             (Choice::DomainCapacity, self.domain_capacity != default.domain_capacity),
             (Choice::Limits, self.limits),

@@ -136,7 +136,7 @@ impl Table {
         let mut fields = Scope::of_lower_case("node_id");
         let members = Members::new(&dictionary, options, &mut fields);
         let mut builder = Builder {
-            modules: Scope::of_lower_case("od pdo defaults enums bits"), // for the modules of the templates
+            modules: Scope::of_lower_case("od pdo defaults enums bits serde defmt serde_array serde_blocks"), // for the modules of the templates
             fields,
             rom: Rom::default(),
             table: Self::empty(&dictionary, options),

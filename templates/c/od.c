@@ -69,6 +69,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
 
 {% include "_number.c" %}
 
+#ifndef {{ upper }}_NO_LIMITS
 /* A number that is ordered as the values of the data type are; false for a REAL that is not a number. */
 static bool {{ lower }}_order(uint8_t data_type, uint64_t number, uint64_t *order)
 {
@@ -87,6 +88,7 @@ static bool {{ lower }}_order(uint8_t data_type, uint64_t number, uint64_t *orde
     *order = (number & sign) == 0u ? sign + magnitude : sign - magnitude;
     return magnitude <= infinity;
 }
+#endif
 
 /* One of the two lengths in front of a default that is no number. */
 static size_t {{ lower }}_head(const {{ lower }}_entry_t *entry, size_t skip)
@@ -116,6 +118,7 @@ const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *len
     return {{ lower }}_rom + entry->rom + (size == 0u ? 4u : 0u); /* may be the end of {{ lower }}_rom when there are no bytes */
 }
 
+#ifndef {{ upper }}_NO_LIMITS
 bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit)
 {
     if ((entry->flags & {{ upper }}_LOW) == 0u) {
@@ -133,6 +136,7 @@ bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, u
     *limit = {{ lower }}_rom_number(entry, (entry->flags & {{ upper }}_LOW) == 0u ? 1u : 2u, {{ upper }}_HIGH_NODE_ID, node_id);
     return true;
 }
+#endif
 
 {% include "_field.c" %}
 
@@ -234,13 +238,11 @@ static uint32_t {{ lower }}_check_length(const {{ lower }}_entry_t *entry, size_
     return {{ upper }}_OK;
 }
 
-static uint32_t {{ lower }}_check_value(const {{ lower }}_entry_t *entry, uint64_t number, uint8_t node_id)
+#ifndef {{ upper }}_NO_LIMITS
+static uint32_t {{ lower }}_check_limits(const {{ lower }}_entry_t *entry, uint64_t number, uint8_t node_id)
 {
     uint64_t value;
     uint64_t limit = 0u;
-    if (entry->data_type == {{ upper }}_BOOLEAN && number > 1u) {
-        return {{ upper }}_ABORT_INVALID_VALUE;
-    }
     if ((entry->flags & ({{ upper }}_LOW | {{ upper }}_HIGH)) == 0u) {
         return {{ upper }}_OK;
     }
@@ -254,6 +256,20 @@ static uint32_t {{ lower }}_check_value(const {{ lower }}_entry_t *entry, uint64
         return {{ upper }}_ABORT_TOO_HIGH;
     }
     return {{ upper }}_OK;
+}
+#endif
+
+static uint32_t {{ lower }}_check_value(const {{ lower }}_entry_t *entry, uint64_t number, uint8_t node_id)
+{
+    if (entry->data_type == {{ upper }}_BOOLEAN && number > 1u) {
+        return {{ upper }}_ABORT_INVALID_VALUE;
+    }
+#ifdef {{ upper }}_NO_LIMITS
+    (void)node_id;
+    return {{ upper }}_OK;
+#else
+    return {{ lower }}_check_limits(entry, number, node_id);
+#endif
 }
 
 uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub, const void *bytes, size_t length)
@@ -307,4 +323,19 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
 {%- if !groups.is_empty() %}
 
 {% include "_stored.c" %}
+{%- endif %}
+{%- if names %}
+
+#ifndef {{ upper }}_NO_NAMES
+static const char *const {{ lower }}_names[{{ upper }}_ENTRY_COUNT] = {
+{%- for view in rows %}
+    {{ view.row.name|c_text }},
+{%- endfor %}
+};
+
+const char *{{ lower }}_name(const {{ lower }}_entry_t *entry)
+{
+    return {{ lower }}_names[entry - {{ lower }}_entries];
+}
+#endif
 {%- endif %}

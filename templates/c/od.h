@@ -160,10 +160,17 @@ size_t {{ lower }}_size(const {{ lower }}_entry_t *entry);
 
 /* The bytes of the default; of a formula, of what is added to the node-ID. */
 const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *length);
-
+{% if names %}
+#ifndef {{ upper }}_NO_NAMES
+/* The name in the description, UTF-8. The linker leaves the names out of a program that asks for none, where it drops unused data. */
+const char *{{ lower }}_name(const {{ lower }}_entry_t *entry);
+#endif
+{% endif %}
+#ifndef {{ upper }}_NO_LIMITS
 /* The number that is a limit on the node node_id, with the bits of the value; false when there is none. */
 bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
 bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit);
+#endif
 {%- if hooks %}
 
 {% include "_hooks.h" %}

@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#ifndef {{ upper }}_NO_PDO
+
 /* The lowest bits of a number, 1 to 64. */
 static uint64_t {{ lower }}_lowest(uint64_t number, unsigned bits)
 {
@@ -135,3 +137,5 @@ void {{ frame.type_name }}_unpack(const uint8_t frame[{{ frame.frame.length }}],
 {%- endfor %}
 }
 {%- endfor %}
+
+#endif

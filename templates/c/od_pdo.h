@@ -11,6 +11,8 @@
 
 #include "{{ lower }}.h"
 
+#ifndef {{ upper }}_NO_PDO
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,5 +42,7 @@ void {{ frame.type_name }}_unpack(const uint8_t frame[{{ frame.frame.length }}],
 #ifdef __cplusplus
 }
 #endif
+
+#endif /* {{ upper }}_NO_PDO */
 
 #endif

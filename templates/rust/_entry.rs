@@ -101,12 +101,18 @@ impl Entry {
         }
     }
 
+    {% if gates -%}
+    #[cfg(feature = "od-limits")]
+    {% endif -%}
     /// The number that is the low limit on a node, as `u64` with the bits of the value.
     #[must_use]
     pub fn low_limit(&self, node_id: u8) -> Option<u64> {
         (self.flags & LOW != 0).then(|| self.number(1, LOW_NODE_ID, node_id))
     }
 
+    {% if gates -%}
+    #[cfg(feature = "od-limits")]
+    {% endif -%}
     /// The number that is the high limit on a node, as `u64` with the bits of the value.
     #[must_use]
     pub fn high_limit(&self, node_id: u8) -> Option<u64> {
@@ -175,6 +181,20 @@ impl Entry {
         if self.data_type == BOOLEAN && number > 1 {
             return Err(Abort::InvalidValue);
         }
+        self.check_limits(number, node_id)
+    }
+{%- if gates %}
+
+    #[cfg(not(feature = "od-limits"))]
+    #[allow(clippy::unused_self, clippy::unnecessary_wraps)]
+    fn check_limits(&self, _: u64, _: u8) -> Result<(), Abort> {
+        Ok(())
+    }
+
+    #[cfg(feature = "od-limits")]
+{%- else %}
+{% endif %}
+    fn check_limits(&self, number: u64, node_id: u8) -> Result<(), Abort> {
         if self.flags & (LOW | HIGH) == 0 {
             return Ok(());
         }
@@ -242,6 +262,9 @@ fn number(data_type: u8, bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(start, shift)
 }
 
+{% if gates -%}
+#[cfg(feature = "od-limits")]
+{% endif -%}
 /// A number that is ordered as the values of the data type are; `None` for a REAL that is not a number.
 fn order(data_type: u8, number: u64) -> Option<u64> {
     const SIGN: u64 = 1 << 63;
@@ -265,11 +288,15 @@ fn order(data_type: u8, number: u64) -> Option<u64> {
 const READ: u16 = 0x001;
 const WRITE: u16 = 0x002;
 const TPDO: u16 = 0x004;
-const RPDO: u16 = 0x008;
-const LOW: u16 = 0x010;
+const RPDO: u16 = 0x008;{% if gates %}
+#[allow(dead_code)]{% endif %}
+const LOW: u16 = 0x010;{% if gates %}
+#[allow(dead_code)]{% endif %}
 const HIGH: u16 = 0x020;
-const NODE_ID_DEFAULT: u16 = 0x040;
-const LOW_NODE_ID: u16 = 0x080;
+const NODE_ID_DEFAULT: u16 = 0x040;{% if gates %}
+#[allow(dead_code)]{% endif %}
+const LOW_NODE_ID: u16 = 0x080;{% if gates %}
+#[allow(dead_code)]{% endif %}
 const HIGH_NODE_ID: u16 = 0x100;
 {%- if hooks %}
 const HOOK: u16 = 0x200;

@@ -8,7 +8,7 @@ pub mod enums {
 {% endif %}
     /// {{ view.of.title|code_span }}: values of {{ view.entries }}.
     #[allow(clippy::enum_variant_names)]
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives }}
     #[repr({{ view.repr }})]
     pub enum {{ view.name }} {
 {%- for variant in view.variants %}

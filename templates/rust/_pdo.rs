@@ -1,10 +1,13 @@
 /// What the frames of PDOs carry by default: a struct for each, its fields in the order of the frame.
+{% if gates -%}
+#[cfg(feature = "od-pdo")]
+{% endif -%}
 #[allow(dead_code, unreachable_pub)]
 pub mod pdo {
 {%- for frame in frames %}
     /// {{ frame.frame.title }} (`0x{{ "{:04X}"|format(frame.frame.communication_index) }}`, `0x{{ "{:04X}"|format(frame.frame.mapping_index) }}`).
     #[allow(clippy::struct_excessive_bools)]
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq)]{{ derives("    ") }}
     pub struct {{ frame.type_name }} {
 {%- for field in frame.fields %}
         /// `0x{{ "{:04X}"|format(field.row.index) }}` sub-index `0x{{ "{:02X}"|format(field.row.sub) }}`: {{ field.row.name|code_span }}.

@@ -1,12 +1,13 @@
 {% for group in groups -%}
 /// The storage group {{ group.group.name|code_span }}: what is saved together.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]{{ derives("") }}
 pub struct {{ group.type_name }} {
 {%- for field in group.fields %}
     /// `0x{{ "{:04X}"|format(field.first.index) }}` sub-index `0x{{ "{:02X}"|format(field.first.sub) }}`
     {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
-    pub {{ field.name }}: {{ field.type_ }},
+    {% if let (true, Some(module)) = (serde, field.serde_with) %}#[serde(with = "{{ module }}")]
+    {% endif %}pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}
 }
 
@@ -96,7 +97,7 @@ impl {{ group.type_name }} {
 {% endfor -%}
 /// Why an image of a storage group is refused.
 #[allow(dead_code, unreachable_pub)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives("") }}
 pub enum ImageError {
     /// It is shorter or longer than `IMAGE_SIZE`.
     Length,

@@ -1,6 +1,6 @@
 /// Why an SDO transfer is aborted (`CiA` 301).
 #[allow(dead_code, unreachable_pub)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives("") }}
 #[repr(u32)]
 pub enum Abort {
     /// The buffer is shorter than the value.
@@ -104,7 +104,7 @@ impl<const N: usize> Octets<N> {
 
 /// A time of day since 1984-01-01, or a difference of times.
 #[allow(dead_code, unreachable_pub)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives("") }}
 pub struct Time {
     /// Milliseconds after midnight, 28 bits.
     pub milliseconds: u32,

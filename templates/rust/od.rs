@@ -34,13 +34,14 @@ pub mod {{ view.object.module }} {
 {% endif -%}
 /// The values that can change; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]{{ derives("") }}
 pub struct Data {
     node_id: u8,
 {%- for field in fields %}
     /// `0x{{ "{:04X}"|format(field.first.index) }}` sub-index `0x{{ "{:02X}"|format(field.first.sub) }}`
     {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
-    pub {{ field.name }}: {{ field.type_ }},
+    {% if let (true, Some(module)) = (serde, field.serde_with) %}#[serde(with = "{{ module }}")]
+    {% endif %}pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}
 {%- for group in groups %}
     /// The storage group {{ group.group.name|code_span }}.
@@ -194,6 +195,10 @@ impl Default for Data {
 {%- endif %}
 
 {% include "_values.rs" %}
+{%- if defmt || serde %}
+
+{% include "_derives.rs" %}
+{%- endif %}
 
 {% include "_entry.rs" %}
 
@@ -213,3 +218,7 @@ static ROM: [u8; {{ table.rom.len() }}] = [
     {{ line }},
 {%- endfor %}
 ];
+{%- if names %}
+
+{% include "_names.rs" %}
+{%- endif %}

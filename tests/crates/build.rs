@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Derive, Options, Target, generate};
 use objdict::model::Device;
 
 #[path = "src/devices.rs"]
@@ -14,6 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo:rerun-if-changed=src/devices.rs");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?);
     let (mut canopen_rs, mut dictionaries) = (String::new(), String::new());
+    derived(&out)?;
     let (mut zencan, mut nodes) = (String::new(), String::new());
     for (name, device) in devices::devices() {
         let path = written(&out.join("canopen-rs").join(&name), &device, "canopen-rs", &name)?;
@@ -34,6 +35,30 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::write(out.join("canopen_rs.rs"), canopen_rs)?;
     writeln!(zencan, "{list}\n{nodes}];")?;
     std::fs::write(out.join("zencan.rs"), zencan)?;
+    Ok(())
+}
+
+/// Tables in plain Rust that derive the traits of other crates: with those of defmt for the library, which is compiled and not
+/// linked, for that needs a logger; with those of serde for a test.
+fn derived(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let (mut defmt, mut serde, mut list) = (String::new(), String::new(), String::new());
+    for (name, device) in devices::devices() {
+        for (derive, modules) in [(Derive::Defmt, &mut defmt), (Derive::Serde, &mut serde)] {
+            let folder = out.join(format!("{derive:?}")).join(&name);
+            std::fs::create_dir_all(&folder)?;
+            let mut options = Options::default();
+            options.derives = vec![derive];
+            let generated = generate(&device, Target::RUST, &options)?;
+            let path = folder.join(&generated.files[0].path);
+            std::fs::write(&path, &generated.files[0].contents)?;
+            let path = path.display().to_string();
+            writeln!(modules, "/// A table.\npub mod {name} {{ include!({path:?}); }}")?;
+        }
+        writeln!(list, "({name:?}, |node_id| round({name}::Data::new(node_id))),")?;
+    }
+    std::fs::write(out.join("defmt.rs"), defmt)?;
+    writeln!(serde, "const DEVICES: &[(&str, fn(u8))] = &[\n{list}];")?;
+    std::fs::write(out.join("serde.rs"), serde)?;
     Ok(())
 }
 

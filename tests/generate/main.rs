@@ -8,6 +8,7 @@ mod compile;
 mod crates;
 mod defaults;
 mod devices;
+mod gates;
 mod hooks;
 mod meanings;
 mod notes;

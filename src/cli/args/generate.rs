@@ -9,7 +9,7 @@ use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{CTable, Group, Names, Target};
+use crate::generate::{CTable, Derive, Group, Names, Target};
 use crate::model::Address;
 
 /// Turn a description into what a product compiles or downloads
@@ -87,9 +87,15 @@ pub(in crate::cli) struct GenerateArgs {
     /// How the table of the target `c` is laid out
     #[arg(long, value_enum, default_value = "compact", value_name = "LAYOUT")]
     pub table: TableArg,
-    /// Leave the names of entries out of tables that have them
+    /// Leave the names of entries out
     #[arg(long)]
     pub no_names: bool,
+    /// Let the Rust file have names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits`
+    #[arg(long)]
+    pub feature_gates: bool,
+    /// Derive traits of other crates for the types of the Rust file
+    #[arg(long, value_enum, value_name = "CRATE", value_delimiter = ',')]
+    pub derive: Vec<DeriveArg>,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -148,6 +154,24 @@ impl From<TableArg> for CTable {
         match table {
             TableArg::Compact => Self::Compact,
             TableArg::Structs => Self::Structs,
+        }
+    }
+}
+
+/// A crate whose traits are derived.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DeriveArg {
+    /// `defmt::Format`
+    Defmt,
+    /// `serde::Serialize` and `serde::Deserialize`
+    Serde,
+}
+
+impl From<DeriveArg> for Derive {
+    fn from(derive: DeriveArg) -> Self {
+        match derive {
+            DeriveArg::Defmt => Self::Defmt,
+            DeriveArg::Serde => Self::Serde,
         }
     }
 }

@@ -51,13 +51,14 @@ impl Backend for C {
         let facts = view::Facts {
             constants: constants(device, &table, &mut notes),
             named: meanings(device, &table, options, &mut notes),
+            names: options.entry_names,
         };
         let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
         let names = options.entry_names;
         let mut files = match options.table {
             CTable::Compact => vec![
                 render(header, &view::Header::new(&table, &prefix, &facts))?,
-                render(source, &view::Source::new(&table, &prefix))?,
+                render(source, &view::Source::new(&table, &prefix, names))?,
             ],
             CTable::Structs => vec![
                 render(header, &structs::StructsHeader::new(&table, &prefix, &facts, names))?,
@@ -68,9 +69,6 @@ impl Backend for C {
             let text = "an array of structures has no functions that could call hooks";
             let note = Note::new(Place::device(), text);
             notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
-        }
-        if options.table == CTable::Compact && !names {
-            notes.push(Note::new(Place::device(), "the compact table has no names that could be left out"));
         }
         if !frames.is_empty() {
             files.push(render(format!("{prefix}_pdo.h"), &pdo::PdoHeader::new(&table, &prefix, &frames))?);

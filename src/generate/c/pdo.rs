@@ -25,6 +25,7 @@ pub(super) struct PdoHeader<'a> {
 #[template(path = "c/od_pdo.c")]
 pub(super) struct PdoSource<'a> {
     lower: &'a str,
+    upper: String,
     table: &'a Table,
     frames: Vec<FrameView<'a>>,
     /// Which conversions are used.
@@ -80,6 +81,7 @@ impl<'a> PdoSource<'a> {
         };
         Self {
             lower: prefix,
+            upper: prefix.to_ascii_uppercase(),
             table,
             signed: uses(|kind| matches!(kind, TypeKind::Signed(_))),
             real32: uses(|kind| kind == TypeKind::Real32),

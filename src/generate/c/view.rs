@@ -25,6 +25,8 @@ pub(super) struct Header<'a> {
     /// The integer type of places in RAM and flash.
     offset: &'static str,
     pub(super) objects: Vec<ObjectView<'a>>,
+    /// Whether the entries have names.
+    names: bool,
     pub(super) defaults: Defaults,
     pub(super) meanings: Option<Meanings<'a>>,
     /// Members of the struct of values, the structs of storage groups among them.
@@ -38,6 +40,7 @@ pub(super) struct Header<'a> {
 pub(super) struct Facts {
     pub(super) constants: Vec<Constant>,
     pub(super) named: Named,
+    pub(super) names: bool,
 }
 
 /// The source.
@@ -56,6 +59,7 @@ pub(super) struct Source<'a> {
     hook_room: usize,
     /// Whether rows have pointers.
     has_pointers: bool,
+    names: bool,
     /// Whether `float` and `double` are used.
     real32: bool,
     real64: bool,
@@ -94,7 +98,7 @@ const MACROS: &str = "
     real32 real64 visible_string octet_string unicode_string time_of_day time_difference domain ok
     abort_out_of_memory abort_write_only abort_read_only abort_no_object abort_length_mismatch
     abort_too_long abort_too_short abort_no_sub_index abort_invalid_value abort_too_high abort_too_low
-    abort_cannot_store abort_no_data
+    abort_cannot_store abort_no_data no_names no_limits no_pdo
 ";
 
 impl<'a> Header<'a> {
@@ -123,6 +127,7 @@ impl<'a> Header<'a> {
             table,
             offset: if table.is_wide() { "uint32_t" } else { "uint16_t" },
             objects,
+            names: facts.names,
             defaults: Defaults::new(&facts.constants, prefix),
             meanings,
             fields: stored::members(table, prefix),
@@ -133,12 +138,13 @@ impl<'a> Header<'a> {
 }
 
 impl<'a> Source<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
         Self {
             lower: prefix,
             upper: prefix.to_ascii_uppercase(),
             table,
             rows: table.rows.iter().map(|row| row_view(table, row, &prefix.to_ascii_uppercase())).collect(),
+            names,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             groups: stored::group_views(table, prefix),
             hooks: hooks::has_hooks(table),

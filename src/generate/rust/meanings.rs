@@ -16,6 +16,8 @@ use crate::model::{DataType, TypeKind};
 pub(super) struct Meanings<'a> {
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,
+    /// The lines behind the traits that enumerations derive anyway.
+    derives: String,
 }
 
 struct EnumView<'a> {
@@ -72,7 +74,12 @@ impl<'a> Meanings<'a> {
     pub(super) fn new(named: &'a Named) -> Self {
         let mut taken = HashSet::from(["Self".to_owned()]);
         let enums = named.enums.iter().map(|of| enum_view(of, &mut taken)).collect();
-        Self { enums, words: named.words.iter().map(word_view).collect() }
+        Self { enums, words: named.words.iter().map(word_view).collect(), derives: String::new() }
+    }
+
+    /// With further traits.
+    pub(super) fn with(self, derives: String) -> Self {
+        Self { derives, ..self }
     }
 }
 

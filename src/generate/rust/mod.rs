@@ -38,6 +38,9 @@ impl Backend for Rust {
             Choice::Hooks,
             Choice::StringCapacity,
             Choice::DomainCapacity,
+            Choice::EntryNames,
+            Choice::FeatureGates,
+            Choice::Derives,
         ]
     }
 
@@ -48,7 +51,8 @@ impl Backend for Rust {
         let frames = frames(device, &table, &mut notes);
         let constants = constants(device, &table, &mut notes);
         let named = meanings(device, &table, options, &mut notes);
-        let file = render(format!("{module}.rs"), &view::Od::new(&table, &frames, &constants, &named))?;
+        let od = view::Od::new(&table, &frames, &constants, &named).with(options);
+        let file = render(format!("{module}.rs"), &od)?;
         Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 

@@ -9,7 +9,7 @@ use crate::generate::table::Table;
 
 /// What else is a type of the file, or of what every Rust file begins with.
 const TAKEN: &str = "
-    Self Data Entry Abort Defaults Octets Time Value Field Offset Hooks ImageError Kept Option Some None Result Ok Err Box String
+    Self Data Entry Abort Defaults Octets Time Value Field Offset OctetsVisitor Hooks ImageError Kept Option Some None Result Ok Err Box String
     Vec Clone Copy Debug Default PartialEq Eq PartialOrd Ord Hash Iterator IntoIterator Extend DoubleEndedIterator
     ExactSizeIterator From Into TryFrom TryInto FromIterator AsRef AsMut Drop Fn FnMut FnOnce Send Sync Sized Unpin
     ToOwned ToString

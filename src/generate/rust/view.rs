@@ -13,6 +13,7 @@ use crate::generate::hooks;
 use crate::generate::meanings::Named;
 use crate::generate::resolve::{Datum, Shape};
 use crate::generate::table::{Row, Table, TableField, TableObject};
+use crate::generate::{Derive, Options};
 use crate::model::{DataType, Time, TypeKind};
 
 /// The file `od.rs`.
@@ -35,6 +36,13 @@ pub(super) struct Od<'a> {
     defaults: Defaults,
     meanings: Option<Meanings<'a>>,
     frames: Vec<FrameView<'a>>,
+    /// Whether the entries have names.
+    names: bool,
+    /// Whether optional parts are there only with features.
+    gates: bool,
+    /// Which traits of other crates are derived.
+    defmt: bool,
+    serde: bool,
 }
 
 /// An object with the constants that name its entries.
@@ -54,6 +62,8 @@ pub(super) struct FieldView<'a> {
     pub(super) type_: String,
     /// The default, an expression.
     pub(super) value: String,
+    /// The module that serde needs for it.
+    pub(super) serde_with: Option<&'static str>,
     /// Which places in RAM it has, a pattern.
     pub(super) pattern: String,
     /// The first of them.
@@ -96,8 +106,39 @@ impl<'a> Od<'a> {
             defaults: Defaults::new(constants),
             meanings: (!named.is_empty()).then(|| Meanings::new(named)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
+            names: true,
+            gates: false,
+            defmt: false,
+            serde: false,
         }
     }
+
+    /// With what the user decides about the code.
+    pub(super) fn with(self, options: &Options) -> Self {
+        let derives = |derive| options.derives.contains(&derive);
+        let lines = derive_lines(derives(Derive::Defmt), derives(Derive::Serde), "    ");
+        Self {
+            names: options.entry_names,
+            gates: options.feature_gates,
+            defmt: derives(Derive::Defmt),
+            serde: derives(Derive::Serde),
+            meanings: self.meanings.map(|meanings| meanings.with(lines)),
+            ..self
+        }
+    }
+
+    /// The lines behind the traits that types derive anyway, with blanks before them.
+    fn derives(&self, indent: &str) -> String {
+        derive_lines(self.defmt, self.serde, indent)
+    }
+}
+
+/// A line for each crate whose traits are derived.
+fn derive_lines(defmt: bool, serde: bool, indent: &str) -> String {
+    let line = |traits: &str| format!("\n{indent}#[derive({traits})]");
+    let defmt = defmt.then(|| line("defmt::Format"));
+    let serde = serde.then(|| line("serde::Serialize, serde::Deserialize"));
+    [defmt, serde].into_iter().flatten().collect()
 }
 
 /// Whether numbers of fields, or places in flash, need more than 16 bits.
@@ -133,10 +174,23 @@ fn field_view<'a>(table: &'a Table, field: &'a TableField, place: usize) -> Fiel
         [value] if !field.array => (element, value.clone()),
         values => (format!("[{element}; {}]", rows.len()), format!("[{}]", values.join(", "))),
     };
+    let serde_with = serde_with(field, rows.len());
     let last = place + rows.len() - 1;
     let pattern = if last == place { place.to_string() } else { format!("{place}..={last}") };
     let (first, last) = (&table.rows[field.rows.start], &table.rows[field.rows.end - 1]);
-    FieldView { name: &field.name, first, last, array: field.array, type_, value, pattern, place }
+    FieldView { name: &field.name, first, last, array: field.array, type_, value, serde_with, pattern, place }
+}
+
+/// The module that arrays need which are longer than those of serde.
+fn serde_with(field: &TableField, rows: usize) -> Option<&'static str> {
+    const LONGEST: usize = 32;
+    let long_block = matches!(field.shape, Shape::Block(length) if usize::from(length) > LONGEST);
+    match (field.array, long_block) {
+        (true, true) => Some("serde_blocks"),
+        (true, false) if rows > LONGEST => Some("serde_array"),
+        (false, true) => Some("serde_array"),
+        _ => None,
+    }
 }
 
 fn row_view(row: &Row, ram: usize) -> RowView<'_> {

@@ -1,0 +1,182 @@
+//! Names, and the parts that a product may leave out: every combination compiles without a warning, and what is there works.
+
+use std::path::Path;
+use std::process::Command;
+
+use objdict::generate::{Derive, Options, Target, generate};
+use objdict::model::Device;
+
+use crate::compile::{c_compiler, cc, rustc, succeed};
+use crate::{device, for_all, odd, support};
+
+/// What can be left out: the feature of Rust, the macro of C.
+const GATES: [(&str, &str); 3] =
+    [("od-names", "OD_NO_NAMES"), ("od-pdo", "OD_NO_PDO"), ("od-limits", "OD_NO_LIMITS")];
+
+fn devices() -> Vec<(String, Device)> {
+    let fixture = |name: &str| (name.to_owned(), device(&support::fixtures().join(name)));
+    let mut devices: Vec<_> =
+        ["eds/minimal.eds", "eds/drive-402.eds", "eds/hostile.eds", "xdd/valve.xdd"].map(fixture).into();
+    devices.push(("odd".to_owned(), odd::device()));
+    devices
+}
+
+fn generate_with(
+    folder: &Path,
+    device: &Device,
+    target: Target,
+    choose: impl Fn(&mut Options),
+) -> Vec<String> {
+    let mut options = Options::default();
+    choose(&mut options);
+    let generated = generate(device, target, &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated.files.into_iter().map(|file| String::from_utf8(file.contents).unwrap()).collect()
+}
+
+/// What a name looks like as text: one line of harmless characters.
+fn is_name_of(shown: &str, name: &str) -> bool {
+    let is_plain = |c: char| c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric();
+    match name.chars().all(is_plain) && name.chars().count() <= 100 {
+        true => shown == name.trim(),
+        false => shown.chars().all(is_plain) && shown.chars().count() <= 1200,
+    }
+}
+
+/// The names of all entries, one in each line.
+fn check_names(output: &str, device: &Device) -> Result<(), String> {
+    let names = device.objects.iter().flat_map(|(&index, object)| {
+        object.entries().map(move |(sub, entry)| ((index, sub), entry.name.to_string())).collect::<Vec<_>>()
+    });
+    let names: std::collections::BTreeMap<(u16, u8), String> = names.collect();
+    let mut lines = 0;
+    for line in output.lines() {
+        let mut words = line.splitn(3, ' ');
+        let mut number = || words.next().and_then(|word| word.parse::<u16>().ok()).ok_or("no number");
+        let (index, sub) = (number()?, number()?);
+        let shown = words.next().unwrap_or_default();
+        let name = names.get(&(index, sub as u8)).ok_or("no such entry")?;
+        if !is_name_of(shown, name) {
+            return Err(format!("{index:04X}h:{sub:02X} is called `{shown}` instead of `{name}`"));
+        }
+        lines += 1;
+    }
+    if lines == crate::oracle::facts_of(device).count() { Ok(()) } else { Err(format!("{lines} names")) }
+}
+
+const RUST: &str = r#"
+mod od { include!(env!("OD_RS")); }
+fn main() {
+    let mut data = od::Data::new(5);
+    let _ = data.write(0x1000, 0, &[0; 4]);
+    #[cfg(feature = "od-names")]
+    for entry in &od::ENTRIES {
+        println!("{} {} {}", entry.index(), entry.sub(), entry.name());
+    }
+    #[cfg(feature = "od-limits")]
+    assert!(od::ENTRIES.iter().all(|entry| entry.low_limit(1) <= entry.low_limit(1)));
+}
+"#;
+
+const C: &str = r#"
+#include <stdio.h>
+#include "od.h"
+static od_data_t data;
+int main(void)
+{
+    const uint8_t bytes[4] = {0u, 0u, 0u, 0u};
+    od_init(&data, 5);
+    (void)od_write(&data, 0x1000u, 0u, bytes, sizeof bytes);
+#ifndef OD_NO_NAMES
+    size_t at;
+    for (at = 0u; at < OD_ENTRY_COUNT; at++) {
+        printf("%u %u %s\n", (unsigned)od_entries[at].index, (unsigned)od_entries[at].sub, od_name(&od_entries[at]));
+    }
+#endif
+    return 0;
+}
+"#;
+
+#[test]
+fn every_combination_of_gates_compiles_and_names_are_those_of_the_description() {
+    let compiler = c_compiler();
+    for_all(&devices(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        generate_with(folder, device, Target::RUST, |options| options.feature_gates = true);
+        let files = generate_with(folder, device, Target::C, |_| ()).len();
+        std::fs::write(folder.join("gates.rs"), RUST).map_err(|error| error.to_string())?;
+        std::fs::write(folder.join("gates.c"), C).map_err(|error| error.to_string())?;
+        for chosen in 0..8_usize {
+            let fail = |error: String| format!("{name}, {chosen:03b}: {error}");
+            let mut rustc = rustc(folder);
+            rustc.args([
+                "--check-cfg=cfg(feature, values(\"od-names\", \"od-pdo\", \"od-limits\"))",
+                "-o",
+                "in-rust",
+                "gates.rs",
+            ]);
+            let mut cc = compiler.as_ref().map(|compiler| cc(compiler, folder));
+            for (bit, (feature, macro_name)) in GATES.iter().enumerate() {
+                if chosen >> bit & 1 == 1 {
+                    rustc.arg(format!("--cfg=feature=\"{feature}\""));
+                } else if let Some(cc) = &mut cc {
+                    cc.arg(format!("-D{macro_name}"));
+                }
+            }
+            succeed(&mut rustc, "").map_err(fail)?;
+            let output = succeed(&mut Command::new(folder.join("in-rust")), "").map_err(fail)?;
+            let has_names = chosen & 1 == 1;
+            if has_names {
+                check_names(&output, device).map_err(fail)?;
+            }
+            let Some(mut cc) = cc else { continue };
+            cc.args(["-I.", "-o", "in-c", "od.c", "gates.c"]).args((files > 2).then_some("od_pdo.c"));
+            succeed(&mut cc, "").map_err(fail)?;
+            let output = succeed(&mut Command::new(folder.join("in-c")), "").map_err(fail)?;
+            if has_names {
+                check_names(&output, device).map_err(fail)?;
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn without_names_no_name_is_in_the_code() {
+    let device = device(&support::fixtures().join("eds/minimal.eds"));
+    let folder = tempfile::tempdir().unwrap();
+    for target in [Target::RUST, Target::C] {
+        let with = generate_with(folder.path(), &device, target, |_| ()).concat();
+        let without =
+            generate_with(folder.path(), &device, target, |options| options.entry_names = false).concat();
+        assert!(with.contains("\"Producer heartbeat time\""));
+        assert!(
+            !without.contains("\"Producer heartbeat time\"")
+                && !without.contains("fn name(")
+                && !without.contains("od_name")
+        );
+    }
+}
+
+#[test]
+fn derives_stand_at_every_type() {
+    let device = device(&support::fixtures().join("eds/drive-402.eds"));
+    let folder = tempfile::tempdir().unwrap();
+    let derived = generate_with(folder.path(), &device, Target::RUST, |options| {
+        options.derives = vec![Derive::Defmt, Derive::Serde];
+    });
+    let text = derived.concat();
+    let lines: Vec<&str> = text.lines().collect();
+    let derives = ["#[derive(defmt::Format)]", "#[derive(serde::Serialize, serde::Deserialize)]"];
+    for (at, line) in lines.iter().enumerate().filter(|(_, line)| line.contains("#[derive(Clone")) {
+        let next = lines[at + 1];
+        let is_own = ["pub struct Octets", "pub struct Entry", "#[serde(transparent)]"]
+            .iter()
+            .any(|own| next.contains(own));
+        assert!(is_own || [next.trim(), lines[at + 2].trim()] == derives, "{line}\n{next}");
+    }
+    assert!(derives.iter().all(|derive| text.matches(derive).count() > 6));
+}
