@@ -56,7 +56,9 @@ pub(crate) fn tools() -> Option<Tools> {
 impl Tools {
     /// The compiler, which makes an object file of each source.
     pub(crate) fn cc(&self, folder: &Path) -> Command {
-        (self.compiler)(folder)
+        let mut command = (self.compiler)(folder);
+        command.arg("-DOD_NO_NAMES"); // which a linker leaves out, too
+        command
     }
 
     /// All object files of a folder.
