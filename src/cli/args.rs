@@ -43,7 +43,7 @@ pub(super) enum Command {
     Check(CheckArgs),
     Identify(IdentifyArgs),
     Show(ShowArgs),
-    Generate(GenerateArgs),
+    Generate(Box<GenerateArgs>),
     Convert(ConvertArgs),
     New(NewArgs),
     Profile(ProfileCommandArgs),

@@ -32,6 +32,9 @@ pub(crate) enum ConstantValue {
     Consumers(Vec<(u8, u16)>),
 }
 
+/// A flag of a COB-ID: its name, what the device does when it is true, and where it stands.
+type Flag = (&'static str, &'static str, fn(CobId) -> bool);
+
 /// The constants of a device, only of entries that the table has. What cannot be decoded is noted.
 pub(crate) fn constants(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Constant> {
     let services = device.services();
@@ -91,7 +94,7 @@ impl Found<'_> {
         at: (u16, u8),
         cob_id: Option<CobId>,
         (name, service): (&str, &str),
-        flags: &[(&str, &str, fn(CobId) -> bool)],
+        flags: &[Flag],
     ) {
         let (true, Some(cob_id)) = (self.has(at, cob_id.is_some()), cob_id) else { return };
         let put = |found: &mut Self, what: &str, meaning: &str, value| {
@@ -123,8 +126,7 @@ impl Found<'_> {
     }
 
     fn sync(&mut self, services: &Services) {
-        let flags: &[(_, _, fn(CobId) -> bool)] =
-            &[("is_produced", "the device produces SYNC", CobId::bit_30)];
+        let flags: &[Flag] = &[("is_produced", "the device produces SYNC", CobId::bit_30)];
         self.cob_id((0x1005, 0), services.sync, ("sync", "SYNC"), flags);
         let period = services.communication_cycle_period;
         let meaning = "Communication cycle period in microseconds";
@@ -137,12 +139,12 @@ impl Found<'_> {
 
     /// TIME and EMCY.
     fn others(&mut self, services: &Services) {
-        let flags: &[(_, _, fn(CobId) -> bool)] = &[
+        let flags: &[Flag] = &[
             ("is_consumed", "the device consumes TIME", |cob_id| !cob_id.is_valid()),
             ("is_produced", "the device produces TIME", CobId::bit_30),
         ];
         self.cob_id((0x1012, 0), services.time, ("time", "TIME"), flags);
-        let flags: &[(_, _, fn(CobId) -> bool)] = &[("is_valid", "the device sends EMCY", CobId::is_valid)];
+        let flags: &[Flag] = &[("is_valid", "the device sends EMCY", CobId::is_valid)];
         self.cob_id((0x1014, 0), services.emcy, ("emcy", "EMCY"), flags);
         let meaning = "Inhibit time of EMCY in multiples of 100 microseconds";
         self.number((0x1015, 0), services.emcy_inhibit_time, "emcy_inhibit_time", meaning);
@@ -179,7 +181,7 @@ impl Found<'_> {
     fn channel(&mut self, own: &str, other: &str, channel: &SdoChannel) {
         let SdoChannel { number, index, .. } = *channel;
         let service = format!("SDO {own} {number}");
-        let flags: &[(_, _, fn(CobId) -> bool)] = &[("is_valid", "the COB-ID is in use", CobId::is_valid)];
+        let flags: &[Flag] = &[("is_valid", "the COB-ID is in use", CobId::is_valid)];
         let name = format!("sdo_{own}{number}_request");
         let of = format!("{service} from client to server");
         self.cob_id((index, 1), channel.request, (&name, &of), flags);

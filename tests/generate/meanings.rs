@@ -32,7 +32,7 @@ fn odd() -> Device {
     let mut process = ApplicationProcess::default();
     let mut put = |index: u16, data_type: DataType, shape: TypeShape| {
         let id = format!("T{index:X}");
-        let name = if index % 2 == 0 { "Mode" } else { "*/ \u{202E}`" };
+        let name = if index.is_multiple_of(2) { "Mode" } else { "*/ \u{202E}`" };
         process.data_types.push(TypeDefinition {
             name: name.into(),
             unique_id: id.as_str().into(),
@@ -193,8 +193,11 @@ fn addresses(comment: &str) -> Vec<(u16, u8)> {
     list.split(", ").filter_map(address).collect()
 }
 
+/// Something of each entry.
+type OfEntries<T> = Vec<((u16, u8), T)>;
+
 /// All enumerations and words of a device, the enumerations of parts among them.
-fn model(device: &Device) -> (Vec<((u16, u8), Enumeration<'_>)>, Vec<((u16, u8), BitStruct<'_>)>) {
+fn model(device: &Device) -> (OfEntries<Enumeration<'_>>, OfEntries<BitStruct<'_>>) {
     let meanings = device.meanings();
     let (mut enums, mut words) = (Vec::new(), Vec::new());
     let is_disabled = |index: u16| {

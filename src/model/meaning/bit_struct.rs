@@ -79,10 +79,10 @@ impl<'a> BitStruct<'a> {
                     length - 1
                 )),
                 (None, _) => {
-                    found.defects.push(format!("it is not said at which bit the member `{name}` begins"))
+                    found.defects.push(format!("it is not said at which bit the member `{name}` begins"));
                 }
                 (_, Err(why)) => {
-                    found.defects.push(format!("the member `{name}` is no part of a word: {why}"))
+                    found.defects.push(format!("the member `{name}` is no part of a word: {why}"));
                 }
             }
         }
