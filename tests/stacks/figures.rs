@@ -34,7 +34,7 @@ fn entry(name: String, number: u16) -> Entry {
         default: Some(Value::Unsigned(u64::from(number % 100))),
         ..Entry::default()
     };
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         entry.low_limit = Some(Value::Unsigned(0));
         entry.high_limit = Some(Value::Unsigned(120));
     }
@@ -92,7 +92,6 @@ fn the_plain_table_takes_no_more_than_that_of_canopennode() {
     // tables only: what serves them is in the stack of the one, and in `od.c` of the other, once for any number of entries
     let plain = measured("c", &["od.c", "data.c"]);
     let stack = measured("canopennode", &["OD.c"]);
-    println!("plain {plain:?}, CANopenNode {stack:?}");
     assert!(plain.flash <= stack.flash && plain.ram <= stack.ram, "{plain:?}, {stack:?}");
     assert!(plain.flash <= CONSTANTS + VALUES && plain.ram <= VALUES, "{plain:?}");
     assert!(plain.flash <= 16 * entries, "{plain:?}");
