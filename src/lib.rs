@@ -118,9 +118,9 @@
 //!
 //! let options = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
 //! let plan = plan(dcf.device(), &options)?;
-//! let configuration = plan.into_configuration(|file| std::fs::read(&*file.name))?;
-//! let stream = concise::write(&configuration)?;
-//! assert_eq!(concise::read(&stream)?, configuration);
+//! let configuration = plan.into_concise(|file| std::fs::read(&*file.name))?;
+//! let stream = configuration.write()?;
+//! assert_eq!(ConciseDcf::parse(&stream)?, configuration);
 //!
 //! // JSON holds the whole model
 //! let document = json::write_device(dcf.device());

@@ -4,7 +4,7 @@
 
 mod support;
 
-use objdict::download::{Configuration, NeededFile, PlanOptions, Scope, plan};
+use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope};
 use objdict::format::{self, concise};
 use objdict::generate::{Options, Target, generate};
 use objdict::model::{Device, Value};
@@ -19,8 +19,8 @@ fn read(file: &NeededFile) -> std::io::Result<Vec<u8>> {
     std::fs::read(support::fixtures().join("dcf").join(&*file.name))
 }
 
-fn configuration(device: &Device, options: &PlanOptions) -> Configuration {
-    plan(device, options).unwrap_or_else(|error| panic!("{error}")).into_configuration(read).unwrap()
+fn configuration(device: &Device, options: &PlanOptions) -> ConciseDcf {
+    ConciseDcf::plan(device, options).unwrap_or_else(|error| panic!("{error}")).into_concise(read).unwrap()
 }
 
 #[test]
@@ -28,8 +28,8 @@ fn every_configured_node_has_a_stream_that_reads_back() {
     for path in support::files("dcf", &["dcf"]) {
         let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
         let configuration = configuration(&device, &PlanOptions::default());
-        let stream = concise::write(&configuration).unwrap();
-        assert_eq!(concise::read(&stream).as_ref(), Ok(&configuration));
+        let stream = configuration.write().unwrap();
+        assert_eq!(ConciseDcf::parse(&stream).as_ref(), Ok(&configuration));
         let name = path.file_stem().unwrap().to_str().unwrap();
         insta::assert_snapshot!(name, concise::table(&configuration));
     }
@@ -41,8 +41,8 @@ fn every_device_can_be_written_in_full() {
     for path in support::good_devices() {
         let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
         let configuration = configuration(&device, &all);
-        let stream = concise::write(&configuration).unwrap();
-        assert_eq!(concise::read(&stream), Ok(configuration), "{}", path.display());
+        let stream = configuration.write().unwrap();
+        assert_eq!(ConciseDcf::parse(&stream), Ok(configuration), "{}", path.display());
     }
 }
 
@@ -52,7 +52,7 @@ fn the_stream_in_a_manager_is_read() {
     let manager = device("dcf/manager-302-node1.dcf");
     let entry = manager.entry(0x1F22, 3).unwrap();
     let Some(Value::Bytes(stream)) = entry.configured_value() else { panic!("{entry:?}") };
-    let configuration = concise::read(stream).unwrap();
+    let configuration = ConciseDcf::parse(stream).unwrap();
     insta::assert_snapshot!(concise::table(&configuration));
 }
 
@@ -63,7 +63,7 @@ fn the_target_concise_writes_the_stream() {
     options.file_stem = "manager".to_owned();
     let generated = generate(&device, Target::named("concise").unwrap(), &options).unwrap();
     assert_eq!(generated.files[0].path, "manager.cdcf");
-    let stream = concise::read(&generated.files[0].contents).unwrap();
+    let stream = ConciseDcf::parse(&generated.files[0].contents).unwrap();
     let mut expected = configuration(&device, &PlanOptions::default());
     expected.0.retain(|download| download.index != 0x2101);
     assert_eq!(stream, expected);

@@ -2,10 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use objdict::download::{
-    Configuration, Download, PlanError, PlanOptions, ProblemKind, Scope, SkipReason, Step, decode, encode,
-    plan,
-};
+use objdict::download::{ConciseDcf, Download, PlanError, PlanOptions, ProblemKind, Scope, SkipReason, Step};
 use objdict::model::{
     Access, Commissioning, DataType, Device, Entry, Field, ObjFlags, Object, ObjectType, Place, Reason, Value,
 };
@@ -78,12 +75,12 @@ impl Node {
     }
 
     fn stream(&self, options: PlanOptions) -> String {
-        hex(&encode(&self.configuration(options)).unwrap())
+        hex(&self.configuration(options).write().unwrap())
     }
 
-    fn configuration(&self, options: PlanOptions) -> Configuration {
-        let plan = plan(&self.0, &options).unwrap_or_else(|error| panic!("{error}"));
-        plan.into_configuration(|file| Err(format!("needs {file:?}"))).unwrap()
+    fn configuration(&self, options: PlanOptions) -> ConciseDcf {
+        let plan = ConciseDcf::plan(&self.0, &options).unwrap_or_else(|error| panic!("{error}"));
+        plan.into_concise(|file| Err(format!("needs {file:?}"))).unwrap()
     }
 
     fn downloads(&self) -> Vec<Download> {
@@ -159,7 +156,7 @@ fn storing_comes_last_and_only_on_request() {
     let expected = "03000000201001040000001700000020100204000000A0C95E001010010400000073617665";
     assert_eq!(node.stream(on_request), expected);
 
-    let plan = plan(&node.0, &PlanOptions::default()).unwrap();
+    let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     assert_eq!(plan.steps.len(), 2);
     assert_eq!(plan.skipped.len(), 1);
     assert_eq!(plan.skipped[0].place, Place::entry(0x1010, 1));
@@ -177,8 +174,8 @@ fn nothing_to_configure_is_an_empty_stream() {
 fn every_value_has_the_size_of_its_type() {
     let stream = "06000000236400010000000111640102000000FEFF00200003000000563412136401040000000000C03F\
         01200003000000616263022000080000000807060504030201";
-    let Configuration(mut expected) = decode(&bytes(stream)).unwrap();
-    assert_eq!(hex(&encode(&Configuration(expected.clone())).unwrap()), stream);
+    let ConciseDcf(mut expected) = ConciseDcf::parse(&bytes(stream)).unwrap();
+    assert_eq!(hex(&ConciseDcf(expected.clone()).write().unwrap()), stream);
     let node = Node::new(1)
         .var(0x2000, entry(DataType::UNSIGNED24, None, unsigned(0x12_3456)))
         .var(0x2001, entry(DataType::VISIBLE_STRING, None, Some(Value::Text("abc".into()))))
@@ -274,7 +271,7 @@ fn entries_behind_the_last_mapped_object_stay_away_when_they_are_empty() {
         2,
         entry(U32, unsigned(0x6200_0208), unsigned(0)),
     );
-    let plan = plan(&node.0, &PlanOptions::default()).unwrap();
+    let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     assert_eq!(plan.skipped.len(), 1);
     assert_eq!(plan.skipped[0].to_string(), "`0x1600sub2` is not written: no mapped object stands there");
     let expected = [
@@ -362,7 +359,7 @@ fn what_may_not_be_written_is_left_out_and_told() {
         .var(0x2001, flagged)
         .var(0x2002, unknown)
         .var(0x2003, entry(U8, unsigned(0), unsigned(1)));
-    let plan = plan(&node.0, &PlanOptions::default()).unwrap();
+    let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     assert_eq!(plan.steps, [Step::Write(download(0x2003, 0, &[1]))]);
     let skipped: Vec<_> =
         plan.skipped.iter().map(|skipped| (skipped.place.to_string(), skipped.reason)).collect();
@@ -399,13 +396,13 @@ fn every_entry_that_needs_the_node_id_is_named() {
         .var(0x2000, entry(U16, unsigned(0), Some(Value::NodeId(5))))
         .var(0x2001, entry(U16, Some(Value::NodeId(5)), Some(Value::NodeId(5))));
     node.0.commissioning = None;
-    let error = plan(&node.0, &PlanOptions::default()).unwrap_err();
+    let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
     assert_eq!(error.to_string(), "no value without the node-ID: `0x1400sub1`, `0x1800sub1`, `0x2000`");
     assert!(error.help().unwrap().contains("--node-id"));
     let with_node = PlanOptions { node_id: Some(3), ..PlanOptions::default() };
     assert_eq!(node.configuration(with_node).0[0], download(0x2000, 0, &[8, 0]));
     let wrong = PlanOptions { node_id: Some(128), ..PlanOptions::default() };
-    assert_eq!(plan(&node.0, &wrong), Err(PlanError::NodeId(128)));
+    assert_eq!(ConciseDcf::plan(&node.0, &wrong), Err(PlanError::NodeId(128)));
 }
 
 #[test]
@@ -427,7 +424,7 @@ fn every_value_that_does_not_fit_is_named() {
         .var(0x2006, entry(DataType(0x60), None, Some(Value::Raw("x".into()))));
     // only what is written must fit
     node = node.var(0x2007, entry(U8, unsigned(300), None));
-    let error = plan(&node.0, &PlanOptions::default()).unwrap_err();
+    let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
     insta::assert_snapshot!(error.to_string(), @r"
     `0x2000`: the value `-6` is below the low limit `-5`
     `0x2001`: the value `6` is above the high limit `5`
@@ -447,7 +444,7 @@ fn a_pdo_without_known_identifier_cannot_be_switched_off() {
         5,
         entry(U16, unsigned(0), unsigned(100)),
     );
-    let error = plan(&node.0, &PlanOptions::default()).unwrap_err();
+    let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
     assert_eq!(
         error.to_string(),
         "`0x1800sub1`: to be changed it must be switched off, but its COB-ID is unknown"
@@ -464,14 +461,14 @@ fn files_are_read_by_the_caller() {
     domain.object_type = Some(ObjectType::Domain);
     domain.configured_mut().download_file = Some("routes.bin".into());
     let node = Node::new(1).var(0x2101, domain).var(0x2100, entry(U8, unsigned(0), unsigned(1)));
-    let plan = plan(&node.0, &PlanOptions::default()).unwrap();
+    let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     let names: Vec<&str> = plan.files().map(|file| &*file.name).collect();
     assert_eq!(names, ["routes.bin"]);
-    let refused = plan.clone().into_configuration(|file| Err(file.name.clone()));
+    let refused = plan.clone().into_concise(|file| Err(file.name.clone()));
     assert_eq!(refused, Err("routes.bin".into()));
-    let configuration = plan.into_configuration(|_| Ok::<_, ()>(vec![1, 2, 3])).unwrap();
+    let configuration = plan.into_concise(|_| Ok::<_, ()>(vec![1, 2, 3])).unwrap();
     let expected = vec![download(0x2100, 0, &[1]), download(0x2101, 0, &[1, 2, 3])];
-    assert_eq!(configuration, Configuration(expected));
+    assert_eq!(configuration, ConciseDcf(expected));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use objdict::download::{Configuration, Download, encode};
+use objdict::download::{ConciseDcf, Download};
 use objdict::format::identify::{ContentKind, Identification, identify, identify_source};
 use objdict::format::{self, Format, ReadError, json};
 use objdict::source::{SourceFile, SourceOptions};
@@ -106,9 +106,9 @@ fn our_json_is_known() {
     let description = format::open(Path::new("fixtures/eds/minimal.eds"), &SourceOptions::default()).unwrap();
     let device = json::write_device(description.device());
     assert_eq!(kind("", &device), ContentKind::JsonDevice);
-    let configuration = Configuration(vec![Download::new(0x1017, 0, [0xFA, 0])]);
+    let configuration = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0])]);
     assert_eq!(kind("", &json::write_configuration(&configuration)), ContentKind::JsonConciseDcf);
-    assert_eq!(identify("", &encode(&configuration).unwrap()).kind, ContentKind::ConciseDcf);
+    assert_eq!(identify("", &configuration.write().unwrap()).kind, ContentKind::ConciseDcf);
     assert_eq!(kind("", "{\"kind\": \"device\"}"), ContentKind::Unknown);
 }
 

@@ -4,7 +4,7 @@
 
 mod support;
 
-use objdict::download::{Configuration, Download};
+use objdict::download::{ConciseDcf, Download};
 use objdict::format;
 use objdict::format::json::{self, JsonError, Kind};
 use objdict::model::Device;
@@ -65,14 +65,13 @@ fn small_device() -> Device {
 #[test]
 fn the_names_are_stable() {
     insta::assert_snapshot!(json::write_device(&small_device()));
-    let configuration = Configuration(vec![Download::new(0x1017, 0, [0xFA, 0])]);
+    let configuration = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0])]);
     insta::assert_snapshot!(json::write_configuration(&configuration));
 }
 
 #[test]
 fn a_document_says_what_it_holds() {
-    let configuration =
-        Configuration(vec![Download::new(0x1017, 0, [0xFA, 0]), Download::new(0x2000, 1, [])]);
+    let configuration = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0]), Download::new(0x2000, 1, [])]);
     let text = json::write_configuration(&configuration);
     assert_eq!(json::kind(&text), Ok(Kind::ConciseDcf));
     assert_eq!(json::read_configuration(&text), Ok(configuration));

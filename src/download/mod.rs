@@ -1,8 +1,8 @@
 //! What must be written into a node to configure it: the SDO downloads in an order that a device accepts, and the
 //! concise DCF stream that carries them (CiA 302-3, object 1F22h).
 //!
-//! [`plan`] looks at a device description and says what to write, and why something is left out. It knows no files: a
-//! DOMAIN whose data come from a file stays a [`Step::File`] until [`Plan::into_configuration`] reads it.
+//! [`ConciseDcf::plan`] looks at a device description and says what to write, and why something is left out. It knows no files: a
+//! DOMAIN whose data come from a file stays a [`Step::File`] until [`Plan::into_concise`] reads it.
 
 mod order;
 mod plan;
@@ -16,9 +16,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::{hex_number, hex_text};
 
-pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step, plan};
+pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
-pub use stream::{DecodeError, DecodeErrorKind, EncodeError, decode, encode};
+pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
 
 /// One SDO download: bytes for an entry, as the transfer carries them.
 #[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,7 +38,7 @@ pub struct Download {
 /// Downloads in the order in which a node gets them. The same entry may be written more than once.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
-pub struct Configuration(pub Vec<Download>);
+pub struct ConciseDcf(pub Vec<Download>);
 
 impl Download {
     /// A download of these bytes.

@@ -2,7 +2,7 @@
 
 use super::order::arrange;
 use super::settings::Settings;
-use super::{Configuration, Download, PlanError, Skipped};
+use super::{ConciseDcf, Download, PlanError, Skipped};
 use crate::model::Device;
 
 /// What a plan is for.
@@ -70,32 +70,34 @@ impl Plan {
     ///
     /// # Errors
     /// The first error of `read`.
-    pub fn into_configuration<E>(
+    pub fn into_concise<E>(
         self,
         mut read: impl FnMut(&NeededFile) -> Result<Vec<u8>, E>,
-    ) -> Result<Configuration, E> {
+    ) -> Result<ConciseDcf, E> {
         let download = |step| match step {
             Step::Write(download) => Ok(download),
             Step::File(file) => read(&file).map(|data| Download::new(file.index, file.sub, data)),
         };
-        self.steps.into_iter().map(download).collect::<Result<_, E>>().map(Configuration)
+        self.steps.into_iter().map(download).collect::<Result<_, E>>().map(ConciseDcf)
     }
 }
 
-/// What must be written into a node so that it is configured as `device` describes.
-///
-/// A node is taken to have its defaults. Values are those of the description: what is configured, else the default.
-/// Read-only entries, commands, and entries that refuse a download are left out; if the description configures one of
-/// them, the plan says so. Communication objects are switched off by the identifier that they have, changed, and
-/// switched on again (CiA 301 §7.5.2).
-///
-/// # Errors
-/// Every entry whose value is unknown, does not fit its data type or its limits, or needs a node-ID that is not there.
-pub fn plan(device: &Device, options: &PlanOptions) -> Result<Plan, PlanError> {
-    if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
-        return Err(PlanError::NodeId(node_id));
+impl ConciseDcf {
+    /// What must be written into a node so that it is configured as `device` describes.
+    ///
+    /// A node is taken to have its defaults. Values are those of the description: what is configured, else the default.
+    /// Read-only entries, commands, and entries that refuse a download are left out; if the description configures one of
+    /// them, the plan says so. Communication objects are switched off by the identifier that they have, changed, and
+    /// switched on again (CiA 301 §7.5.2).
+    ///
+    /// # Errors
+    /// Every entry whose value is unknown, does not fit its data type or its limits, or needs a node-ID that is not there.
+    pub fn plan(device: &Device, options: &PlanOptions) -> Result<Plan, PlanError> {
+        if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
+            return Err(PlanError::NodeId(node_id));
+        }
+        let mut settings = Settings::collect(device, options);
+        let steps = arrange(&mut settings);
+        settings.finish(steps)
     }
-    let mut settings = Settings::collect(device, options);
-    let steps = arrange(&mut settings);
-    settings.finish(steps)
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Configuration, Download};
+use super::{ConciseDcf, Download};
 
 /// Bytes of the count.
 const COUNT: usize = 4;
@@ -21,12 +21,38 @@ pub struct EncodeError {
     what: String,
 }
 
-/// The stream of a configuration.
-///
-/// # Errors
-/// When there are more than 2³²−1 downloads, or one of them has more bytes.
-pub fn encode(configuration: &Configuration) -> Result<Vec<u8>, EncodeError> {
-    let downloads = &configuration.0;
+impl ConciseDcf {
+    /// The downloads of a stream.
+    ///
+    /// # Errors
+    /// When the stream is not exactly as long as its count and sizes say; with the offset where it goes wrong. Memory is
+    /// bounded by the length of the stream, whatever it promises.
+    pub fn parse(stream: &[u8]) -> Result<Self, DecodeError> {
+        let Some(count) = count(stream) else {
+            return Err(DecodeError { offset: 0, kind: DecodeErrorKind::NoCount { length: stream.len() } });
+        };
+        decode_entries(stream, count).map_err(|error| padded_integer(stream, count).unwrap_or(error))
+    }
+
+    /// The stream.
+    ///
+    /// # Errors
+    /// When there are more than 2³²−1 downloads, or one of them has more bytes.
+    pub fn write(&self) -> Result<Vec<u8>, EncodeError> {
+        encode(&self.0)
+    }
+
+    /// The downloads, each with the offset of its first byte in the stream.
+    pub fn with_offsets(&self) -> impl Iterator<Item = (usize, &Download)> {
+        self.0.iter().scan(COUNT, |next, download| {
+            let offset = *next;
+            *next += HEADER + download.data.len();
+            Some((offset, download))
+        })
+    }
+}
+
+fn encode(downloads: &[Download]) -> Result<Vec<u8>, EncodeError> {
     let length: usize = downloads.iter().map(|download| HEADER + download.data.len()).sum();
     let count = u32::try_from(downloads.len())
         .map_err(|_| EncodeError { what: format!("a count of {} entries", downloads.len()) })?;
@@ -130,23 +156,11 @@ pub enum DecodeErrorKind {
     },
 }
 
-/// The configuration of a stream.
-///
-/// # Errors
-/// When the stream is not exactly as long as its count and sizes say; with the offset where it goes wrong. Memory is
-/// bounded by the length of the stream, whatever it promises.
-pub fn decode(stream: &[u8]) -> Result<Configuration, DecodeError> {
-    let Some(count) = count(stream) else {
-        return Err(DecodeError { offset: 0, kind: DecodeErrorKind::NoCount { length: stream.len() } });
-    };
-    decode_entries(stream, count).map_err(|error| padded_integer(stream, count).unwrap_or(error))
-}
-
 fn count(stream: &[u8]) -> Option<u32> {
     stream.first_chunk().copied().map(u32::from_le_bytes)
 }
 
-fn decode_entries(stream: &[u8], count: u32) -> Result<Configuration, DecodeError> {
+fn decode_entries(stream: &[u8], count: u32) -> Result<ConciseDcf, DecodeError> {
     let mut downloads = Vec::new();
     let mut at = COUNT;
     for entry in 1..=count {
@@ -169,7 +183,7 @@ fn decode_entries(stream: &[u8], count: u32) -> Result<Configuration, DecodeErro
         at += HEADER + data.len();
     }
     match stream.len() - at {
-        0 => Ok(Configuration(downloads)),
+        0 => Ok(ConciseDcf(downloads)),
         left => Err(DecodeError { offset: at, kind: DecodeErrorKind::TrailingBytes { count, left } }),
     }
 }
@@ -249,19 +263,19 @@ mod tests {
 
     #[test]
     fn every_kind_of_size_is_there_byte_by_byte() {
-        let configuration = Configuration(vec![
+        let configuration = ConciseDcf(vec![
             Download::new(0x6423, 0, [1]),
             Download::new(0x2000, 0, [0x56, 0x34, 0x12]),
             Download::new(0x2001, 2, *b""),
         ]);
         let stream = bytes("03000000 2364 00 01000000 01 0020 00 03000000 563412 0120 02 00000000");
-        assert_eq!(encode(&configuration), Ok(stream.clone()));
-        assert_eq!(decode(&stream), Ok(configuration));
+        assert_eq!(configuration.write(), Ok(stream.clone()));
+        assert_eq!(ConciseDcf::parse(&stream), Ok(configuration));
     }
 
     #[test]
     fn errors_tell_the_byte() {
-        let message = |hex: &str| decode(&bytes(hex)).unwrap_err().to_string();
+        let message = |hex: &str| ConciseDcf::parse(&bytes(hex)).unwrap_err().to_string();
         assert_eq!(message("010000"), "at byte 0: the stream has 3 bytes, but starts with a count of 4");
         assert_eq!(
             message("02000000 1710 00 02000000 FA00"),
@@ -283,7 +297,7 @@ mod tests {
         let stream = bytes(
             "04000000 0820 00 03000000 616263 0020 00 03000000 FEFFFFFF 0120 00 05000000 0102030405000000 1710 00 02000000 FA00",
         );
-        let error = decode(&stream).unwrap_err();
+        let error = ConciseDcf::parse(&stream).unwrap_err();
         assert_eq!(error.offset, 14);
         let expected =
             DecodeErrorKind::PaddedInteger { entry: 2, count: 4, index: 0x2000, sub: 0, size: 3, padded: 4 };
@@ -293,27 +307,30 @@ mod tests {
     #[test]
     fn a_stream_that_is_broken_otherwise_is_not_blamed_on_padding() {
         let stream = bytes("02000000 0020 00 03000000 010203 1710 00 09000000 FA00");
-        assert!(matches!(decode(&stream).unwrap_err().kind, DecodeErrorKind::TruncatedData { entry: 2, .. }));
+        assert!(matches!(
+            ConciseDcf::parse(&stream).unwrap_err().kind,
+            DecodeErrorKind::TruncatedData { entry: 2, .. }
+        ));
     }
 
-    fn configurations() -> impl Strategy<Value = Configuration> {
+    fn configurations() -> impl Strategy<Value = ConciseDcf> {
         let data = prop::collection::vec(any::<u8>(), 0..12);
         let download =
             (any::<u16>(), any::<u8>(), data).prop_map(|(index, sub, data)| Download { index, sub, data });
-        prop::collection::vec(download, 0..12).prop_map(Configuration)
+        prop::collection::vec(download, 0..12).prop_map(ConciseDcf)
     }
 
     proptest! {
         #[test]
         fn decoding_restores_what_was_encoded(configuration in configurations()) {
-            let stream = encode(&configuration).unwrap();
-            prop_assert_eq!(decode(&stream), Ok(configuration));
+            let stream = configuration.write().unwrap();
+            prop_assert_eq!(ConciseDcf::parse(&stream), Ok(configuration));
         }
 
         #[test]
         fn what_decodes_encodes_to_the_same_bytes(stream in prop::collection::vec(any::<u8>(), 0..64)) {
-            if let Ok(configuration) = decode(&stream) {
-                prop_assert_eq!(encode(&configuration), Ok(stream));
+            if let Ok(configuration) = ConciseDcf::parse(&stream) {
+                prop_assert_eq!(configuration.write(), Ok(stream));
             }
         }
 
@@ -324,12 +341,12 @@ mod tests {
             at in any::<prop::sample::Index>(),
             byte in any::<u8>(),
         ) {
-            let mut stream = encode(&configuration).unwrap();
+            let mut stream = configuration.write().unwrap();
             let position = at.index(stream.len());
             stream[position] = byte;
             stream.truncate(cut.index(stream.len() + 1));
-            if let Ok(configuration) = decode(&stream) {
-                prop_assert_eq!(encode(&configuration), Ok(stream));
+            if let Ok(configuration) = ConciseDcf::parse(&stream) {
+                prop_assert_eq!(configuration.write(), Ok(stream));
             }
         }
     }

@@ -4,43 +4,25 @@
 
 use std::fmt::Write;
 
-use crate::download::{Configuration, DecodeError, EncodeError, decode, encode};
+use crate::download::ConciseDcf;
 
 /// Data bytes that a line of the table shows.
 const SHOWN: usize = 16;
 
-/// The configuration of a file.
-///
-/// # Errors
-/// When the bytes are no such stream, with the offset where it goes wrong.
-pub fn read(bytes: &[u8]) -> Result<Configuration, DecodeError> {
-    decode(bytes)
-}
-
-/// The bytes of a file.
-///
-/// # Errors
-/// When a count or a size is beyond 32 bits.
-pub fn write(configuration: &Configuration) -> Result<Vec<u8>, EncodeError> {
-    encode(configuration)
-}
-
 /// The configuration for people: a line a download, with its offset in the stream, and what the bytes are as a number
 /// or text.
-pub fn table(configuration: &Configuration) -> String {
+pub fn table(configuration: &ConciseDcf) -> String {
     let mut text = format!("{} downloads\n", configuration.0.len());
     if !configuration.0.is_empty() {
         text.push_str("offset  entry    size  data\n");
     }
-    let mut offset = 4;
-    for download in &configuration.0 {
+    for (offset, download) in configuration.with_offsets() {
         let size = download.data.len();
         // a String takes every text
         let _ = write!(text, "{offset:6}  {:04X}:{:02X}  {size:4}  ", download.index, download.sub);
         text.push_str(&data(&download.data));
         text.truncate(text.trim_end().len());
         text.push('\n');
-        offset += 7 + size;
     }
     text
 }
@@ -82,7 +64,7 @@ mod tests {
 
     #[test]
     fn the_table_shows_what_is_written_where() {
-        let configuration = Configuration(vec![
+        let configuration = ConciseDcf(vec![
             Download::new(0x1017, 0, [0xFA, 0]),
             Download::new(0x2001, 0x1F, *b"a text of 18 bytes"),
             Download::new(0x2002, 0, [0; 17]),
@@ -96,6 +78,6 @@ mod tests {
             38  2002:00    17  00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 …
             62  2003:00     0
         "#);
-        assert_eq!(table(&Configuration::default()), "0 downloads\n");
+        assert_eq!(table(&ConciseDcf::default()), "0 downloads\n");
     }
 }

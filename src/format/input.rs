@@ -8,9 +8,9 @@ use std::path::Path;
 
 use super::identify::{ContentKind, Identification, identify};
 use super::json::Kind;
-use super::{Description, Format, concise, json, nodelist};
+use super::{Description, Format, json, nodelist};
 use crate::diagnostic::counted;
-use crate::download::Configuration;
+use crate::download::ConciseDcf;
 use crate::model::{Device, NodeList};
 use crate::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
@@ -114,7 +114,7 @@ pub enum Input {
     /// A device as JSON.
     Device(Box<Device>),
     /// The downloads of a concise DCF, as such or as JSON.
-    Configuration(Configuration),
+    Concise(ConciseDcf),
     /// The nodes of networks.
     NodeList(NodeList),
 }
@@ -236,13 +236,13 @@ impl Reading {
                 let text = source.text();
                 match json::kind(text).map_err(|error| damaged(error.into()))? {
                     Kind::Device => json::read_device(text).map(|device| Input::Device(Box::new(device))),
-                    Kind::ConciseDcf => json::read_configuration(text).map(Input::Configuration),
+                    Kind::ConciseDcf => json::read_configuration(text).map(Input::Concise),
                 }
                 .map_err(|error| damaged(error.into()))?
             }
             FileKind::Cdcf => {
-                let configuration = concise::read(&bytes).map_err(|error| damaged(error.into()))?;
-                Input::Configuration(configuration)
+                let configuration = ConciseDcf::parse(&bytes).map_err(|error| damaged(error.into()))?;
+                Input::Concise(configuration)
             }
             FileKind::Cpj => {
                 let source = self.source(name, bytes)?;

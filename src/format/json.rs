@@ -9,7 +9,7 @@ use std::fmt;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::download::Configuration;
+use crate::download::ConciseDcf;
 use crate::model::Device;
 
 /// The version of the names. A change that older readers would not understand counts it up.
@@ -69,7 +69,7 @@ pub fn write_device(device: &Device) -> String {
 }
 
 /// The configuration as a document, indented, with a line feed at its end.
-pub fn write_configuration(configuration: &Configuration) -> String {
+pub fn write_configuration(configuration: &ConciseDcf) -> String {
     print(&ConciseDocument { version: Version, kind: Kind::ConciseDcf, entries: configuration })
 }
 
@@ -95,9 +95,9 @@ pub fn read_device(text: &str) -> Result<Device, JsonError> {
 ///
 /// # Errors
 /// What is wrong first, and where.
-pub fn read_configuration(text: &str) -> Result<Configuration, JsonError> {
+pub fn read_configuration(text: &str) -> Result<ConciseDcf, JsonError> {
     expect(text, Kind::ConciseDcf)?;
-    let document: ConciseDocument<Configuration> = serde_json::from_str(text)?;
+    let document: ConciseDocument<ConciseDcf> = serde_json::from_str(text)?;
     Ok(document.entries)
 }
 

@@ -134,7 +134,7 @@ impl Request {
         let described = match input {
             Input::Description(description) => Described::Text(description),
             Input::Device(device) => Described::Model(device),
-            Input::Configuration(_) | Input::NodeList(_) => {
+            Input::Concise(_) | Input::NodeList(_) => {
                 return Err(InputError::NoDevice { name: name.to_owned(), kind }.into());
             }
         };

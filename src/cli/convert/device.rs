@@ -7,8 +7,8 @@ use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
 use super::super::{Failure, tell};
 use super::Job;
-use crate::download::{Configuration, NeededFile, Plan, PlanError, PlanOptions, Scope, plan};
-use crate::format::{self, Description, Format, Loss, concise, json};
+use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
+use crate::format::{self, Description, Format, Loss, json};
 use crate::model::{Commissioning, Device, DeviceKind};
 
 /// What a file became.
@@ -73,7 +73,7 @@ pub(super) fn of_device(
         FileKind::Json => Ok(Converted::whole(json::write_device(&device).into_bytes())),
         FileKind::Cdcf => {
             let configuration = configuration(args, job, &device)?;
-            concise::write(&configuration).map(Converted::whole).map_err(Failure::new)
+            configuration.write().map(Converted::whole).map_err(Failure::new)
         }
         FileKind::Cpj => Err(Failure::new("node lists are not written")),
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), carry)),
@@ -132,13 +132,13 @@ fn usual_bit_rate(device: &Device) -> u16 {
 }
 
 /// What a node must be told so that it is configured as the device says.
-fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Configuration, Failure> {
+fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<ConciseDcf, Failure> {
     let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
-    let plan = plan(device, &options).map_err(|error| refusal(&error))?;
+    let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
     print_skipped(&plan);
     let folder = job.input.parent().unwrap_or(Path::new(""));
-    plan.into_configuration(|file| read_data(folder, file))
+    plan.into_concise(|file| read_data(folder, file))
 }
 
 fn refusal(error: &PlanError) -> Failure {

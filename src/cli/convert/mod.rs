@@ -16,8 +16,8 @@ use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
-use crate::download::Configuration;
-use crate::format::{Fate, concise, json};
+use crate::download::ConciseDcf;
+use crate::format::{Fate, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -73,7 +73,7 @@ fn convert_one(
         Input::Device(device) => {
             finish(job, from, device::of_device(args, job, &device, !args.no_carry)?, report, out)
         }
-        Input::Configuration(configuration) => {
+        Input::Concise(configuration) => {
             finish(job, from, of_configuration(job, &configuration)?, report, out)
         }
         Input::NodeList(_) => {
@@ -120,10 +120,10 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
 }
 
 /// What is made of a concise DCF.
-fn of_configuration(job: &Job, configuration: &Configuration) -> Result<Converted, Failure> {
+fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<Converted, Failure> {
     match job.to {
         FileKind::Json => Ok(Converted::whole(json::write_configuration(configuration).into_bytes())),
-        FileKind::Cdcf => concise::write(configuration).map(Converted::whole).map_err(Failure::new),
+        FileKind::Cdcf => configuration.write().map(Converted::whole).map_err(Failure::new),
         to => {
             let name = to.name();
             let message =

@@ -15,7 +15,7 @@ use super::input::{Input, name_of};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
-use crate::download::{Configuration, Download};
+use crate::download::{ConciseDcf, Download};
 use crate::format::{concise, json as json_format};
 use crate::model::{Address, Device, Entry, Object};
 
@@ -40,7 +40,7 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
         Input::Description(description) => (description.device(), description.format().name()),
         Input::Device(device) => (device.as_ref(), "JSON"),
         Input::NodeList(list) => return nodes::show(list, args, out).map(|()| Outcome::Clean),
-        Input::Configuration(configuration) => {
+        Input::Concise(configuration) => {
             return show_configuration(configuration, args, out).map(|()| Outcome::Clean);
         }
     };
@@ -55,18 +55,14 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
 }
 
 /// The downloads of a concise DCF, or those to one object or entry.
-fn show_configuration(
-    configuration: &Configuration,
-    args: &ShowArgs,
-    out: &mut Output,
-) -> Result<(), Failure> {
+fn show_configuration(configuration: &ConciseDcf, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
     let is_wanted = |download: &Download| {
         args.address
             .is_none_or(|at| download.index == at.index && at.sub.is_none_or(|sub| sub == download.sub))
     };
     if args.format == ShowFormat::Json {
         let wanted = configuration.0.iter().filter(|download| is_wanted(download));
-        let text = json_format::write_configuration(&Configuration(wanted.cloned().collect()));
+        let text = json_format::write_configuration(&ConciseDcf(wanted.cloned().collect()));
         out.write_all(text.as_bytes())?;
         return Ok(());
     }

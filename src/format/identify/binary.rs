@@ -1,7 +1,7 @@
 //! The stream of a concise DCF, and the same layout in Ethernet POWERLINK.
 
 use super::{ContentKind, Identification, list};
-use crate::download::{Configuration, DecodeErrorKind, Download, decode};
+use crate::download::{ConciseDcf, DecodeErrorKind, Download};
 
 /// The count, and the least that each entry has.
 const COUNT: usize = 4;
@@ -14,7 +14,7 @@ pub(super) fn identify(bytes: &[u8]) -> Option<Identification> {
     if least > bytes.len() as u64 {
         return None;
     }
-    match decode(bytes) {
+    match ConciseDcf::parse(bytes) {
         Ok(configuration) => Some(identified(&configuration, bytes.len())),
         Err(error) if matches!(error.kind, DecodeErrorKind::PaddedInteger { .. }) => Some(
             Identification::new(ContentKind::ConciseDcf, format!("it has the layout of one, but {error}")),
@@ -23,7 +23,7 @@ pub(super) fn identify(bytes: &[u8]) -> Option<Identification> {
     }
 }
 
-fn identified(configuration: &Configuration, length: usize) -> Identification {
+fn identified(configuration: &ConciseDcf, length: usize) -> Identification {
     let marks = powerlink_marks(configuration);
     let downloads = configuration.0.len();
     let entries = if downloads == 1 { "entry".to_owned() } else { format!("{downloads} entries") };
@@ -41,7 +41,7 @@ fn identified(configuration: &Configuration, length: usize) -> Identification {
 }
 
 /// What no CANopen device is told, and POWERLINK managers are. One of it alone may be an oddity of a device.
-fn powerlink_marks(configuration: &Configuration) -> Vec<String> {
+fn powerlink_marks(configuration: &ConciseDcf) -> Vec<String> {
     let has = |test: fn(&Download) -> bool| configuration.0.iter().find(|download| test(download));
     let mut marks = Vec::new();
     if has(|download| is_mapping(download) && download.data.len() == 8).is_some() {
@@ -68,16 +68,15 @@ fn is_mapping(download: &Download) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::download::encode;
 
     fn kind(downloads: Vec<Download>) -> Option<ContentKind> {
-        let stream = encode(&Configuration(downloads)).unwrap();
+        let stream = ConciseDcf(downloads).write().unwrap();
         identify(&stream).map(|found| found.kind)
     }
 
     #[test]
     fn a_stream_is_read_to_its_end() {
-        let stream = encode(&Configuration(vec![Download::new(0x1017, 0, [0xFA, 0])])).unwrap();
+        let stream = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0])]).write().unwrap();
         assert_eq!(identify(&stream).map(|found| found.kind), Some(ContentKind::ConciseDcf));
         assert_eq!(identify(&stream[..stream.len() - 1]), None);
         assert_eq!(identify(&[stream, vec![0]].concat()), None);

@@ -1,7 +1,7 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
 
 use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile, Sizes};
-use crate::download::{Configuration, Download, Plan, PlanError, PlanOptions, Step, encode, plan};
+use crate::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
 use crate::model::{Device, Place};
 
 /// A concise DCF of what is configured to another value than its default.
@@ -22,10 +22,11 @@ impl Backend for Concise {
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let node_id = options.node_id_of(device)?;
-        let plan = plan(device, &PlanOptions { node_id, ..PlanOptions::default() }).map_err(inexpressible)?;
+        let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
+            .map_err(inexpressible)?;
         let notes = notes(&plan);
-        let configuration = Configuration(plan.steps.into_iter().filter_map(known).collect());
-        let contents = encode(&configuration).map_err(|error| {
+        let configuration = ConciseDcf(plan.steps.into_iter().filter_map(known).collect());
+        let contents = configuration.write().map_err(|error| {
             GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())])
         })?;
         let path = format!("{}.cdcf", options.file_stem);
