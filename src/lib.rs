@@ -102,8 +102,8 @@
 //! manager writes into the node, in an order that a device accepts:
 //!
 //! ```
-//! use objdict::download::{PlanOptions, Scope, plan};
-//! use objdict::format::{self, Format, concise, json};
+//! use objdict::download::{ConciseDcf, PlanOptions, Scope};
+//! use objdict::format::{self, Format, json};
 //! use objdict::model::Commissioning;
 //! use objdict::source::SourceFile;
 //!
@@ -117,7 +117,7 @@
 //! assert_eq!(dcf.device().node_id(), Some(5));
 //!
 //! let options = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
-//! let plan = plan(dcf.device(), &options)?;
+//! let plan = ConciseDcf::plan(dcf.device(), &options)?;
 //! let configuration = plan.into_concise(|file| std::fs::read(&*file.name))?;
 //! let stream = configuration.write()?;
 //! assert_eq!(ConciseDcf::parse(&stream)?, configuration);

@@ -9,6 +9,8 @@ mod plan;
 mod problem;
 mod settings;
 mod stream;
+mod transfer;
+mod verify;
 
 use std::fmt;
 
@@ -19,6 +21,7 @@ use crate::model::{hex_number, hex_text};
 pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
+pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
 /// One SDO download: bytes for an entry, as the transfer carries them.
 #[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,11 +1,11 @@
 //! What a description wants each entry to be: collected, resolved for the node, checked.
 
 use std::borrow::Cow;
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use super::transfer::{Beyond, EntryType, beyond};
 use super::{Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped, Step};
-use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
+use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place, Value};
 
 /// Index and sub-index.
 pub(super) type Key = (u16, u8);
@@ -23,7 +23,7 @@ pub(super) struct Settings<'a> {
 struct Setting<'a> {
     entry: Cow<'a, Entry>,
     place: Place,
-    data_type: Option<DataType>,
+    entry_type: EntryType,
     /// Whether the plan has to bring it to its value.
     wanted: bool,
     /// The text of a value that is not one of the data type.
@@ -82,8 +82,8 @@ impl<'a> Settings<'a> {
         let count = sub == 0 && has_subs && !is_mapping(index);
         let has_value = entry.value().is_some() || unreadable.is_some() || from_file;
         let wanted = differs || self.scope == Scope::All && has_value && !count;
-        let data_type = data_type(device, object, sub, &entry);
-        self.entries.insert((index, sub), Setting { entry, place, data_type, wanted, unreadable });
+        let entry_type = EntryType::of(device, object, sub, &entry);
+        self.entries.insert((index, sub), Setting { entry, place, entry_type, wanted, unreadable });
     }
 
     /// Whether the configured value of an entry is another one than its default, as far as that can be told.
@@ -148,7 +148,7 @@ impl<'a> Settings<'a> {
     /// The number that an entry of 32 bits has by default; `None` where the description does not say.
     pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
         let setting = self.entries.get(&key)?;
-        let bytes = match setting.bytes(setting.entry.default.as_ref()?, self.node_id) {
+        let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
             // a default that is none is as good as an unknown one
             bytes => bytes.ok(),
@@ -196,38 +196,12 @@ impl<'a> Settings<'a> {
 impl Setting<'_> {
     /// The bytes of a value that shall be written: it must be within the limits.
     fn checked_bytes(&self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
-        let bytes = self.bytes(value, node_id)?;
-        let against = |limit: &Option<Value>| {
-            let limit = limit.as_ref()?;
-            compare(value, limit, node_id).map(|ordering| (ordering, limit.clone()))
-        };
-        if let Some((Ordering::Less, limit)) = against(&self.entry.low_limit) {
-            return Err(ProblemKind::BelowLimit { value: value.clone(), limit });
+        let bytes = self.entry_type.bytes(value, node_id)?;
+        match beyond(&self.entry, value, node_id) {
+            Some(Beyond::Low(limit)) => Err(ProblemKind::BelowLimit { value: value.clone(), limit }),
+            Some(Beyond::High(limit)) => Err(ProblemKind::AboveLimit { value: value.clone(), limit }),
+            None => Ok(bytes),
         }
-        if let Some((Ordering::Greater, limit)) = against(&self.entry.high_limit) {
-            return Err(ProblemKind::AboveLimit { value: value.clone(), limit });
-        }
-        Ok(bytes)
-    }
-
-    fn bytes(&self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
-        let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.entry.data_type };
-        let data_type = self.data_type.ok_or_else(unknown)?;
-        let misfit = || ProblemKind::NotOfType { value: value.clone(), data_type };
-        let typed = match value {
-            Value::Raw(text) => number_of_own_type(text, data_type).ok_or_else(unknown)?,
-            _ => value.clone(),
-        };
-        let typed = match (&typed, node_id) {
-            (Value::NodeId(_), None) => return Err(ProblemKind::NeedsNodeId(value.clone())),
-            (Value::NodeId(_), Some(node_id)) => typed.resolve(data_type, node_id).ok_or_else(misfit)?,
-            _ => typed,
-        };
-        // a value made in code may be too large for its type: the bytes would wrap
-        let fits = typed
-            .as_integer()
-            .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&typed));
-        typed.to_bytes(data_type).filter(|_| fits).ok_or_else(misfit)
     }
 }
 
@@ -280,56 +254,4 @@ fn unreadable_value(object: &Object, sub: u8, entry: &Entry) -> Option<Box<str>>
 fn compact_misfit(object: &Object, sub: u8) -> Option<Box<str>> {
     let compact = object.compact.as_ref()?;
     compact.misfits.get(&Field::Item(sub.into())).map(|misfit| misfit.text.clone())
-}
-
-/// The static data type of an entry; where the description has none, the one that its place implies.
-fn data_type(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Option<DataType> {
-    let has_subs = object.object_type().has_subs();
-    match entry.data_type {
-        Some(data_type) if data_type.kind() == TypeKind::Defined => own_type(device, data_type),
-        Some(data_type) => Some(data_type),
-        None if has_subs && sub == 0 => Some(DataType::UNSIGNED8),
-        None if has_subs && sub == 0xFF => Some(DataType::UNSIGNED32),
-        None if entry.object_type == Some(ObjectType::Domain) => Some(DataType::DOMAIN),
-        None => None,
-    }
-}
-
-/// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
-/// as CanFestival writes it, in sub-index 1 which type it narrows.
-fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
-    let definition =
-        device.object(data_type.0).filter(|object| object.object_type() != ObjectType::DefStruct)?;
-    let number = |sub| definition.entry(sub).and_then(|entry| entry.value()?.as_integer());
-    if definition.object_type().has_subs() || !definition.subs.is_empty() {
-        let narrowed = u16::try_from(number(1)?).ok().map(DataType);
-        return narrowed.filter(|narrowed| narrowed.byte_length().is_some());
-    }
-    let bits = u8::try_from(number(0)?).ok()?;
-    let of_length = |data_type: &&DataType| data_type.kind() == TypeKind::Unsigned(bits);
-    match bits {
-        1 => Some(DataType::BOOLEAN),
-        _ => DataType::STATIC.iter().find(of_length).copied(),
-    }
-}
-
-/// The number that a text of a type of the device's own stands for.
-fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
-    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
-    let number = match hex {
-        Some(digits) => u64::from_str_radix(digits, 16).ok().map(i128::from),
-        None => text.parse().ok(),
-    };
-    Value::from_integer(number?, data_type)
-}
-
-fn compare(value: &Value, limit: &Value, node_id: Option<u8>) -> Option<Ordering> {
-    let integer = |value: &Value| match node_id {
-        Some(node_id) => value.integer_for(node_id),
-        None => value.as_integer(),
-    };
-    match (integer(value), integer(limit)) {
-        (Some(value), Some(limit)) => Some(value.cmp(&limit)),
-        _ => value.as_real()?.partial_cmp(&limit.as_real()?),
-    }
 }

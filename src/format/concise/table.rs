@@ -1,6 +1,4 @@
-//! Concise DCF: the stream that a CANopen manager keeps in 1F22h for each node (CiA 302-3).
-//!
-//! The stream itself is encoded and decoded in [`crate::download`]; here it is a file that people look at.
+//! A concise DCF as a table of its bytes.
 
 use std::fmt::Write;
 

@@ -1,0 +1,270 @@
+//! What is said against a download.
+
+use std::fmt;
+
+use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
+
+/// What is said against a download of a configuration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Objection {
+    /// Number of the download, counted from 1.
+    pub number: usize,
+    /// Offset of its first byte in the stream, that of the index.
+    pub offset: usize,
+    /// The entry.
+    pub place: Place,
+    /// What is said.
+    pub kind: ObjectionKind,
+}
+
+/// The code that a device aborts an SDO transfer with (CiA 301 §7.2.4.3.17).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct AbortCode(pub u32);
+
+/// What is said against a download.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ObjectionKind {
+    /// The dictionary has no such object.
+    NoObject,
+    /// The object has no such sub-index.
+    NoSubIndex,
+    /// The access type allows no write.
+    NotWritable,
+    /// `ObjFlags` bit 0: a configuration tool must not write the entry.
+    RefusesDownload,
+    /// The number of bytes is not that of the data type.
+    Length {
+        /// The data type.
+        data_type: DataType,
+        /// Its bytes.
+        expected: usize,
+        /// Those of the download.
+        found: usize,
+    },
+    /// The bytes are no value of the data type.
+    NoValue(DataType),
+    /// Below `LowLimit`.
+    BelowLimit {
+        /// The value.
+        value: Value,
+        /// The limit.
+        limit: Value,
+    },
+    /// Above `HighLimit`.
+    AboveLimit {
+        /// The value.
+        value: Value,
+        /// The limit.
+        limit: Value,
+    },
+    /// CiA 301 defines no such value of this entry.
+    Undefined(&'static str),
+    /// The CAN-ID belongs to a service that cannot be configured.
+    RestrictedCanId {
+        /// The CAN-ID.
+        can_id: u32,
+        /// The service.
+        owner: &'static str,
+    },
+    /// The identifier, bits 0 to 29, may change only while the service is off.
+    InUse {
+        /// The COB-ID that the service has.
+        present: u32,
+        /// How it is switched off.
+        how: &'static str,
+    },
+    /// The write that switches a service off changes its identifier too: some devices refuse it.
+    RenamedWhileSwitchedOff {
+        /// The COB-ID that the service has.
+        present: u32,
+    },
+    /// The entry of a PDO may change only while bit 31 of its COB-ID is set.
+    PdoIsValid(PdoKind, u16),
+    /// A mapping may change only while its sub-index 0 is 0.
+    MappingInUse,
+    /// What is mapped is not there, or no PDO of this kind may carry it.
+    NotMappable(MappedObject, PdoKind),
+    /// What is mapped has another length.
+    MappedLength {
+        /// What the mapping says.
+        mapped: MappedObject,
+        /// Bits of the entry.
+        bits: u8,
+    },
+    /// More than 64 bits, or more than 64 objects, are mapped.
+    PdoTooLong {
+        /// The bits.
+        bits: u32,
+    },
+    /// A sub-index up to the number of mapped objects maps nothing.
+    NothingMapped {
+        /// The sub-index.
+        sub: u8,
+    },
+    /// Another entry of 1016h watches the node already.
+    WatchedTwice {
+        /// The node.
+        node_id: u8,
+        /// The sub-index that watches it.
+        sub: u8,
+    },
+    /// The counter overflow (1019h) may change only while the period (1006h) is 0.
+    PeriodRuns,
+    /// 1010h takes `save`, 1011h `load`.
+    Signature {
+        /// What it takes.
+        expected: &'static str,
+    },
+    /// Heartbeat and guarding run both.
+    TwoErrorControls,
+    /// The write comes behind 1010h, so it is not stored.
+    NotStored,
+    /// The write clears the verify configuration (1020h) that an earlier one wrote.
+    ClearsVerification,
+}
+
+impl ObjectionKind {
+    /// Whether a device refuses the download; otherwise it, or some devices, take it, and it is hardly meant.
+    pub const fn is_refusal(&self) -> bool {
+        !matches!(
+            self,
+            Self::RenamedWhileSwitchedOff { .. }
+                | Self::TwoErrorControls
+                | Self::NotStored
+                | Self::ClearsVerification
+        )
+    }
+
+    /// The code that a device answers with; `None` of what it takes, and of what only tools must not do.
+    pub const fn abort(&self) -> Option<AbortCode> {
+        Some(AbortCode(match self {
+            Self::NoObject => 0x0602_0000,
+            Self::NoSubIndex => 0x0609_0011,
+            Self::NotWritable => 0x0601_0002,
+            Self::Length { expected, found, .. } if *found > *expected => 0x0607_0012,
+            Self::Length { .. } => 0x0607_0013,
+            Self::AboveLimit { .. } => 0x0609_0031,
+            Self::BelowLimit { .. } => 0x0609_0032,
+            Self::NoValue(_) | Self::Undefined(_) | Self::RestrictedCanId { .. } => 0x0609_0030,
+            Self::InUse { .. } | Self::RenamedWhileSwitchedOff { .. } => 0x0609_0030,
+            Self::PdoIsValid(..) | Self::MappingInUse | Self::PeriodRuns => 0x0800_0022,
+            Self::NotMappable(..) | Self::NothingMapped { .. } => 0x0604_0041,
+            Self::MappedLength { .. } | Self::PdoTooLong { .. } => 0x0604_0042,
+            Self::WatchedTwice { .. } => 0x0604_0043,
+            Self::Signature { .. } => 0x0800_0020,
+            Self::RefusesDownload | Self::TwoErrorControls | Self::NotStored | Self::ClearsVerification => {
+                return None;
+            }
+        }))
+    }
+
+    /// What to do about it.
+    pub fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::InUse { how, .. } => return Some(format!("{how} first")),
+            Self::RenamedWhileSwitchedOff { present } => {
+                return Some(format!("switch it off with the COB-ID that it has, `0x{present:X}`"));
+            }
+            Self::PdoIsValid(kind, number) => {
+                return Some(format!("set bit 31 of the COB-ID of {kind} {number} first"));
+            }
+            Self::MappingInUse => "write 0 to sub-index 0 first",
+            Self::PeriodRuns => "write 0 to 1006h first",
+            Self::WatchedTwice { sub, .. } => {
+                return Some(format!("write 0 to sub-index {sub:X}h of 1016h first"));
+            }
+            Self::NotStored => "write 1010h last",
+            Self::ClearsVerification => "write 1020h behind all that configures",
+            Self::TwoErrorControls => "write 0 to the one that is not wanted first",
+            _ => return None,
+        };
+        Some(text.to_owned())
+    }
+}
+
+impl AbortCode {
+    /// What CiA 301 calls it.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            0x0601_0002 => "attempt to write a read only object",
+            0x0602_0000 => "object does not exist in the object dictionary",
+            0x0604_0041 => "object cannot be mapped to the PDO",
+            0x0604_0042 => "number and length of the objects to be mapped would exceed PDO length",
+            0x0604_0043 => "general parameter incompatibility",
+            0x0607_0012 => "length of service parameter too high",
+            0x0607_0013 => "length of service parameter too low",
+            0x0609_0011 => "sub-index does not exist",
+            0x0609_0030 => "invalid value for parameter",
+            0x0609_0031 => "value of parameter written too high",
+            0x0609_0032 => "value of parameter written too low",
+            0x0800_0020 => "data cannot be transferred or stored to the application",
+            0x0800_0022 => "data cannot be transferred because of the present device state",
+            _ => "abort",
+        }
+    }
+}
+
+/// As CiA writes it: `0609 0030h`.
+impl fmt::Display for AbortCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:04X} {:04X}h", self.0 >> 16, self.0 & 0xFFFF)
+    }
+}
+
+/// `at byte 13: 0x1400sub1: …`.
+impl fmt::Display for Objection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "at byte {}, download {}: {}: {}", self.offset, self.number, self.place, self.kind)
+    }
+}
+
+impl fmt::Display for ObjectionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoObject => f.write_str("the dictionary has no such object"),
+            Self::NoSubIndex => f.write_str("the object has no such sub-index"),
+            Self::NotWritable => f.write_str("its access type allows no write"),
+            Self::RefusesDownload => f.write_str("its ObjFlags refuse a download"),
+            Self::Length { data_type, expected, found } => {
+                write!(f, "{} of data, but {data_type} has {expected}", bytes(*found))
+            }
+            Self::NoValue(data_type) => write!(f, "the bytes are no value of {data_type}"),
+            Self::BelowLimit { value, limit } => write!(f, "`{value}` is below the low limit `{limit}`"),
+            Self::AboveLimit { value, limit } => write!(f, "`{value}` is above the high limit `{limit}`"),
+            Self::Undefined(what) => f.write_str(what),
+            Self::RestrictedCanId { can_id, owner } => {
+                write!(f, "the CAN-ID `0x{can_id:X}` is not free: {owner}")
+            }
+            Self::InUse { present, .. } => {
+                write!(f, "the identifier changes while `0x{present:X}` is in use")
+            }
+            Self::RenamedWhileSwitchedOff { present } => write!(
+                f,
+                "the write that switches `0x{present:X}` off changes its identifier too, which some devices refuse"
+            ),
+            Self::PdoIsValid(kind, number) => write!(f, "{kind} {number} is valid, so this cannot change"),
+            Self::MappingInUse => f.write_str("sub-index 0 of the mapping is not 0, so this cannot change"),
+            Self::NotMappable(mapped, kind) => write!(f, "`{mapped}` cannot be mapped into an {kind}"),
+            Self::MappedLength { mapped, bits } => write!(f, "`{mapped}` is mapped, but it has {bits}"),
+            Self::PdoTooLong { bits } => write!(f, "{bits} bits are mapped, but a PDO has 64"),
+            Self::NothingMapped { sub } => write!(f, "sub-index {sub:X}h maps nothing"),
+            Self::WatchedTwice { node_id, sub } => {
+                write!(f, "sub-index {sub:X}h watches node {node_id} already")
+            }
+            Self::PeriodRuns => {
+                f.write_str("the counter overflow cannot change while the period (1006h) is not 0")
+            }
+            Self::Signature { expected } => write!(f, "it takes only the signature `{expected}`"),
+            Self::TwoErrorControls => f.write_str("heartbeat and guarding would run together"),
+            Self::NotStored => f.write_str("it comes behind 1010h, so it is not stored"),
+            Self::ClearsVerification => {
+                f.write_str("it clears the verify configuration (1020h) that is written before")
+            }
+        }
+    }
+}
+
+fn bytes(count: usize) -> String {
+    if count == 1 { "1 byte".to_owned() } else { format!("{count} bytes") }
+}

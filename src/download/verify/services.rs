@@ -1,0 +1,146 @@
+//! What CiA 301 demands of writes to the communication objects (CiA 301 §7.5.2).
+
+use super::super::Download;
+use super::ObjectionKind;
+use super::node::{Judgement, Node, number};
+use crate::model::{CobId, PdoKind, restricted};
+
+/// The bits of a COB-ID that are its identifier and frame format.
+const IDENTIFIER: u32 = 0x3FFF_FFFF;
+
+/// Bits 30 and 31 of 1012h: the device consumes and produces TIME.
+const USES_TIME: u32 = CobId::BIT_30 | CobId::BIT_31;
+
+/// A change of a COB-ID.
+#[derive(Clone, Copy)]
+pub(super) struct Change {
+    /// The COB-ID that the service has; `None` where nobody knows.
+    pub(super) present: Option<u32>,
+    /// The new one.
+    pub(super) new: u32,
+}
+
+impl Change {
+    /// Judges the change of an identifier: it may differ only where the service `is_off`, and must be free where the
+    /// new COB-ID switches the service on.
+    pub(super) fn judge(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
+        let Self { present, new } = self;
+        if !is_off(new) {
+            free(new)?;
+        }
+        match present.filter(|&present| !is_off(present) && (present ^ new) & IDENTIFIER != 0) {
+            None => Ok(None),
+            Some(present) if is_off(new) => Ok(Some(ObjectionKind::RenamedWhileSwitchedOff { present })),
+            Some(present) => Err(ObjectionKind::InUse { present, how }),
+        }
+    }
+}
+
+/// Refuses a CAN-ID that belongs to a service that cannot be configured.
+fn free(cob_id: u32) -> Result<(), ObjectionKind> {
+    let cob_id = CobId::new(cob_id);
+    let can_id = cob_id.can_id(0);
+    match restricted(can_id).filter(|_| !cob_id.is_extended()) {
+        Some(owner) => Err(ObjectionKind::RestrictedCanId { can_id, owner }),
+        None => Ok(()),
+    }
+}
+
+/// Whether bit 31 says that there is no such service.
+pub(super) fn is_invalid(cob_id: u32) -> bool {
+    !CobId::new(cob_id).is_valid()
+}
+
+impl Node<'_> {
+    /// What the service behind an index demands.
+    pub(super) fn judge_service(&mut self, download: &Download) -> Judgement {
+        let (index, sub) = (download.index, download.sub);
+        let Some(new) = number(&download.data) else { return Ok(None) };
+        if let Some((kind, pdo)) = PdoKind::of_communication(index) {
+            return self.judge_communication(kind, pdo, sub, new);
+        }
+        if let Some((kind, pdo)) = PdoKind::of_mapping(index) {
+            return self.judge_mapping(kind, pdo, sub, new).map(|()| None);
+        }
+        let word = u32::try_from(new).unwrap_or(u32::MAX);
+        match (index, sub) {
+            (0x1003, 0) if new != 0 => {
+                Err(ObjectionKind::Undefined("it takes only 0, which clears the history"))
+            }
+            (0x1005, 0) => {
+                let change = Change { present: self.word((index, sub)), new: word };
+                change.judge(|cob_id| cob_id & CobId::BIT_30 == 0, "clear bit 30 of 1005h")
+            }
+            (0x1019, 0) => self.judge_counter(new),
+            (0x1012, 0) => {
+                let change = Change { present: self.word((index, sub)), new: word };
+                change.judge(|cob_id| cob_id & USES_TIME == 0, "clear bits 30 and 31 of 1012h")
+            }
+            (0x1014, 0) | (0x1028, 1..=0x7F) => {
+                let change = Change { present: self.word((index, sub)), new: word };
+                change.judge(is_invalid, "set bit 31")
+            }
+            (0x1016, 1..=0x7F) => self.judge_consumer(sub, word),
+            (0x100C | 0x100D | 0x1017, 0) => Ok(self.judge_error_control(index, new)),
+            (0x1200..=0x12FF, 1 | 2) => self.judge_sdo(index, sub, word),
+            (0x1010, 1..=0x7F) => signature(new, "save"),
+            (0x1011, 1..=0x7F) => signature(new, "load"),
+            _ => Ok(None),
+        }
+    }
+
+    /// 1019h: the counter overflow.
+    fn judge_counter(&mut self, new: u64) -> Judgement {
+        if new == 1 || new > 240 {
+            return Err(ObjectionKind::Undefined("the counter overflow is 0, or 2 to 240"));
+        }
+        let changes = self.number((0x1019, 0)) != Some(new);
+        match changes && self.number((0x1006, 0)).is_some_and(|period| period != 0) {
+            true => Err(ObjectionKind::PeriodRuns),
+            false => Ok(None),
+        }
+    }
+
+    /// 1016h: no node is watched twice.
+    fn judge_consumer(&mut self, sub: u8, new: u32) -> Judgement {
+        let Some(node_id) = watched(new) else { return Ok(None) };
+        let others = self.device.object(0x1016).into_iter().flat_map(|object| object.entries());
+        let others: Vec<u8> =
+            others.map(|(other, _)| other).filter(|&other| other != 0 && other != sub).collect();
+        for other in others {
+            if self.word((0x1016, other)).and_then(watched) == Some(node_id) {
+                return Err(ObjectionKind::WatchedTwice { node_id, sub: other });
+            }
+        }
+        Ok(None)
+    }
+
+    /// 100Ch, 100Dh, 1017h: one of heartbeat and guarding.
+    fn judge_error_control(&mut self, index: u16, new: u64) -> Option<ObjectionKind> {
+        let mut runs = |other: u16| {
+            let present = if other == index { Some(new) } else { self.number((other, 0)) };
+            present.is_some_and(|number| number != 0)
+        };
+        (new != 0 && runs(0x1017) && runs(0x100C) && runs(0x100D)).then_some(ObjectionKind::TwoErrorControls)
+    }
+
+    /// 1200h to 12FFh: an SDO is there while bit 31 of both its COB-IDs is clear.
+    fn judge_sdo(&mut self, index: u16, sub: u8, new: u32) -> Judgement {
+        let other = self.word((index, 3 - sub));
+        let present = self.word((index, sub)).filter(|_| !other.is_some_and(is_invalid));
+        Change { present, new }.judge(is_invalid, "set bit 31 of one of its COB-IDs")
+    }
+}
+
+/// The node that an entry of 1016h watches.
+fn watched(consumer: u32) -> Option<u8> {
+    let [low, high, node_id, _] = consumer.to_le_bytes();
+    ((low | high) != 0 && (1..=127).contains(&node_id)).then_some(node_id)
+}
+
+fn signature(new: u64, expected: &'static str) -> Judgement {
+    match new.to_le_bytes().starts_with(expected.as_bytes()) {
+        true => Ok(None),
+        false => Err(ObjectionKind::Signature { expected }),
+    }
+}
