@@ -173,6 +173,7 @@ pub mod download;
 pub mod format;
 pub mod generate;
 pub mod lint;
+pub mod meaning;
 mod mend;
 pub mod model;
 mod production;

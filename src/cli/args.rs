@@ -1,5 +1,6 @@
 //! The command line.
 
+mod dcf;
 mod generate;
 mod new;
 
@@ -10,6 +11,9 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+pub(super) use self::dcf::{
+    DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, UnpackArgs, VerdictFormat, VerifyArgs,
+};
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
@@ -45,6 +49,7 @@ pub(super) enum Command {
     Show(ShowArgs),
     Generate(Box<GenerateArgs>),
     Convert(ConvertArgs),
+    Dcf(DcfArgs),
     New(NewArgs),
     Profile(ProfileCommandArgs),
     Fmt(FmtArgs),
@@ -175,7 +180,7 @@ pub(super) struct ConvertArgs {
     /// The files to convert; `-` is the standard input
     #[arg(required = true, value_name = "IN")]
     pub files: Vec<PathBuf>,
-    /// The file to write; its ending says what: .eds .dcf .xdd .xdc .json .cdcf (concise DCF). `-` is the standard output.
+    /// The file to write; its ending says what: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt. `-` is the standard output.
     /// Or the folder for several files, with --to
     pub out: PathBuf,
     /// What to write, where the name does not say it
@@ -205,6 +210,9 @@ pub(super) struct ConvertArgs {
     /// Write all values into a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
+    /// A folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; may be given several times
+    #[arg(long, value_name = "DIR")]
+    pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
     pub canonical: CanonicalArgs,
     #[command(flatten)]
@@ -424,6 +432,8 @@ pub(super) enum WrittenKind {
     Xdc,
     Json,
     Cdcf,
+    #[value(name = "cdcf.txt")]
+    CdcfText,
 }
 
 impl From<WrittenKind> for FileKind {
@@ -435,6 +445,7 @@ impl From<WrittenKind> for FileKind {
             WrittenKind::Xdc => Self::Xdc,
             WrittenKind::Json => Self::Json,
             WrittenKind::Cdcf => Self::Cdcf,
+            WrittenKind::CdcfText => Self::CdcfText,
         }
     }
 }

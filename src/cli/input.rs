@@ -50,7 +50,7 @@ impl InputArgs {
     /// How a file is read.
     pub(super) fn reading(&self) -> Reading {
         let (from, device, encoding) = (self.from, self.device, self.encoding);
-        Reading { from, device, encoding, max_size: self.size.max_size }
+        Reading { from, device, encoding, max_size: self.size.max_size, node_id: None }
     }
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.

@@ -1,11 +1,13 @@
 //! The command `objdict`: one file a command. Results go to the standard output, what the tool has to say of itself to
 //! the standard error.
 
+mod annotation;
 mod args;
 mod arrange;
 mod baseline;
 mod check;
 mod convert;
+mod dcf;
 mod diff;
 mod files;
 mod fix;
@@ -51,6 +53,7 @@ pub fn run() -> ExitCode {
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
+        Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),

@@ -4,9 +4,11 @@
 //! [`ConciseDcf::plan`] looks at a device description and says what to write, and why something is left out. It knows no files: a
 //! DOMAIN whose data come from a file stays a [`Step::File`] until [`Plan::into_concise`] reads it.
 
+mod difference;
 mod order;
 mod plan;
 mod problem;
+mod rebase;
 mod settings;
 mod stream;
 mod transfer;
@@ -18,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::{hex_number, hex_text};
 
+pub use difference::{Difference, Differences};
 pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};

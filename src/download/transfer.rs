@@ -51,6 +51,16 @@ impl EntryType {
     }
 }
 
+impl Device {
+    /// The static data type that the bytes of an entry are of in a transfer: its own, or what a type of the device's own
+    /// stands for; `None` where nobody knows.
+    pub fn transferred_type(&self, index: u16, sub: u8) -> Option<DataType> {
+        let object = self.object(index)?;
+        let entry = object.entry(sub)?;
+        EntryType::of(self, object, sub, &entry).transferred
+    }
+}
+
 /// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
 /// as CanFestival writes it, in sub-index 1 which type it narrows.
 fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {

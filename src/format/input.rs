@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::identify::{ContentKind, Identification, identify};
 use super::json::Kind;
-use super::{Description, Format, json, nodelist};
+use super::{Description, Format, concise, json, nodelist};
 use crate::diagnostic::counted;
 use crate::download::ConciseDcf;
 use crate::model::{Device, NodeList};
@@ -31,6 +31,9 @@ pub enum FileKind {
     Json,
     /// Concise DCF (CiA 302-3)
     Cdcf,
+    /// Concise DCF as a text of one download a line (docs/dcf.md)
+    #[cfg_attr(feature = "cli", value(name = "cdcf.txt"))]
+    CdcfText,
     /// Node list (CiA 306-3)
     Cpj,
 }
@@ -39,6 +42,9 @@ impl FileKind {
     /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy();
+        if name.to_ascii_lowercase().ends_with(".cdcf.txt") {
+            return Some(Self::CdcfText);
+        }
         name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
             "json" => Some(Self::Json),
             "cdcf" => Some(Self::Cdcf),
@@ -52,6 +58,7 @@ impl FileKind {
         match kind {
             ContentKind::NodeList => Some(Self::Cpj),
             ContentKind::ConciseDcf => Some(Self::Cdcf),
+            ContentKind::ConciseText => Some(Self::CdcfText),
             ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
             kind => kind.format().map(Self::from),
         }
@@ -66,6 +73,7 @@ impl FileKind {
             Self::Xdc => "xdc",
             Self::Json => "json",
             Self::Cdcf => "cdcf",
+            Self::CdcfText => "cdcf.txt",
             Self::Cpj => "cpj",
         }
     }
@@ -77,7 +85,7 @@ impl FileKind {
             Self::Dcf => Some(Format::Dcf),
             Self::Xdd => Some(Format::Xdd),
             Self::Xdc => Some(Format::Xdc),
-            Self::Json | Self::Cdcf | Self::Cpj => None,
+            Self::Json | Self::Cdcf | Self::CdcfText | Self::Cpj => None,
         }
     }
 
@@ -90,6 +98,7 @@ impl FileKind {
             Self::Xdc => "XDC",
             Self::Json => "JSON",
             Self::Cdcf => "concise DCF",
+            Self::CdcfText => "concise DCF as text",
             Self::Cpj => "node list",
         }
     }
@@ -130,11 +139,13 @@ pub struct Reading {
     pub encoding: Option<Encoding>,
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
+    /// The node that formulas in the text of a concise DCF are worked out for.
+    pub node_id: Option<u8>,
 }
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { from: None, device: None, encoding: None, max_size: DEFAULT_MAX_SIZE }
+        Self { from: None, device: None, encoding: None, max_size: DEFAULT_MAX_SIZE, node_id: None }
     }
 }
 
@@ -243,6 +254,11 @@ impl Reading {
             FileKind::Cdcf => {
                 let configuration = ConciseDcf::parse(&bytes).map_err(|error| damaged(error.into()))?;
                 Input::Concise(configuration)
+            }
+            FileKind::CdcfText => {
+                let source = self.source(name, bytes)?;
+                let configuration = concise::parse(source.text(), self.node_id);
+                Input::Concise(configuration.map_err(|error| damaged(error.into()))?)
             }
             FileKind::Cpj => {
                 let source = self.source(name, bytes)?;

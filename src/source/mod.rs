@@ -2,6 +2,7 @@
 
 mod edit;
 mod encoding;
+mod folder;
 mod hash;
 mod iso646;
 mod line_index;
@@ -13,6 +14,7 @@ use std::{fs, io};
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
+pub use folder::{Folder, FolderError};
 pub(crate) use hash::Fnv;
 pub use hash::hash;
 pub(crate) use iso646::stand_in;

@@ -1,15 +1,16 @@
 //! What is made of a device.
 
-use std::fs;
 use std::path::Path;
 
+use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
 use super::super::{Failure, tell};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
-use crate::format::{self, Description, Format, Loss, json};
+use crate::format::{self, Description, Format, Loss, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind};
+use crate::source::Folder;
 
 /// What a file became.
 pub(super) struct Converted {
@@ -75,6 +76,12 @@ pub(super) fn of_device(
             let configuration = configuration(args, job, &device)?;
             configuration.write().map(Converted::whole).map_err(Failure::new)
         }
+        FileKind::CdcfText => {
+            let configuration = configuration(args, job, &device)?;
+            let described = Described { device: Some(&device), node_id: args.node_id.or(device.node_id()) };
+            let text = concise::print(&configuration, |download| described.annotate(download));
+            Ok(Converted::whole(text.into_bytes()))
+        }
         FileKind::Cpj => Err(Failure::new("node lists are not written")),
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), carry)),
         FileKind::Dcf | FileKind::Xdc => {
@@ -136,12 +143,16 @@ fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Conci
     let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
-    print_skipped(&plan);
-    let folder = job.input.parent().unwrap_or(Path::new(""));
-    plan.into_concise(|file| read_data(folder, file))
+    tell_skipped(&plan);
+    let mut folder = Folder::of(&job.input);
+    for allowed in &args.allow_path {
+        folder = folder.allow(allowed);
+    }
+    plan.into_concise(|file| read_data(&folder, file))
 }
 
-fn refusal(error: &PlanError) -> Failure {
+/// A plan that cannot be made.
+pub(in crate::cli) fn refusal(error: &PlanError) -> Failure {
     let failure = Failure::new(error);
     match error.help() {
         Some(help) => failure.help(help),
@@ -149,16 +160,20 @@ fn refusal(error: &PlanError) -> Failure {
     }
 }
 
-/// The data of a DOMAIN, from the file that the description names; seen from the folder of the description.
-fn read_data(folder: &Path, file: &NeededFile) -> Result<Vec<u8>, Failure> {
-    let path = folder.join(file.name.as_ref());
-    fs::read(&path).map_err(|error| {
+/// The data of a DOMAIN, from the file that the description names.
+pub(in crate::cli) fn read_data(folder: &Folder, file: &NeededFile) -> Result<Vec<u8>, Failure> {
+    folder.read(&file.name).map_err(|error| {
         let entry = format!("0x{:04X}sub{:X}", file.index, file.sub);
-        Failure::new(format_args!("cannot read `{}`, the data of {entry}: {error}", path.display()))
+        let failure = Failure::new(format_args!("the data of {entry}: {error}"));
+        match error.help() {
+            Some(help) => failure.help(help),
+            None => failure,
+        }
     })
 }
 
-fn print_skipped(plan: &Plan) {
+/// Says what a plan leaves out.
+pub(in crate::cli) fn tell_skipped(plan: &Plan) {
     for skipped in &plan.skipped {
         print_note(&format!("{}: not part of the stream: {}", skipped.place, skipped.reason));
     }

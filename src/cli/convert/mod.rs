@@ -9,15 +9,17 @@ use std::io::Write;
 use std::path::Path;
 
 use self::device::Converted;
+pub(super) use self::device::{read_data, refusal, tell_skipped};
 use self::jobs::Job;
 use self::losses::LossReport;
+use super::annotation::Described;
 use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
-use crate::format::{Fate, json};
+use crate::format::{Fate, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -123,12 +125,17 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
 fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<Converted, Failure> {
     match job.to {
         FileKind::Json => Ok(Converted::whole(json::write_configuration(configuration).into_bytes())),
+        FileKind::CdcfText => {
+            let described = Described { device: None, node_id: None };
+            let text = concise::print(configuration, |download| described.annotate(download));
+            Ok(Converted::whole(text.into_bytes()))
+        }
         FileKind::Cdcf => configuration.write().map(Converted::whole).map_err(Failure::new),
         to => {
             let name = to.name();
             let message =
                 format!("a concise DCF holds values and no description, so no {name} can be made of it");
-            Err(Failure::new(message).help("it can become `.json`"))
+            Err(Failure::new(message).help("it can become `.json` or `.cdcf.txt`"))
         }
     }
 }

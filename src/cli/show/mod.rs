@@ -1,7 +1,6 @@
 //! `objdict show`: the dictionary as a table, one object or one entry of it in detail.
 
 mod json;
-mod meaning;
 mod nodes;
 mod text;
 mod value;

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use super::View;
-use super::meaning;
 use super::value::Reader;
 use crate::cli::table::{Table, fit};
+use crate::meaning;
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 use crate::report::plural;
 

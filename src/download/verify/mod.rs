@@ -8,7 +8,7 @@ mod services;
 
 use self::node::Node;
 pub use self::objection::{AbortCode, Objection, ObjectionKind};
-use super::ConciseDcf;
+use super::{ConciseDcf, Download};
 use crate::model::{Device, Place};
 
 /// What came of playing a configuration against a dictionary.
@@ -45,8 +45,9 @@ impl ConciseDcf {
         let mut objections = Vec::new();
         for (position, (offset, download)) in self.with_offsets().enumerate() {
             let mut object = |kind| {
-                let place = node_place(device, download.index, download.sub);
-                objections.push(Objection { number: position + 1, offset, place, kind });
+                let Download { index, sub, .. } = *download;
+                let place = node_place(device, index, sub);
+                objections.push(Objection { number: position + 1, offset, index, sub, place, kind });
             };
             match node.take(download) {
                 Ok(None) => {}

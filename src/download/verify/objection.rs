@@ -11,7 +11,11 @@ pub struct Objection {
     pub number: usize,
     /// Offset of its first byte in the stream, that of the index.
     pub offset: usize,
-    /// The entry.
+    /// Index of the object.
+    pub index: u16,
+    /// Sub-index of the entry.
+    pub sub: u8,
+    /// The place, as reports name it.
     pub place: Place,
     /// What is said.
     pub kind: ObjectionKind,

@@ -9,4 +9,5 @@ mod text;
 
 pub use spelling::{BlobSpelling, of_hex};
 pub use table::table;
-pub use text::{Annotation, TextError, parse, print};
+pub(crate) use text::looks_like;
+pub use text::{Annotation, TextError, TextErrors, parse, print};

@@ -7,7 +7,7 @@
 //! 2002:00  BYTES  00 11 22
 //! ```
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
 use crate::download::{ConciseDcf, Download};
 use crate::format::literal::{self, Quirks, Spelling};
@@ -44,6 +44,26 @@ pub struct TextError {
     pub message: String,
     /// What to write.
     pub help: &'static str,
+}
+
+/// Why a text is no concise DCF: all lines that are no download.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextErrors(
+    /// At least one, by line.
+    pub Vec<TextError>,
+);
+
+impl std::error::Error for TextErrors {}
+
+/// A line a line, with what to write behind it.
+impl fmt::Display for TextErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, error) in self.0.iter().enumerate() {
+            let separator = if number > 0 { "\n" } else { "" };
+            write!(f, "{separator}{error}; {}", error.help)?;
+        }
+        Ok(())
+    }
 }
 
 /// The text of a configuration; `annotate` says what is known of each download.
@@ -107,7 +127,7 @@ fn byte_lines(bytes: &[u8]) -> String {
 ///
 /// # Errors
 /// Every line that is no download.
-pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, Vec<TextError>> {
+pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, TextErrors> {
     let mut downloads = Vec::new();
     let mut errors = Vec::new();
     for (line, statement) in statements(text) {
@@ -116,7 +136,7 @@ pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, Vec<TextErro
             Err((message, help)) => errors.push(TextError { line, message, help }),
         }
     }
-    if errors.is_empty() { Ok(ConciseDcf(downloads)) } else { Err(errors) }
+    if errors.is_empty() { Ok(ConciseDcf(downloads)) } else { Err(TextErrors(errors)) }
 }
 
 /// Whether a text starts as one of these, for those who ask what a file is.
@@ -304,7 +324,7 @@ mod tests {
         let text = "# a comment\n1017 UNSIGNED16 1\n1017:00 UNSIGNED9 1\n1017:00 UNSIGNED16 65536\n\n1017:00\n1400:01 UNSIGNED32 $NODEID+0x200\n\
                     2000:00 VISIBLE_STRING a\n2000:00 BYTES 0\n2000:00 UNSIGNED8 010\n";
         let errors = parse(text, None).unwrap_err();
-        let told: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        let told: Vec<String> = errors.0.iter().map(ToString::to_string).collect();
         insta::assert_snapshot!(told.join("\n"), @r#"
         line 2: `1017` is no entry
         line 3: `UNSIGNED9` is no data type

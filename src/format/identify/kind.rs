@@ -29,6 +29,8 @@ pub enum ContentKind {
     NodeList,
     /// Concise DCF (CiA 302-3).
     ConciseDcf,
+    /// Concise DCF as a text of one download a line (docs/dcf.md).
+    ConciseText,
     /// A device in the JSON of this crate.
     JsonDevice,
     /// A concise DCF in the JSON of this crate.
@@ -79,6 +81,7 @@ impl ContentKind {
             Self::CanopenNodeProject => "CANopenNode project",
             Self::NodeList => "node list",
             Self::ConciseDcf => "concise DCF",
+            Self::ConciseText => "concise DCF as text",
             Self::JsonDevice => "device as JSON",
             Self::JsonConciseDcf => "concise DCF as JSON",
             Self::BusConfiguration => "bus configuration",
@@ -120,6 +123,7 @@ impl ContentKind {
                 | Self::CanopenNodeProject
                 | Self::NodeList
                 | Self::ConciseDcf
+                | Self::ConciseText
                 | Self::JsonDevice
                 | Self::JsonConciseDcf
                 | Self::BusConfiguration
@@ -144,7 +148,9 @@ impl ContentKind {
             | Self::Unknown => None,
             Self::CanopenNodeProject => Some("open it in CANopenEditor and save it as EDS or XDD"),
             Self::NodeList => Some("its keys `Node…DCFName` name the descriptions"),
-            Self::ConciseDcf | Self::JsonConciseDcf => Some("name the DCF that it was made of"),
+            Self::ConciseDcf | Self::ConciseText | Self::JsonConciseDcf => {
+                Some("name the DCF that it was made of")
+            }
             Self::JsonDevice => Some("convert it to an EDS or DCF"),
             Self::BusConfiguration => Some("its keys `dcf` name the descriptions"),
             Self::PowerlinkXdd | Self::PowerlinkXdc => Some("ask the vendor for the CANopen EDS or XDD"),

@@ -115,7 +115,7 @@ impl Identification {
                 "is a project of an object dictionary editor for CANopenNode from before XDD, which is not read"
             }
             Kind::NodeList => "is a node list (CiA 306-3) and describes no device",
-            Kind::ConciseDcf | Kind::JsonConciseDcf => {
+            Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {
                 "is a concise DCF, which holds values and describes no device"
             }
             Kind::JsonDevice => "is a device as JSON",

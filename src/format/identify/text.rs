@@ -1,12 +1,14 @@
 //! Other texts: JSON, YAML, and the look-alikes that are neither INI nor XML.
 
 use super::{Content, ContentKind, Identification, list, quoted};
+use crate::format::concise::looks_like;
 
 pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identification> {
     if text.starts_with('{') {
         return json(text);
     }
-    gsd(text)
+    concise(text)
+        .or_else(|| gsd(text))
         .or_else(|| dbc(text))
         .or_else(|| fpga_constraints(text))
         .or_else(|| bus_configuration(content, text))
@@ -25,6 +27,12 @@ fn json(text: &str) -> Option<Identification> {
             kinds.into_iter().find(|(word, _)| is(word).is_some_and(|rest| rest.starts_with('"')))?;
         Some(Identification::new(kind, format!("it is JSON with a `version` and the `kind` `{word}`")))
     })
+}
+
+/// Our text of a concise DCF: the first line has an entry and a data type.
+fn concise(text: &str) -> Option<Identification> {
+    let reason = "its first line has an entry, a data type and a value, as the text of a download";
+    looks_like(text).then(|| Identification::new(ContentKind::ConciseText, reason))
 }
 
 /// PROFIBUS: the first thing that is no comment is `#Profibus_DP`.

@@ -1,10 +1,10 @@
-//! What the number in a communication object says (CiA 301 §7.5.2).
+//! What the number in an entry says, in words: communication objects (CiA 301 §7.5.2), and what a device profile defines.
 
 use crate::model::{CobId, DataType, Device, MappedObject, PdoKind, Value};
 use crate::profile;
 
-/// The meaning of a value, where it has one beside the number.
-pub(super) fn of(device: &Device, index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> Option<String> {
+/// The meaning of a value, where it has one beside the number; COB-IDs are those of the node `node_id`, where it is given.
+pub fn of(device: &Device, index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> Option<String> {
     let number = || u32::try_from(value.as_integer()?).ok();
     match (index, sub) {
         (0x1000, 0) => number().map(|number| device_type(number) + &additional(device, number)),

@@ -1,0 +1,37 @@
+//! `objdict dcf diff`.
+
+use std::io::Write;
+
+use super::super::args::DcfDiffArgs;
+use super::super::output::Output;
+use super::super::{Failure, Outcome, shown};
+use super::stream;
+use crate::download::{ConciseDcf, Difference, Download};
+use crate::format::concise;
+
+pub(super) fn run(args: &DcfDiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let names = &args.names;
+    let device = names.device()?;
+    let described = names.described(device.as_ref());
+    let first = stream(&args.first, &names.input, described.node_id)?;
+    let second = stream(&args.second, &names.input, described.node_id)?;
+    let differences = first.differences(&second);
+    for difference in &differences.entries {
+        for (sign, side) in [('-', &difference.first), ('+', &difference.second)] {
+            let text = concise::print(&downloads(difference, side), |download| described.annotate(download));
+            for line in text.lines() {
+                writeln!(out, "{}", shown(&format!("{sign} {line}")))?;
+            }
+        }
+    }
+    if differences.is_reordered {
+        writeln!(out, "downloads that both have come in another order")?;
+    }
+    Ok(if differences.is_empty() { Outcome::Clean } else { Outcome::Findings })
+}
+
+/// What one side writes to the entry.
+fn downloads(difference: &Difference, side: &[Vec<u8>]) -> ConciseDcf {
+    let download = |data: &Vec<u8>| Download::new(difference.index, difference.sub, data.clone());
+    ConciseDcf(side.iter().map(download).collect())
+}

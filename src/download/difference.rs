@@ -1,0 +1,97 @@
+//! Where two configurations differ, write by write.
+
+use std::collections::BTreeMap;
+
+use super::settings::Key;
+use super::{ConciseDcf, Download};
+
+/// An entry that two configurations write differently.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// Index of the object.
+    pub index: u16,
+    /// Sub-index of the entry.
+    pub sub: u8,
+    /// What the first configuration writes, in its order; empty where it does not write the entry.
+    pub first: Vec<Vec<u8>>,
+    /// What the second writes.
+    pub second: Vec<Vec<u8>>,
+}
+
+/// What is different between two configurations.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Differences {
+    /// The entries, in ascending order.
+    pub entries: Vec<Difference>,
+    /// Whether the downloads that both have come in another order.
+    pub is_reordered: bool,
+}
+
+impl Differences {
+    /// Whether both streams are the same bytes.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty() && !self.is_reordered
+    }
+}
+
+impl ConciseDcf {
+    /// Where `other` differs. Entries are compared by all that is written to them, one after the other, for the first
+    /// write of a COB-ID is not the last.
+    pub fn differences(&self, other: &Self) -> Differences {
+        let (first, second) = (self.by_entry(), other.by_entry());
+        let keys: std::collections::BTreeSet<Key> = first.keys().chain(second.keys()).copied().collect();
+        let of = |all: &BTreeMap<Key, Vec<Vec<u8>>>, key| all.get(key).cloned().unwrap_or_default();
+        let entries: Vec<Difference> = keys
+            .iter()
+            .filter(|key| first.get(key) != second.get(key))
+            .map(|key| Difference {
+                index: key.0,
+                sub: key.1,
+                first: of(&first, key),
+                second: of(&second, key),
+            })
+            .collect();
+        let is_same = |download: &&Download| {
+            let key = (download.index, download.sub);
+            first.get(&key) == second.get(&key)
+        };
+        let is_reordered = !self.0.iter().filter(is_same).eq(other.0.iter().filter(is_same));
+        Differences { entries, is_reordered }
+    }
+
+    fn by_entry(&self) -> BTreeMap<Key, Vec<Vec<u8>>> {
+        let mut entries: BTreeMap<Key, Vec<Vec<u8>>> = BTreeMap::new();
+        for Download { index, sub, data } in &self.0 {
+            entries.entry((*index, *sub)).or_default().push(data.clone());
+        }
+        entries
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(downloads: &[(u16, u8, &[u8])]) -> ConciseDcf {
+        ConciseDcf(downloads.iter().map(|&(index, sub, data)| Download::new(index, sub, data)).collect())
+    }
+
+    #[test]
+    fn entries_differ_by_all_that_is_written() {
+        let first = of(&[(0x1800, 1, &[1]), (0x1800, 2, &[9]), (0x1800, 1, &[2]), (0x1017, 0, &[5])]);
+        let second = of(&[(0x1800, 1, &[2]), (0x1800, 2, &[9]), (0x2000, 0, &[7])]);
+        let differences = first.differences(&second);
+        let keys: Vec<(u16, u8)> = differences.entries.iter().map(|entry| (entry.index, entry.sub)).collect();
+        assert_eq!(keys, [(0x1017, 0), (0x1800, 1), (0x2000, 0)]);
+        assert_eq!(differences.entries[1].first, [vec![1], vec![2]]);
+        assert!(!differences.is_reordered && !differences.is_empty());
+        assert!(first.differences(&first).is_empty());
+    }
+
+    #[test]
+    fn another_order_is_told() {
+        let (a, b): ((u16, u8, &[u8]), (u16, u8, &[u8])) = ((0x1017, 0, &[5]), (0x2000, 0, &[7]));
+        let differences = of(&[a, b]).differences(&of(&[b, a]));
+        assert!(differences.is_reordered && differences.entries.is_empty());
+    }
+}

@@ -1,0 +1,150 @@
+//! The files that a description names: found beside it, and nowhere else.
+
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+use super::HARD_LIMIT;
+
+/// A folder whose files a description may name, and others that somebody allowed.
+#[derive(Clone, Debug)]
+pub struct Folder {
+    folder: PathBuf,
+    allowed: Vec<PathBuf>,
+}
+
+/// Why a file that a description names is not read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FolderError {
+    /// The operating system said no.
+    #[error("cannot read `{path}`: {error}")]
+    Io {
+        /// The file.
+        path: String,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// The name leads out of the folder.
+    #[error("`{name}` is not in the folder of the description")]
+    Outside {
+        /// The name, as the description has it.
+        name: String,
+    },
+    /// It is larger than what is ever read.
+    #[error("`{path}` has {size} bytes, more than the {HARD_LIMIT} that are read")]
+    TooLarge {
+        /// The file.
+        path: String,
+        /// Its size.
+        size: u64,
+    },
+}
+
+impl FolderError {
+    /// What to do about it; options are those of the command line.
+    pub fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::Outside { .. } => {
+                Some("allow its folder with `--allow-path`, if you trust the description")
+            }
+            Self::Io { .. } | Self::TooLarge { .. } => None,
+        }
+    }
+}
+
+impl Folder {
+    /// The folder of a description; an empty path is the current folder.
+    pub fn new(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: or_current(folder.into()), allowed: Vec::new() }
+    }
+
+    /// The folder that a file is in.
+    pub fn of(file: &Path) -> Self {
+        Self::new(file.parent().unwrap_or(Path::new("")))
+    }
+
+    /// Files below `folder` may be named too.
+    #[must_use]
+    pub fn allow(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.allowed.push(or_current(folder.into()));
+        self
+    }
+
+    /// The bytes of the file of a name, seen from the folder; where links lead counts, not what they are called. A name in
+    /// the spelling of Windows is understood.
+    ///
+    /// # Errors
+    /// When the file cannot be read, is outside of what is allowed, or larger than 1 GiB.
+    pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
+        let path = self.path_of(name);
+        let failed = |error| FolderError::Io { path: path.display().to_string(), error };
+        // before the system is asked: what is there is nobody's business
+        if !self.may_lead_to(&path) {
+            return Err(FolderError::Outside { name: name.to_owned() });
+        }
+        let real = fs::canonicalize(&path).map_err(failed)?;
+        let is_below =
+            |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));
+        if !self.folders().any(is_below) {
+            return Err(FolderError::Outside { name: name.to_owned() });
+        }
+        let size = fs::metadata(&real).map_err(failed)?.len();
+        if size > HARD_LIMIT {
+            return Err(FolderError::TooLarge { path: path.display().to_string(), size });
+        }
+        fs::read(&real).map_err(failed)
+    }
+
+    fn folders(&self) -> impl Iterator<Item = &PathBuf> {
+        std::iter::once(&self.folder).chain(&self.allowed)
+    }
+
+    fn path_of(&self, name: &str) -> PathBuf {
+        let plain = self.folder.join(name);
+        if plain.exists() || !name.contains('\\') { plain } else { self.folder.join(name.replace('\\', "/")) }
+    }
+
+    /// Whether the name alone stays in the folder, or an allowed folder is there that it may lead to.
+    fn may_lead_to(&self, path: &Path) -> bool {
+        let own = path.strip_prefix(&self.folder).ok();
+        let stays = own.is_some_and(|own| {
+            own.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+        });
+        stays || !self.allowed.is_empty()
+    }
+}
+
+fn or_current(folder: PathBuf) -> PathBuf {
+    if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_files_of_the_folder_are_read() {
+        let root = std::env::temp_dir().join(format!("objdict-folder-{}", std::process::id()));
+        let inside = root.join("node");
+        fs::create_dir_all(inside.join("data")).unwrap();
+        fs::write(root.join("secret.bin"), b"secret").unwrap();
+        fs::write(inside.join("data/a.bin"), b"a").unwrap();
+        let folder = Folder::new(&inside);
+        assert_eq!(folder.read("data/a.bin").unwrap(), b"a");
+        assert_eq!(folder.read("data\\a.bin").unwrap(), b"a");
+        let absolute = root.join("secret.bin");
+        for name in ["../secret.bin", "..\\secret.bin", absolute.to_str().unwrap(), "../none"] {
+            assert!(matches!(folder.read(name), Err(FolderError::Outside { .. })), "{name}");
+        }
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&absolute, inside.join("link")).unwrap();
+            assert!(matches!(folder.read("link"), Err(FolderError::Outside { .. })));
+        }
+        assert!(matches!(folder.read("none"), Err(FolderError::Io { .. })));
+        let allowed = folder.allow(&root);
+        assert_eq!(allowed.read("../secret.bin").unwrap(), b"secret");
+        fs::remove_dir_all(root).unwrap();
+    }
+}
