@@ -168,6 +168,7 @@ pub mod cli;
 pub mod compare;
 pub mod compat;
 pub mod config;
+pub mod configure;
 pub mod diagnostic;
 pub mod download;
 pub mod format;

@@ -24,6 +24,7 @@ pub use difference::{Difference, Differences};
 pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
+pub(crate) use transfer::{Beyond, beyond};
 pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
 /// One SDO download: bytes for an entry, as the transfer carries them.

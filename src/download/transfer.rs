@@ -59,6 +59,23 @@ impl Device {
         let entry = object.entry(sub)?;
         EntryType::of(self, object, sub, &entry).transferred
     }
+
+    /// The bytes of a value for an entry, as a transfer carries them to the node `node_id`.
+    ///
+    /// # Errors
+    /// When the value is none of the entry's data type, that is not known, or the node-ID is missing.
+    pub fn bytes_of(
+        &self,
+        index: u16,
+        sub: u8,
+        value: &Value,
+        node_id: Option<u8>,
+    ) -> Result<Vec<u8>, ProblemKind> {
+        let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: None };
+        let object = self.object(index).ok_or_else(unknown)?;
+        let entry = object.entry(sub).ok_or_else(unknown)?;
+        EntryType::of(self, object, sub, &entry).bytes(value, node_id)
+    }
 }
 
 /// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
@@ -91,7 +108,7 @@ fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
 
 /// A limit of an entry that a value is beyond.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Beyond {
+pub(crate) enum Beyond {
     /// Below `LowLimit`.
     Low(Value),
     /// Above `HighLimit`.
@@ -99,7 +116,7 @@ pub(super) enum Beyond {
 }
 
 /// The limit that a value is beyond on a node; a limit that nobody can compare with is none.
-pub(super) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
+pub(crate) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
     let against = |limit: &Option<Value>, wrong: Ordering| {
         limit.clone().filter(|limit| compare(value, limit, node_id) == Some(wrong))
     };

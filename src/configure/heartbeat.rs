@@ -1,0 +1,34 @@
+//! Heartbeats that the node watches (1016h).
+
+use super::{Desk, Wrong};
+use crate::model::{Address, Value};
+
+const CONSUMERS: u16 = 0x1016;
+
+impl Desk<'_> {
+    /// Watches a node: in the entry that does so already, else in the first that watches nobody.
+    pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
+        if node_id == self.node_id {
+            return Err(Wrong::new("a node does not watch itself"));
+        }
+        let Some(object) = self.device.object(CONSUMERS) else {
+            return Err(Wrong::new("the device has no 1016h, so it watches no heartbeats"));
+        };
+        let subs: Vec<u8> =
+            object.entries().map(|(sub, _)| sub).filter(|sub| (1..=0x7F).contains(sub)).collect();
+        let watched = |sub: &u8| {
+            let consumer = self.number(CONSUMERS, *sub).unwrap_or_default();
+            let (time, node) = (consumer & 0xFFFF, consumer >> 16 & 0xFF);
+            if time == 0 || node == 0 { 0 } else { node }
+        };
+        let own = subs.iter().copied().find(|sub| watched(sub) == u64::from(node_id));
+        let free = subs.iter().copied().find(|sub| watched(sub) == 0);
+        let Some(sub) = own.or(free) else {
+            let wrong = Wrong::new(format!("all {} entries of 1016h watch other nodes", subs.len()));
+            return Err(wrong.help("take one of them with `--set 1016:1=0`, before this one"));
+        };
+        let (sub, entry) = self.writable(Address { index: CONSUMERS, sub: Some(sub) })?;
+        let consumer = u64::from(node_id) << 16 | u64::from(milliseconds);
+        self.put(CONSUMERS, sub, &entry, Value::Unsigned(consumer))
+    }
+}

@@ -1,0 +1,271 @@
+//! What somebody wants of a node.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::model::{Address, PdoKind};
+
+/// One thing that somebody wants.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Setting {
+    /// An entry gets a value, spelled as in a DCF.
+    Value {
+        /// The entry; the object itself where it is a VAR.
+        at: Address,
+        /// The value.
+        text: String,
+    },
+    /// A PDO carries these entries, in this order, and nothing else.
+    Map {
+        /// The PDO.
+        pdo: PdoName,
+        /// The entries; of an RPDO also data types, which fill (`0005`).
+        objects: Vec<Address>,
+    },
+    /// A PDO gets another CAN-ID.
+    CobId {
+        /// The PDO.
+        pdo: PdoName,
+        /// The CAN-ID.
+        id: CanId,
+    },
+    /// The node watches the heartbeat of another one.
+    HeartbeatConsumer {
+        /// The other node.
+        node_id: u8,
+        /// The time in milliseconds after which it is missed.
+        milliseconds: u16,
+    },
+}
+
+/// A PDO by its name, such as `tpdo1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct PdoName {
+    /// Its direction.
+    pub kind: PdoKind,
+    /// Its number, 1 to 512.
+    pub number: u16,
+}
+
+/// The CAN-ID of a PDO.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CanId {
+    /// A number: up to 7FFh of 11 bits, above of 29.
+    Number(u32),
+    /// The node-ID plus a number.
+    PerNode(u32),
+    /// None: the PDO does not exist.
+    Off,
+}
+
+/// A text that is no setting.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{text}` is no setting: {expected}")]
+pub struct NoSetting {
+    /// The text.
+    text: String,
+    /// What to write.
+    expected: &'static str,
+}
+
+impl NoSetting {
+    fn new(text: &str, expected: &'static str) -> Self {
+        Self { text: text.to_owned(), expected }
+    }
+}
+
+impl Setting {
+    /// `1017=250`, `1800:2=1`, `2001="a text"`.
+    ///
+    /// # Errors
+    /// When that is not what the text says.
+    pub fn value(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || NoSetting::new(text, "write an entry and its value, as `1017=250` or `1800:2=0xFE`");
+        let (at, value) = text.split_once('=').ok_or_else(wrong)?;
+        let at = at.parse().map_err(|_| wrong())?;
+        Ok(Self::Value { at, text: value.trim().to_owned() })
+    }
+
+    /// `tpdo1=6000:1,6401:2`; nothing behind the `=` maps nothing.
+    ///
+    /// # Errors
+    /// When that is not what the text says.
+    pub fn map(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || NoSetting::new(text, "write a PDO and what it carries, as `tpdo1=6000:1,6401:2`");
+        let (pdo, objects) = text.split_once('=').ok_or_else(wrong)?;
+        let pdo = pdo.parse().map_err(|_| wrong())?;
+        let objects = objects.split(',').map(str::trim).filter(|object| !object.is_empty());
+        let objects = objects.map(|object| object.parse().map_err(|_| wrong()));
+        Ok(Self::Map { pdo, objects: objects.collect::<Result<_, _>>()? })
+    }
+
+    /// `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`.
+    ///
+    /// # Errors
+    /// When that is not what the text says.
+    pub fn cob_id(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || NoSetting::new(text, "write a PDO and its CAN-ID, as `rpdo2=0x2AA` or `tpdo3=off`");
+        let (pdo, id) = text.split_once('=').ok_or_else(wrong)?;
+        let pdo = pdo.parse().map_err(|_| wrong())?;
+        Ok(Self::CobId { pdo, id: id.parse().map_err(|()| wrong())? })
+    }
+
+    /// `7=750ms`, `7=750`, `9=1.5s`.
+    ///
+    /// # Errors
+    /// When that is not what the text says.
+    pub fn heartbeat_consumer(text: &str) -> Result<Self, NoSetting> {
+        let wrong =
+            || NoSetting::new(text, "write a node-ID from 1 to 127 and a time up to 65535 ms, as `7=750ms`");
+        let (node, time) = text.split_once('=').ok_or_else(wrong)?;
+        let node_id = number(node).and_then(|number| u8::try_from(number).ok());
+        let node_id = node_id.filter(|node_id| (1..=127).contains(node_id)).ok_or_else(wrong)?;
+        let milliseconds = milliseconds(time).ok_or_else(wrong)?;
+        Ok(Self::HeartbeatConsumer { node_id, milliseconds })
+    }
+}
+
+/// A decimal number, or a hexadecimal one behind `0x`.
+fn number(text: &str) -> Option<u32> {
+    let text = text.trim();
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) if !digits.starts_with('+') => u32::from_str_radix(digits, 16).ok(),
+        Some(_) => None,
+        None if text.starts_with('+') => None,
+        None => text.parse().ok(),
+    }
+}
+
+fn milliseconds(text: &str) -> Option<u16> {
+    let text = text.trim();
+    if let Some(number) = text.strip_suffix("ms") {
+        return number.trim().parse().ok();
+    }
+    let Some(seconds) = text.strip_suffix('s') else { return text.parse().ok() };
+    let (whole, fraction) = seconds.trim().split_once('.').unwrap_or((seconds.trim(), ""));
+    if fraction.len() > 3 || !fraction.bytes().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
+    let whole: u32 = whole.parse().ok()?;
+    let fraction: u32 = format!("{fraction:0<3}").parse().ok()?;
+    u16::try_from(whole.checked_mul(1000)?.checked_add(fraction)?).ok()
+}
+
+impl FromStr for PdoName {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let lower = text.trim().to_ascii_lowercase();
+        let kinds = [("rpdo", PdoKind::Rpdo), ("tpdo", PdoKind::Tpdo)];
+        let found = kinds.into_iter().find_map(|(word, kind)| {
+            let number: u16 = lower.strip_prefix(word)?.parse().ok()?;
+            kind.communication_index(number).map(|_| Self { kind, number })
+        });
+        found.ok_or(())
+    }
+}
+
+impl fmt::Display for PdoName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.kind.name().to_ascii_lowercase(), self.number)
+    }
+}
+
+impl FromStr for CanId {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let text = text.trim();
+        if text.eq_ignore_ascii_case("off") {
+            return Ok(Self::Off);
+        }
+        let upper = text.to_ascii_uppercase();
+        let (id, is_per_node) = match upper.strip_prefix("$NODEID") {
+            Some("") => (Some(0), true),
+            Some(rest) => (
+                rest.trim_start().strip_prefix('+').and_then(|rest| number(&rest.to_ascii_lowercase())),
+                true,
+            ),
+            None => (number(text), false),
+        };
+        match id.filter(|&id| id <= 0x1FFF_FFFF - 127) {
+            Some(id) if is_per_node => Ok(Self::PerNode(id)),
+            Some(id) => Ok(Self::Number(id)),
+            None => Err(()),
+        }
+    }
+}
+
+impl fmt::Display for CanId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "0x{number:X}"),
+            Self::PerNode(number) => write!(f, "$NODEID+0x{number:X}"),
+            Self::Off => f.write_str("off"),
+        }
+    }
+}
+
+/// As it is written behind the option.
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value { at, text } => write!(f, "{}={text}", spelled(*at)),
+            Self::Map { pdo, objects } => {
+                let objects: Vec<String> = objects.iter().map(|&at| spelled(at)).collect();
+                write!(f, "{pdo}={}", objects.join(","))
+            }
+            Self::CobId { pdo, id } => write!(f, "{pdo}={id}"),
+            Self::HeartbeatConsumer { node_id, milliseconds } => write!(f, "{node_id}={milliseconds}ms"),
+        }
+    }
+}
+
+/// `1017`, `1800:2`.
+pub(super) fn spelled(at: Address) -> String {
+    match at.sub {
+        Some(sub) => format!("{:04X}:{sub:X}", at.index),
+        None => format!("{:04X}", at.index),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_written_as_they_are_read() {
+        for text in ["1017=250", "1800:2=0xFE", "2001=\"a = b\"", "1F80=$NODEID+0x1"] {
+            assert_eq!(Setting::value(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
+        }
+        for text in ["tpdo1=6000:1,6401:2", "rpdo512=0005,6200:1", "tpdo3="] {
+            assert_eq!(Setting::map(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
+        }
+        for text in ["rpdo2=0x2AA", "tpdo1=$NODEID+0x180", "tpdo3=off"] {
+            assert_eq!(Setting::cob_id(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
+        }
+        for (text, read) in [("7=750ms", "7=750ms"), ("0x7F=750", "127=750ms"), ("9=1.5s", "9=1500ms")] {
+            assert_eq!(
+                Setting::heartbeat_consumer(text).map(|setting| setting.to_string()).as_deref(),
+                Ok(read)
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_setting() {
+        for text in ["1017", "heartbeat=1", "10170=1", "=1"] {
+            assert!(Setting::value(text).is_err(), "{text}");
+        }
+        for text in ["tpdo0=6000", "tpdo513=6000", "pdo1=6000", "tpdo1=x"] {
+            assert!(Setting::map(text).is_err(), "{text}");
+        }
+        for text in ["tpdo1=0x1FFFFFFF", "tpdo1=-1", "tpdo1=$NODEID-1", "tpdo1"] {
+            assert!(Setting::cob_id(text).is_err(), "{text}");
+        }
+        for text in ["0=1", "128=1", "7=65536", "7=66s", "7=1.2345s", "7=-1", "7=", "7"] {
+            assert!(Setting::heartbeat_consumer(text).is_err(), "{text}");
+        }
+    }
+}
