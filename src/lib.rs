@@ -177,6 +177,7 @@ pub mod lint;
 pub mod meaning;
 mod mend;
 pub mod model;
+pub mod modular;
 mod production;
 pub mod profile;
 pub mod registry;
