@@ -1,5 +1,6 @@
 //! The command line.
 
+mod configure;
 mod dcf;
 mod generate;
 mod new;
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::dcf::{
     DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, UnpackArgs, VerdictFormat, VerifyArgs,
 };
@@ -49,6 +51,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     Generate(Box<GenerateArgs>),
     Convert(ConvertArgs),
+    Configure(ConfigureArgs),
+    Modules(ModulesArgs),
     Dcf(DcfArgs),
     New(NewArgs),
     Profile(ProfileCommandArgs),

@@ -6,6 +6,7 @@ mod args;
 mod arrange;
 mod baseline;
 mod check;
+mod configure;
 mod convert;
 mod dcf;
 mod diff;
@@ -14,7 +15,9 @@ mod fix;
 mod generate;
 mod identify;
 mod input;
+mod modules;
 mod new;
+mod node;
 mod output;
 mod packaging;
 mod parallel;
@@ -53,6 +56,8 @@ pub fn run() -> ExitCode {
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
+        Command::Configure(command) => configure::run(command, &mut out),
+        Command::Modules(command) => modules::run(command, &mut out),
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),

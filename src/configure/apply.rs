@@ -1,7 +1,7 @@
 //! What assignments make of a device, and of its text.
 
 use super::Assignment;
-use crate::diagnostic::{Change, Fix};
+use crate::diagnostic::Change;
 use crate::format::literal::{self, Spelling};
 use crate::model::{Device, Field, Part, Place};
 
@@ -48,8 +48,12 @@ impl Device {
 
 /// The changes of a text that put the values: `ParameterValue` of each entry, and for compactly stored ones a line in the
 /// section with their values, which `has_values` says to be there or not.
-pub(crate) fn changes(device: &Device, assignments: &[Assignment], has_values: impl Fn(u16) -> bool) -> Fix {
-    let mut fix = Fix::safe("configure");
+pub(crate) fn changes(
+    device: &Device,
+    assignments: &[Assignment],
+    has_values: impl Fn(u16) -> bool,
+) -> Vec<Change> {
+    let mut changes = Vec::new();
     let mut added: Vec<(u16, Vec<(Field, String)>)> = Vec::new();
     for assignment in assignments {
         let Assignment { index, sub, .. } = *assignment;
@@ -68,12 +72,12 @@ pub(crate) fn changes(device: &Device, assignments: &[Assignment], has_values: i
             true => Place::entry(index, sub),
             false => Place::object(index),
         };
-        fix = fix.set(place.field(Field::ParameterValue), assignment.text());
+        changes.push(Change::Set(place.field(Field::ParameterValue), assignment.text()));
     }
     for (index, items) in added {
         let mut fields = vec![(Field::NrOfEntries, items.len().to_string())];
         fields.extend(items);
-        fix = fix.with(Change::Add(Part::CompactValues(index), fields));
+        changes.push(Change::Add(Part::CompactValues(index), fields));
     }
-    fix
+    changes
 }

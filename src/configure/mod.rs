@@ -34,6 +34,7 @@ use std::fmt;
 
 use crate::model::{Device, Value};
 
+pub(crate) use apply::changes;
 pub use file::{SettingsFile, SettingsFileError};
 pub use setting::{CanId, NoSetting, PdoName, Setting};
 

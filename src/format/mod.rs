@@ -2,6 +2,7 @@
 
 pub(crate) mod carried;
 pub mod concise;
+mod configured;
 mod description;
 pub(crate) mod eds;
 pub mod identify;
@@ -16,6 +17,7 @@ pub mod xml;
 
 use std::path::Path;
 
+pub use self::configured::{Configured, NodeSettings};
 pub use self::description::Description;
 use self::identify::Identification;
 use self::identify::identify_source;

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
+use super::super::node::{Wanted, commissioning};
 use super::super::{Failure, tell};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
@@ -110,32 +111,13 @@ fn base_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The node of the output: that of the device, with what the arguments change.
+/// The node of the output.
 fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Commissioning, Failure> {
-    let mut node = device.commissioning.clone().unwrap_or_default();
-    node.node_id = args.node_id.or(node.node_id);
-    node.baud_rate = args.bit_rate.or(node.baud_rate);
-    if let Some(name) = &args.node_name {
-        node.node_name = Some(name.clone());
-    }
-    if node.node_id.is_none() {
-        return Err(Failure::new("a DCF or XDC is for one node, and nothing says which one")
-            .help("say its node-ID with `--node-id`"));
-    }
-    if node.baud_rate.is_none() {
-        let rate = usual_bit_rate(device);
-        node.baud_rate = Some(rate);
-        let kind = job.to.name();
-        print_note(&format!("the {kind} states {rate} kbit/s; say another bit rate with `--bit-rate`"));
-    }
-    Ok(node)
-}
-
-/// A bit rate that the device has, the most usual one first.
-fn usual_bit_rate(device: &Device) -> u16 {
-    let rates = device.device_info.as_ref().map(|info| info.baud_rates).unwrap_or_default();
-    let usual = [250, 125, 500, 1000, 50, 20, 800, 10];
-    usual.into_iter().find(|&rate| rates.get(rate) == Some(true)).unwrap_or(250)
+    let (node_id, baud_rate, name) = (args.node_id, args.bit_rate, args.node_name.clone());
+    commissioning(
+        device,
+        &Wanted { node_id, baud_rate, name, kind: job.to.name(), rate_option: "--bit-rate" },
+    )
 }
 
 /// What a node must be told so that it is configured as the device says.

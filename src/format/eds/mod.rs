@@ -1,5 +1,6 @@
 //! EDS and DCF (CiA 306-1).
 
+mod additions;
 pub(crate) mod arrange;
 mod configure;
 pub(crate) mod file_name;
@@ -14,6 +15,7 @@ mod read;
 mod section;
 mod write;
 
+pub(crate) use additions::additions;
 pub(crate) use configure::{to_dcf, to_eds};
 pub(crate) use locate::Locator;
 pub(crate) use mend::edits;

@@ -1,0 +1,166 @@
+//! `objdict configure`.
+
+use std::borrow::Cow;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use super::args::ConfigureArgs;
+use super::input::{Input, name_of};
+use super::node::{Wanted, commissioning};
+use super::output::Output;
+use super::save::save;
+use super::{Failure, Outcome, tell};
+use crate::configure::{Problem, Setting, SettingsFile, configure};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::format::input::Reading;
+use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
+use crate::lint::{self, Options};
+use crate::model::{Device, DeviceKind};
+use crate::modular::flatten;
+use crate::report::plural;
+
+pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let description = description(args)?;
+    let file = settings_file(args)?;
+    let own = description.device();
+    let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
+    let base = plugged.as_ref().unwrap_or(own);
+    let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
+    let wanted = Wanted {
+        node_id: args.node_id.or(file.node_id),
+        baud_rate: args.baudrate.or(file.baud_rate),
+        name: args.name.clone().or_else(|| file.name.clone()),
+        kind: if is_xml { "XDC" } else { "DCF" },
+        rate_option: "--baudrate",
+    };
+    let node = commissioning(base, &wanted)?;
+    let settings = settings(args, &file);
+    let assignments = match configure(base, node.node_id.unwrap_or_default(), &settings) {
+        Ok(assignments) => assignments,
+        Err(problems) => return Ok(refuse(&problems)),
+    };
+    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
+    let file_name = file_name(args, wanted.kind);
+    let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
+    let configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
+    let worse = worse(own, &configured.device);
+    if !worse.is_empty() && !args.force {
+        return Ok(refuse_findings(&worse));
+    }
+    if !configured.is_edited {
+        tell(
+            "note: the text has no place for what was asked for, so it is written anew, without its comments\n",
+        );
+    }
+    match output {
+        Some(path) => {
+            save(path, &configured.bytes)?;
+            let count = plural(assignments.len(), "value");
+            let modules = match args.modules.len() {
+                0 => String::new(),
+                count => format!(", {}", plural(count, "module")),
+            };
+            let node_id = node.node_id.unwrap_or_default();
+            let line = format!("{}: node {node_id}, {count}{modules}", path.display());
+            writeln!(out, "{}", super::shown(&line))?;
+        }
+        None => out.write_all(&configured.bytes)?,
+    }
+    Ok(Outcome::Clean)
+}
+
+/// The description that is configured; a device as JSON is one that is written as an EDS first.
+fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
+    let (device, encoding) = (args.device, args.encoding);
+    let reading = Reading { device, encoding, max_size: args.size.max_size, ..Reading::default() };
+    match reading.read_one(&name_of(&args.file), args.size.bytes(&args.file)?)? {
+        (_, Input::Description(description)) => Ok(*description),
+        (_, Input::Device(device)) => {
+            let options = WriteOptions { carry: true, ..WriteOptions::default() };
+            let kind = if device.kind == DeviceKind::Node { Format::Dcf } else { Format::Eds };
+            let bytes = format::write(&device, kind, &options).bytes;
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            let source = crate::source::SourceFile::from_text(name_of(&args.file), text);
+            Ok(format::read(source, kind))
+        }
+        (kind, _) => {
+            let message =
+                format!("`{}` is a {}, which describes no device", name_of(&args.file), kind.name());
+            Err(Failure::new(message).help("name the EDS of the node"))
+        }
+    }
+}
+
+fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
+    let Some(path) = &args.from_file else { return Ok(SettingsFile::default()) };
+    let text = fs::read_to_string(path)
+        .map_err(|error| Failure::new(format_args!("cannot read `{}`: {error}", path.display())))?;
+    let file = SettingsFile::parse(&text)
+        .map_err(|error| Failure::new(format_args!("`{}`: {error}", path.display())))?;
+    match file.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
+        Some(node_id) => Err(Failure::new(format_args!("`{}`: `{node_id}` is no node-ID", path.display()))
+            .help("a node-ID is a number from 1 to 127")),
+        None => Ok(file),
+    }
+}
+
+/// What is wanted, in the order in which it is taken: a later one of the same entry counts.
+fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
+    let options = [&args.set, &args.map, &args.cob_id, &args.heartbeat_consumer];
+    file.settings.iter().chain(options.into_iter().flatten()).cloned().collect()
+}
+
+fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {
+    flatten(device, modules).map_err(|problems| {
+        let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
+        Failure::new(problems.join("\n")).help("`objdict modules` lists the modules")
+    })
+}
+
+/// The name that the description states of itself.
+fn file_name(args: &ConfigureArgs, kind: &str) -> String {
+    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
+    let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let ending = kind.to_ascii_lowercase();
+    output.and_then(name).unwrap_or_else(|| {
+        let stem = args.file.file_stem().filter(|_| args.file != Path::new("-")).unwrap_or_default();
+        let stem = if stem.is_empty() { Cow::Borrowed("device") } else { stem.to_string_lossy() };
+        format!("{stem}.{ending}")
+    })
+}
+
+/// What a check finds in the node and not in what it was made of: errors that the settings brought.
+fn worse(before: &Device, after: &Device) -> Vec<Diagnostic> {
+    let options = Options { node_id: after.node_id(), ..Options::default() };
+    let old = lint::check(before, &options);
+    let key = |finding: &Diagnostic| (finding.rule.id, finding.message.clone());
+    let old: std::collections::BTreeSet<_> = old.iter().map(key).collect();
+    let found = lint::check(after, &options);
+    let is_new = |finding: &&Diagnostic| finding.severity == Severity::Error && !old.contains(&key(finding));
+    found.iter().filter(is_new).cloned().collect()
+}
+
+fn refuse(problems: &[Problem]) -> Outcome {
+    for problem in problems {
+        let failure = Failure::new(problem);
+        match &problem.help {
+            Some(help) => failure.help(help.clone()).print(),
+            None => failure.print(),
+        }
+    }
+    tell(&format!("{} cannot be made, so nothing is written\n", plural(problems.len(), "setting")));
+    Outcome::Findings
+}
+
+fn refuse_findings(findings: &[Diagnostic]) -> Outcome {
+    for finding in findings {
+        let failure = Failure::new(format_args!("{}: {}", finding.rule.id, finding.message));
+        match &finding.help {
+            Some(help) => failure.help(help.clone().into_owned()).print(),
+            None => failure.print(),
+        }
+    }
+    tell("the settings bring these errors, so nothing is written; `--force` writes it all the same\n");
+    Outcome::Findings
+}

@@ -1,0 +1,126 @@
+//! `objdict modules`.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::args::{ModulesArgs, ModulesFormat};
+use super::input::{Input, name_of};
+use super::output::Output;
+use super::table::Table;
+use super::{Failure, Outcome};
+use crate::model::{Device, ExtensionCount, Module};
+
+/// The version of the JSON document, see docs/json.md.
+const VERSION: u32 = 1;
+
+/// So many characters of a cell are shown.
+const CELL: usize = 48;
+
+pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (_, input) = args.input.read_one(&args.file)?;
+    let file = name_of(&args.file);
+    let device: &Device = match &input {
+        Input::Description(description) => description.device(),
+        Input::Device(device) => device,
+        _ => return Err(Failure::new(format_args!("`{file}` describes no device"))),
+    };
+    let modules =
+        device.modules.as_ref().map(|modules| &modules.supported).filter(|modules| !modules.is_empty());
+    let Some(modules) = modules else {
+        return Err(Failure::new(format_args!("`{file}` has no modules"))
+            .help("only the description of a coupler lists them, in `[SupportedModules]`"));
+    };
+    let connected = device.modules.as_ref().and_then(|modules| modules.connected.as_deref());
+    let rows: Vec<Row<'_>> = modules.iter().map(|(&number, module)| row(number, module, connected)).collect();
+    match args.format {
+        ModulesFormat::Text => text(&rows, out)?,
+        ModulesFormat::Json => {
+            let document = Document { version: VERSION, file: &file, connected, modules: rows };
+            json(&document, out)?;
+        }
+    }
+    Ok(Outcome::Clean)
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    file: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    connected: Option<&'a [u16]>,
+    modules: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    number: u16,
+    product_name: &'a str,
+    order_code: &'a str,
+    /// Objects that are there once.
+    fixed: Vec<String>,
+    /// What each module adds.
+    adds: Vec<Added>,
+    /// How many are plugged in; none of what is no node.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plugged: Option<usize>,
+    comments: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Added {
+    index: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    subs: Option<u8>,
+    /// Bits of a sub-index that modules share.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bits: Option<u8>,
+}
+
+fn json(document: &Document<'_>, out: &mut dyn Write) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, document)?;
+    writeln!(out)
+}
+
+fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a> {
+    let adds = module.extensions.iter().map(|(index, extension)| {
+        let (subs, bits) = match extension.count {
+            Some(ExtensionCount::Subs(count)) => (Some(count), None),
+            Some(ExtensionCount::SharedBits(bits)) => (None, Some(bits)),
+            None => (None, None),
+        };
+        Added { index: format!("0x{index:04X}"), subs, bits }
+    });
+    Row {
+        number,
+        product_name: module.product_name.as_deref().unwrap_or_default(),
+        order_code: module.order_code.as_deref().unwrap_or_default(),
+        fixed: module.fixed.keys().map(|index| format!("0x{index:04X}")).collect(),
+        adds: adds.collect(),
+        plugged: connected.map(|connected| connected.iter().filter(|&&other| other == number).count()),
+        comments: &module.comments,
+    }
+}
+
+fn text(rows: &[Row<'_>], out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(["Number", "Product", "Order code", "Adds", "Brings once", "Plugged"], CELL);
+    for row in rows {
+        let added = |added: &Added| match (added.subs, added.bits) {
+            (Some(subs), _) => format!("{} x {subs}", &added.index[2..]),
+            (None, Some(1)) => format!("{} x 1 bit", &added.index[2..]),
+            (None, Some(bits)) => format!("{} x {bits} bits", &added.index[2..]),
+            (None, None) => added.index[2..].to_owned(),
+        };
+        let adds: Vec<String> = row.adds.iter().map(added).collect();
+        let fixed: Vec<&str> = row.fixed.iter().map(|index| &index[2..]).collect();
+        table.row([
+            row.number.to_string(),
+            row.product_name.to_owned(),
+            row.order_code.to_owned(),
+            adds.join(", "),
+            fixed.join(", "),
+            row.plugged.map_or(String::new(), |count| count.to_string()),
+        ]);
+    }
+    table.write(out)
+}

@@ -1,0 +1,43 @@
+//! The node that a DCF or XDC is for.
+
+use super::{Failure, tell};
+use crate::model::{Commissioning, Device};
+
+/// What the arguments say of the node.
+pub(super) struct Wanted {
+    pub node_id: Option<u8>,
+    pub baud_rate: Option<u16>,
+    pub name: Option<String>,
+    /// What the file is that states it.
+    pub kind: &'static str,
+    /// How the options are called that say the node-ID and the bit rate.
+    pub rate_option: &'static str,
+}
+
+/// The node of the output: that of the device, with what the arguments change.
+pub(super) fn commissioning(device: &Device, wanted: &Wanted) -> Result<Commissioning, Failure> {
+    let mut node = device.commissioning.clone().unwrap_or_default();
+    node.node_id = wanted.node_id.or(node.node_id);
+    node.baud_rate = wanted.baud_rate.or(node.baud_rate);
+    if let Some(name) = &wanted.name {
+        node.node_name = Some(name.clone());
+    }
+    if node.node_id.is_none() {
+        return Err(Failure::new("a DCF or XDC is for one node, and nothing says which one")
+            .help("say its node-ID with `--node-id`"));
+    }
+    if node.baud_rate.is_none() {
+        let rate = usual_bit_rate(device);
+        node.baud_rate = Some(rate);
+        let Wanted { kind, rate_option, .. } = wanted;
+        tell(&format!("note: the {kind} states {rate} kbit/s; say another bit rate with `{rate_option}`\n"));
+    }
+    Ok(node)
+}
+
+/// A bit rate that the device has, the most usual one first.
+fn usual_bit_rate(device: &Device) -> u16 {
+    let rates = device.device_info.as_ref().map(|info| info.baud_rates).unwrap_or_default();
+    let usual = [250, 125, 500, 1000, 50, 20, 800, 10];
+    usual.into_iter().find(|&rate| rates.get(rate) == Some(true)).unwrap_or(250)
+}
