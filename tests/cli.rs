@@ -22,6 +22,7 @@ fn pages() {
         "README.md",
         "docs/ci.md",
         "docs/cli.md",
+        "docs/dcf.md",
         "docs/json.md",
         "docs/formats.md",
         "docs/profiles.md",
@@ -31,7 +32,8 @@ fn pages() {
         let case = folder.path().join("page.md");
         fs::copy(page, &case).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
-        for fixtures in ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles"]
+        for fixtures in
+            ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles", "concise"]
         {
             copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
         }

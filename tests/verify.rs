@@ -54,7 +54,8 @@ fn a_pdo_is_switched_off_before_it_is_changed() {
 #[test]
 fn a_frame_has_64_bits() {
     let map = |entries: &[u32]| {
-        let lines = entries.iter().zip(1..).map(|(entry, sub)| format!("1601:{sub:02X} UNSIGNED32 0x{entry:08X}\n"));
+        let lines =
+            entries.iter().zip(1..).map(|(entry, sub)| format!("1601:{sub:02X} UNSIGNED32 0x{entry:08X}\n"));
         let lines: String = lines.collect();
         let count = entries.len();
         objections(&format!(
@@ -63,8 +64,17 @@ fn a_frame_has_64_bits() {
     };
     // dummies fill an RPDO
     assert_eq!(map(&[0x0007_0020, 0x6411_0110, 0x6411_0210]), Vec::<String>::new());
-    assert_eq!(map(&[0x0007_0020, 0x0007_0020, 0x6200_0108]), ["6: 72 bits are mapped, but a PDO has 64 (0604 0042h)"]);
-    assert_eq!(map(&[0x0007_0010]), ["3: `0007h:00, 16 bits` is mapped, but it has 32 (0604 0042h)", "4: sub-index 1h maps nothing (0604 0041h)"][..1]);
+    assert_eq!(
+        map(&[0x0007_0020, 0x0007_0020, 0x6200_0108]),
+        ["6: 72 bits are mapped, but a PDO has 64 (0604 0042h)"]
+    );
+    assert_eq!(
+        map(&[0x0007_0010]),
+        [
+            "3: `0007h:00, 16 bits` is mapped, but it has 32 (0604 0042h)",
+            "4: sub-index 1h maps nothing (0604 0041h)"
+        ][..1]
+    );
 }
 
 #[test]
@@ -115,7 +125,8 @@ fn what_is_planned_is_accepted() {
     ] {
         let device = device(path);
         for scope in [Scope::Changed, Scope::All] {
-            let options = PlanOptions { node_id: device.node_id().or(Some(5)), scope, ..PlanOptions::default() };
+            let options =
+                PlanOptions { node_id: device.node_id().or(Some(5)), scope, ..PlanOptions::default() };
             let Ok(plan) = ConciseDcf::plan(&device, &options) else { continue };
             let stream = plan.into_concise(|file| Err(file.name.clone()));
             let Ok(stream) = stream else { continue };
