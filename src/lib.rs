@@ -174,7 +174,7 @@ pub mod download;
 pub mod format;
 pub mod generate;
 pub mod lint;
-pub mod meaning;
+pub mod decoded;
 mod mend;
 pub mod model;
 pub mod modular;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::View;
 use super::value::Reader;
 use crate::cli::table::{Table, fit};
-use crate::meaning;
+use crate::decoded;
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 use crate::report::plural;
 
@@ -38,7 +38,7 @@ pub(super) fn object(view: &View<'_>, index: u16, object: &Object, out: &mut dyn
     for (sub, entry) in object.entries() {
         if let Some(meaning) = entry.value().and_then(|value| {
             let value = view.reader(index).resolve(value, entry.data_type);
-            meaning::of(view.device, index, sub, &value, view.node_id)
+            decoded::of(view.device, index, sub, &value, view.node_id)
         }) {
             meanings.row([format!("{sub:X}"), meaning]);
             any = true;
@@ -94,7 +94,7 @@ pub(super) fn entry(
             line("bytes", bytes);
         }
         let resolved = reader.resolve(value, entry.data_type);
-        if let Some(meaning) = meaning::of(view.device, index, sub, &resolved, view.node_id) {
+        if let Some(meaning) = decoded::of(view.device, index, sub, &resolved, view.node_id) {
             line("meaning", meaning);
         }
     }
