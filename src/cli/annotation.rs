@@ -1,8 +1,8 @@
 //! What is said of a download beside its bytes.
 
+use crate::decoded;
 use crate::download::Download;
 use crate::format::concise::Annotation;
-use crate::decoded;
 use crate::model::{DataType, Device, Value};
 
 /// The description that a stream is for, and the node.

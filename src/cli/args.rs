@@ -156,6 +156,9 @@ pub(super) struct ShowArgs {
     /// The node that formulas such as $NODEID+0x180 are worked out for; a DCF names its own
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
+    /// Only what a DCF configures to another value than the default
+    #[arg(long)]
+    pub changed: bool,
     /// How to write it
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,

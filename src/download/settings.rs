@@ -72,7 +72,7 @@ impl<'a> Settings<'a> {
         let configured = entry.configured.as_ref();
         let from_file = configured.is_some_and(|configured| configured.download_file.is_some());
         let configured = from_file || configured_text(object, sub, &entry);
-        let differs = configured && (from_file || unreadable.is_some() || self.differs(&entry));
+        let differs = configured && (from_file || unreadable.is_some() || entry.is_changed(self.node_id));
         if let Some(reason) = skip_reason(index, object, &entry, options) {
             if differs {
                 self.skipped.insert((index, sub), Skipped { place, reason });
@@ -84,19 +84,6 @@ impl<'a> Settings<'a> {
         let wanted = differs || self.scope == Scope::All && has_value && !count;
         let entry_type = EntryType::of(device, object, sub, &entry);
         self.entries.insert((index, sub), Setting { entry, place, entry_type, wanted, unreadable });
-    }
-
-    /// Whether the configured value of an entry is another one than its default, as far as that can be told.
-    fn differs(&self, entry: &Entry) -> bool {
-        let (Some(configured), Some(default)) = (entry.configured_value(), &entry.default) else {
-            return true;
-        };
-        if configured == default {
-            return false;
-        }
-        let number = |value: &Value| value.integer_for(self.node_id?);
-        let (configured, default) = (number(configured), number(default));
-        configured.is_none() || configured != default
     }
 
     /// Whether a download may write the entry.

@@ -131,6 +131,19 @@ impl Entry {
         self.configured.as_ref()?.value.as_ref()
     }
 
+    /// Whether a DCF configures another value than the default, as far as that can be told: formulas are worked out for the
+    /// node `node_id`.
+    pub fn is_changed(&self, node_id: Option<u8>) -> bool {
+        let Some(configured) = self.configured_value() else { return false };
+        let Some(default) = &self.default else { return true };
+        if configured == default {
+            return false;
+        }
+        let number = |value: &Value| value.integer_for(node_id?);
+        let (configured, default) = (number(configured), number(default));
+        configured.is_none() || configured != default
+    }
+
     /// The value that the node has after it was configured: what the DCF says, else the default.
     pub fn value(&self) -> Option<&Value> {
         self.configured_value().or(self.default.as_ref())

@@ -1,9 +1,11 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
-//! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask docs [--check]`.
+//! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
+//! `cargo xtask docs [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
 mod changes;
+mod concise;
 mod corpus;
 mod docs;
 mod mutants;
@@ -26,6 +28,9 @@ usage:
       OBJDICT_<STACK>_DIR names a checkout of a stack, compile with it too
   cargo xtask mutants FOLDER COUNT
       damage the descriptions below FOLDER so often, and read, check, mend and arrange them; nothing may panic
+  cargo xtask concise CORPUS
+      unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
+      were made of
   cargo xtask docs [--check]
       write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare";
 
@@ -47,6 +52,7 @@ fn main() -> ExitCode {
             Ok(count) => mutants::run(Path::new(folder), count),
             Err(_) => Err(USAGE.to_owned()),
         },
+        ["concise", corpus] => concise::run(Path::new(corpus)),
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
         _ => Err(USAGE.to_owned()),

@@ -53,7 +53,7 @@ pub(super) fn write<'a>(
     )?;
     let mut separator = "\n";
     for (index, object) in objects {
-        for (sub, entry) in object.entries().filter(|(sub, _)| is_wanted(*sub)) {
+        for (sub, entry) in object.entries().filter(|(sub, entry)| is_wanted(*sub) && view.shows(entry)) {
             out.write_all(separator.as_bytes())?;
             serde_json::to_writer(&mut *out, &row(view.reader(index), sub, object, &entry))?;
             separator = ",\n";

@@ -25,11 +25,23 @@ struct View<'a> {
     device: &'a Device,
     /// The node that formulas are worked out for.
     node_id: Option<u8>,
+    /// Whether only what is configured to another value than its default is shown.
+    changed: bool,
 }
 
 impl View<'_> {
     fn reader(&self, index: u16) -> Reader {
         Reader { index, node_id: self.node_id }
+    }
+
+    /// Whether an entry is to be shown.
+    fn shows(&self, entry: &Entry) -> bool {
+        !self.changed || entry.is_changed(self.node_id)
+    }
+
+    /// Whether there may be entries that are not.
+    fn is_filtered(&self) -> bool {
+        self.changed
     }
 }
 
@@ -45,7 +57,13 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
     };
     let file = name_of(&args.file);
     let device = args.expand.device(device);
-    let view = View { file: &file, format, device: &device, node_id: args.node_id.or(device.node_id()) };
+    let view = View {
+        file: &file,
+        format,
+        device: &device,
+        node_id: args.node_id.or(device.node_id()),
+        changed: args.changed,
+    };
     match args.address {
         None => show_device(&view, args.format, out)?,
         Some(address) => show_address(&view, address, args.format, out)?,

@@ -143,8 +143,14 @@ fn object_rows(view: &View<'_>, index: u16, object: &Object, table: &mut Table<1
     let object_type = object.object_type();
     let is_single = !object_type.has_subs() && object.subs.is_empty() && object.compact.is_none();
     if is_single {
+        if !view.shows(&object.main) {
+            return;
+        }
         let cells = entry_cells(reader, &object.main);
         table.row(row(shown_index, String::new(), object.name(), object_type.to_string(), cells));
+        return;
+    }
+    if !object.entries().any(|(_, entry)| view.shows(&entry)) && view.is_filtered() {
         return;
     }
     let (name, object_type) = match object.orphan {
@@ -152,7 +158,7 @@ fn object_rows(view: &View<'_>, index: u16, object: &Object, table: &mut Table<1
         false => (object.name(), object_type.to_string()),
     };
     table.row(row(shown_index, String::new(), name, object_type, Default::default()));
-    for (sub, entry) in object.entries() {
+    for (sub, entry) in object.entries().filter(|(_, entry)| view.shows(entry)) {
         let object_type = entry.object_type.filter(|&of| of != ObjectType::Var);
         let object_type = object_type.map(|of| of.to_string()).unwrap_or_default();
         let cells = entry_cells(reader, &entry);
