@@ -77,7 +77,8 @@ impl<'a> Desk<'a> {
             let wrong = Wrong::new(format!("there is no object `{:04X}`", at.index));
             let indexes: Vec<String> = device.objects.keys().map(|index| format!("{index:04X}")).collect();
             let wanted = format!("{:04X}", at.index);
-            return Err(match nearest(&wanted, indexes.iter().map(String::as_str)) {
+            let meant = same_digits(&wanted, &indexes);
+            return Err(match meant.or_else(|| nearest(&wanted, indexes.iter().map(String::as_str))) {
                 Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                 None => wrong.help("`objdict show` lists the objects"),
             });
@@ -103,6 +104,18 @@ impl<'a> Desk<'a> {
             }
         }
     }
+}
+
+/// The index with two digits in another order, which is the mistake that is made most.
+fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
+    let sorted = |text: &str| {
+        let mut digits = text.as_bytes().to_vec();
+        digits.sort_unstable();
+        digits
+    };
+    let differing = |index: &str| index.bytes().zip(wanted.bytes()).filter(|(a, b)| a != b).count();
+    let mut indexes = indexes.iter().map(String::as_str);
+    indexes.find(|index| differing(index) == 2 && sorted(index) == sorted(wanted))
 }
 
 /// The sub-indexes of an object, those that follow each other as a range.

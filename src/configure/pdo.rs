@@ -91,7 +91,7 @@ impl Desk<'_> {
         }
         if !entry.fits_pdo(kind) {
             let access = entry.access.map_or(String::new(), |access| format!(": it is `{access}`"));
-            return Err(Wrong::new(format!("`{name}` cannot be mapped into an {kind}{access}")));
+            return Err(Wrong::new(format!("no {kind} can carry `{name}`{access}")));
         }
         match self.device.transferred_type(at.index, sub).and_then(DataType::bit_length) {
             Some(bits) => Ok(MappedObject { index: at.index, sub, bits }),

@@ -57,7 +57,10 @@ fn derived(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
         writeln!(list, "({name:?}, |node_id| round({name}::Data::new(node_id))),")?;
     }
     std::fs::write(out.join("defmt.rs"), defmt)?;
-    writeln!(serde, "/// A device and its round trip, for a node-ID.\ntype Trip = (&'static str, fn(u8));\n")?;
+    writeln!(
+        serde,
+        "/// A device and its round trip, for a node-ID.\ntype Trip = (&'static str, fn(u8));\n"
+    )?;
     writeln!(serde, "const DEVICES: &[Trip] = &[\n{list}];")?;
     std::fs::write(out.join("serde.rs"), serde)?;
     Ok(())

@@ -250,7 +250,7 @@ impl fmt::Display for ObjectionKind {
             Self::PdoIsValid(kind, number) => write!(f, "{kind} {number} is valid, so this cannot change"),
             Self::MappingInUse => f.write_str("sub-index 0 of the mapping is not 0, so this cannot change"),
             Self::NotMappable(mapped, kind) => {
-                write!(f, "`{mapped}` cannot be mapped into a PDO of this kind ({kind})")
+                write!(f, "no {kind} can carry `{mapped}`")
             }
             Self::MappedLength { mapped, bits } => write!(f, "`{mapped}` is mapped, but it has {bits}"),
             Self::PdoTooLong { bits } => write!(f, "{bits} bits are mapped, but a PDO has 64"),
