@@ -22,7 +22,11 @@ fn verify(text: &str) -> Verification {
 
 /// What is said against the downloads, each with its number, the abort code, and whether it is only a doubt.
 fn objections(text: &str) -> Vec<String> {
-    let verification = verify(text);
+    objections_of(&device("eds/io-401.eds"), text)
+}
+
+fn objections_of(device: &Device, text: &str) -> Vec<String> {
+    let verification = concise::parse(text, Some(5)).unwrap().verify(device, Some(5));
     let objections = verification.objections.iter().map(|objection| {
         let abort = objection.kind.abort().map_or(String::new(), |abort| format!(" ({abort})"));
         let doubt = if objection.kind.is_refusal() { "" } else { "doubt: " };
@@ -88,7 +92,14 @@ fn services_are_switched_off_before_they_are_renamed() {
 
 #[test]
 fn what_is_written_behind_save_is_not_stored() {
-    let found = objections(
+    let mut device = device("eds/io-401.eds");
+    for index in [0x1010, 0x1011] {
+        let object = device.objects.get_mut(&index).unwrap();
+        object.main.flags = None;
+        object.subs.iter_mut().for_each(|(_, entry)| entry.flags = None);
+    }
+    let found = objections_of(
+        &device,
         "1010:01 UNSIGNED32 1\n1010:01 UNSIGNED32 0x65766173\n1011:01 UNSIGNED32 0x64616F6C\n1017:00 UNSIGNED16 250\n",
     );
     insta::assert_snapshot!(found.join("\n"));

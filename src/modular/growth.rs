@@ -94,7 +94,8 @@ impl Growth {
         }
         self.last += 1;
         self.added += 1;
-        let object = device.objects.entry(self.current).or_insert_with(|| array(&extension.entry));
+        let name = self.object_name(device, &extension.entry);
+        let object = device.objects.entry(self.current).or_insert_with(|| array(name));
         if object.compact.is_some() {
             *object = object.expanded().into_owned();
         }
@@ -102,6 +103,14 @@ impl Growth {
         let object_type = Some(extension.entry.object_type.unwrap_or(ObjectType::Var));
         object.subs.insert(self.last, Entry { name, object_type, ..extension.entry.clone() });
         Ok(())
+    }
+
+    /// What an object is called that modules bring; one that goes on where another ends is called like it, with a number.
+    fn object_name(&self, device: &Device, element: &Entry) -> Box<str> {
+        match (self.current - self.index, device.object(self.index)) {
+            (number @ 1.., Some(first)) => format!("{} {}", first.name(), number + 1).into(),
+            _ => element.name.clone(),
+        }
     }
 
     /// Lets sub-index 0 say how many elements there are, in each object that grew.
@@ -130,7 +139,7 @@ fn is_alike(first: &Entry, second: &Entry) -> bool {
 }
 
 /// An ARRAY without elements.
-fn array(element: &Entry) -> Object {
+fn array(name: Box<str>) -> Object {
     let count = Entry {
         name: "Number of elements".into(),
         object_type: Some(ObjectType::Var),
@@ -139,6 +148,6 @@ fn array(element: &Entry) -> Object {
         default: Some(Value::Unsigned(0)),
         ..Entry::default()
     };
-    let main = Entry { name: element.name.clone(), object_type: Some(ObjectType::Array), ..Entry::default() };
+    let main = Entry { name, object_type: Some(ObjectType::Array), ..Entry::default() };
     Object { main, subs: BTreeMap::from([(0, count)]).into_iter().collect(), ..Object::default() }
 }

@@ -19,7 +19,7 @@ pub(crate) fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> 
             None => {
                 new.objects.insert(index, object.clone());
             }
-            Some(old) if old.compact.is_some() && old != object => return None,
+            Some(old) if old.compact.is_some() && has_grown(old, object) => return None,
             Some(old) => {
                 changes.extend(grown(index, old, object));
                 let added = object.subs.iter().filter(|(sub, _)| old.subs.get(*sub).is_none());
@@ -46,6 +46,12 @@ pub(crate) fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> 
     }
     changes.extend(connected(before, after));
     Some(changes)
+}
+
+/// Whether a compactly stored object has entries that it had not.
+fn has_grown(old: &Object, new: &Object) -> bool {
+    let count = |object: &Object| object.compact.as_ref().map(|compact| compact.count);
+    count(old) != count(new) || old.subs.len() != new.subs.len()
 }
 
 /// What an object says of itself that is another thing now: how many entries it has.
