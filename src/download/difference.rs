@@ -90,8 +90,9 @@ mod tests {
 
     #[test]
     fn another_order_is_told() {
-        let (a, b): ((u16, u8, &[u8]), (u16, u8, &[u8])) = ((0x1017, 0, &[5]), (0x2000, 0, &[7]));
-        let differences = of(&[a, b]).differences(&of(&[b, a]));
+        let forth = of(&[(0x1017, 0, &[5]), (0x2000, 0, &[7])]);
+        let back = of(&[(0x2000, 0, &[7]), (0x1017, 0, &[5])]);
+        let differences = forth.differences(&back);
         assert!(differences.is_reordered && differences.entries.is_empty());
     }
 }

@@ -4,7 +4,6 @@
 //! `docs/profiles.md` describes the form.
 
 mod condition;
-#[cfg(feature = "cli")]
 mod decode;
 pub mod default_mapping;
 mod facts;
@@ -13,7 +12,6 @@ mod open;
 mod standard;
 
 pub use condition::{Condition, ConditionError};
-#[cfg(feature = "cli")]
 pub(crate) use decode::meaning;
 pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
 pub use load::ProfileError;

@@ -128,7 +128,7 @@ fn value_of(data_type: DataType, data: &[u8]) -> Result<Option<Value>, Objection
     }
     let is_value = match data_type.kind() {
         TypeKind::Boolean => data.iter().all(|&byte| byte <= 1),
-        TypeKind::UnicodeString => found % 2 == 0,
+        TypeKind::UnicodeString => found.is_multiple_of(2),
         _ => true,
     };
     if !is_value {

@@ -3,7 +3,7 @@
 use super::super::Download;
 use super::ObjectionKind;
 use super::node::{Judgement, Node, number};
-use crate::model::{CobId, PdoKind, restricted};
+use crate::model::{CobId, Object, PdoKind, restricted};
 
 /// The bits of a COB-ID that are its identifier and frame format.
 const IDENTIFIER: u32 = 0x3FFF_FFFF;
@@ -104,7 +104,7 @@ impl Node<'_> {
     /// 1016h: no node is watched twice.
     fn judge_consumer(&mut self, sub: u8, new: u32) -> Judgement {
         let Some(node_id) = watched(new) else { return Ok(None) };
-        let others = self.device.object(0x1016).into_iter().flat_map(|object| object.entries());
+        let others = self.device.object(0x1016).into_iter().flat_map(Object::entries);
         let others: Vec<u8> =
             others.map(|(other, _)| other).filter(|&other| other != 0 && other != sub).collect();
         for other in others {

@@ -5,7 +5,7 @@ use super::write;
 use crate::diagnostic::Change;
 use crate::format::WriteOptions;
 use crate::format::ini::{Document, Section};
-use crate::model::{Device, Field, Object, Part, Place};
+use crate::model::{Device, Field, Object, Part, Place, Value};
 use crate::source::{SourceFile, Span};
 
 /// The changes that make the text of `before` one of `after`, which has objects and sub-indexes besides, other lists,
@@ -65,7 +65,7 @@ fn grown(index: u16, old: &Object, new: &Object) -> Vec<Change> {
     for (sub, entry) in new.subs.iter() {
         let Some(before) = old.subs.get(sub) else { continue };
         let default = entry.default.as_ref().filter(|_| entry.default != before.default);
-        if let Some(number) = default.and_then(|default| default.as_integer()) {
+        if let Some(number) = default.and_then(Value::as_integer) {
             changes
                 .push(Change::Set(Place::entry(index, sub).field(Field::DefaultValue), number.to_string()));
         }
