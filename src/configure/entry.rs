@@ -90,10 +90,8 @@ impl<'a> Desk<'a> {
             None => {
                 let subs = subs(object);
                 let wrong = Wrong::new("the object has sub-indexes, and none is named");
-                return Err(wrong.help(format!(
-                    "write `{}` with one of {subs}",
-                    spelled(Address { sub: Some(1), ..at })
-                )));
+                let example = spelled(Address { sub: Some(1), ..at });
+                return Err(wrong.help(format!("name one of {subs}, as in `{example}`")));
             }
         };
         match object.entry(sub) {

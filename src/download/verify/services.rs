@@ -28,6 +28,12 @@ impl Change {
         if !is_off(new) {
             free(new)?;
         }
+        self.in_use(is_off, how)
+    }
+
+    /// Judges only whether the service is off while its identifier changes.
+    fn in_use(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
+        let Self { present, new } = self;
         match present.filter(|&present| !is_off(present) && (present ^ new) & IDENTIFIER != 0) {
             None => Ok(None),
             Some(present) if is_off(new) => Ok(Some(ObjectionKind::RenamedWhileSwitchedOff { present })),
@@ -124,11 +130,18 @@ impl Node<'_> {
         (new != 0 && runs(0x1017) && runs(0x100C) && runs(0x100D)).then_some(ObjectionKind::TwoErrorControls)
     }
 
-    /// 1200h to 12FFh: an SDO is there while bit 31 of both its COB-IDs is clear.
+    /// 1200h to 12FFh: an SDO is there while bit 31 of both its COB-IDs is clear. A client may talk to the default SDO of
+    /// another node.
     fn judge_sdo(&mut self, index: u16, sub: u8, new: u32) -> Judgement {
         let other = self.word((index, 3 - sub));
         let present = self.word((index, sub)).filter(|_| !other.is_some_and(is_invalid));
-        Change { present, new }.judge(is_invalid, "set bit 31 of one of its COB-IDs")
+        let change = Change { present, new };
+        let is_default_sdo = matches!(new, 0x581..=0x5FF | 0x601..=0x67F);
+        let how = "set bit 31 of one of its COB-IDs";
+        match index >= 0x1280 && is_default_sdo {
+            true => change.in_use(is_invalid, how),
+            false => change.judge(is_invalid, how),
+        }
     }
 }
 
