@@ -22,7 +22,6 @@
 //! # Ok::<(), objdict::configure::NoSetting>(())
 //! ```
 
-mod apply;
 mod entry;
 mod file;
 mod heartbeat;
@@ -32,22 +31,10 @@ mod setting;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::model::{Device, Value};
+use crate::model::{Assignment, Device, Value};
 
-pub(crate) use apply::changes;
 pub use file::{SettingsFile, SettingsFileError};
 pub use setting::{CanId, NoSetting, PdoName, Setting};
-
-/// An entry and the value that it gets.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Assignment {
-    /// Index of the object.
-    pub index: u16,
-    /// Sub-index of the entry.
-    pub sub: u8,
-    /// The value, as `ParameterValue` holds it.
-    pub value: Value,
-}
 
 /// Why a setting cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! A description configured for a node: by edits of its text where that is possible.
 
+use super::literal::{self, Spelling};
 use super::{Description, Format, Syntax, WriteOptions, eds};
-use crate::configure::{Assignment, changes};
-use crate::diagnostic::Fix;
-use crate::model::{Commissioning, Device, DeviceKind, Part, Place};
+use crate::diagnostic::{Change, Fix};
+use crate::model::{Assignment, Commissioning, Device, DeviceKind, Field, Part, Place};
 use crate::source::{EditError, Edits, SourceFile, SourceOptions};
 
 /// What a node is configured to be.
@@ -58,7 +58,7 @@ impl Description {
 
     /// The description with the objects and values of `device`; `None` where edits cannot make it of this text.
     fn with_values(&self, device: &Device) -> Option<Self> {
-        let values = configured_values(self.device(), device);
+        let values = self.device().reconfigured(device);
         let has_values = |index| self.locate(&Place::of(Part::CompactValues(index))).is_some();
         let mut fix = Fix { changes: changes(self.device(), &values, has_values), ..Fix::safe("configure") };
         match self.format().syntax() {
@@ -86,18 +86,51 @@ impl Description {
     }
 }
 
-/// The values that entries of `before` have in `after`, where they are configured otherwise.
-fn configured_values(before: &Device, after: &Device) -> Vec<Assignment> {
-    let mut values = Vec::new();
-    for (&index, object) in &after.objects {
-        let Some(old) = before.object(index) else { continue };
-        for (sub, entry) in object.entries() {
-            let Some(value) = entry.configured_value() else { continue };
-            let is_new = old.entry(sub).is_some_and(|old| old.configured_value() != Some(value));
-            if is_new {
-                values.push(Assignment { index, sub, value: value.clone() });
-            }
-        }
+/// The text of a value, spelled as `ParameterValue` holds it.
+fn text_of(assignment: &Assignment) -> String {
+    let hex = is_code(assignment.index, assignment.sub);
+    literal::print(&assignment.value, Spelling { hex, ..Spelling::default() })
+}
+
+/// Whether people read the number in hex: COB-IDs, mapped objects, heartbeat consumers.
+const fn is_code(index: u16, sub: u8) -> bool {
+    match index {
+        0x1005 | 0x1012 | 0x1014 => true,
+        0x1016 | 0x1028 | 0x1600..=0x17FF | 0x1A00..=0x1BFF => sub > 0,
+        0x1200..=0x12FF => matches!(sub, 1 | 2),
+        0x1400..=0x15FF | 0x1800..=0x19FF => sub == 1,
+        _ => false,
     }
-    values
+}
+
+/// The changes of a text that put the values: `ParameterValue` of each entry, and for compactly stored ones a line in the
+/// section with their values, which `has_values` says to be there or not.
+fn changes(device: &Device, assignments: &[Assignment], has_values: impl Fn(u16) -> bool) -> Vec<Change> {
+    let mut changes = Vec::new();
+    let mut added: Vec<(u16, Vec<(Field, String)>)> = Vec::new();
+    for assignment in assignments {
+        let Assignment { index, sub, .. } = *assignment;
+        let Some(object) = device.object(index) else { continue };
+        let is_described = object.subs.get(sub).is_some();
+        let is_compact = !is_described && object.compact.is_some() && sub > 0;
+        if is_compact && !has_values(index) {
+            let item = (Field::Item(sub.into()), text_of(assignment));
+            match added.last_mut().filter(|(other, _)| *other == index) {
+                Some((_, items)) => items.push(item),
+                None => added.push((index, vec![item])),
+            }
+            continue;
+        }
+        let place = match is_described || is_compact {
+            true => Place::entry(index, sub),
+            false => Place::object(index),
+        };
+        changes.push(Change::Set(place.field(Field::ParameterValue), text_of(assignment)));
+    }
+    for (index, items) in added {
+        let mut fields = vec![(Field::NrOfEntries, items.len().to_string())];
+        fields.extend(items);
+        changes.push(Change::Add(Part::CompactValues(index), fields));
+    }
+    changes
 }

@@ -8,6 +8,7 @@
 mod access;
 mod address;
 mod application_process;
+mod assignment;
 mod cob_id;
 mod commissioning;
 mod configuration;
@@ -47,6 +48,7 @@ pub use application_process::{
     FunctionType, MemberRef, SimpleType, Subrange, TypeDefinition, TypeShape, VarDeclaration, VariableRef,
     VersionInfo,
 };
+pub use assignment::Assignment;
 pub use cob_id::{CobId, predefined, restricted};
 pub use commissioning::Commissioning;
 pub use data_type::{DataType, TypeKind};

@@ -24,9 +24,8 @@ impl Change {
     /// Judges the change of an identifier: it may differ only where the service `is_off`, and must be free where the
     /// new COB-ID switches the service on.
     pub(super) fn judge(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
-        let Self { present, new } = self;
-        if !is_off(new) {
-            free(new)?;
+        if !is_off(self.new) {
+            free(self.new)?;
         }
         self.in_use(is_off, how)
     }
