@@ -128,6 +128,31 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Configuring
+//!
+//! [`configure()`](configure::configure) checks what somebody wants of a node against its dictionary, and tells all that is
+//! wrong at once. The description takes the values that come of it:
+//!
+//! ```
+//! use objdict::configure::{Setting, configure};
+//! use objdict::format::{self, NodeSettings};
+//! use objdict::model::Commissioning;
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+//! # let path = std::path::Path::new(folder).join("io-401.eds");
+//! let eds = format::open(&path, &Default::default())?;
+//! let wanted = [Setting::value("1017=250")?, Setting::map("tpdo1=6000:1,6401:2")?];
+//! let assignments = configure(eds.device(), 5, &wanted).expect("the device has all that");
+//!
+//! let node = &Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
+//! let settings = NodeSettings { node, plugged: None, assignments: &assignments };
+//! let dcf = eds.configured("door.dcf", &settings)?;
+//! assert!(dcf.is_edited && dcf.device.node_id() == Some(5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Between lines and XML
+//!
 //! Between lines and XML a description is written anew. Whoever asks for a conversion gets what it loses with it: the
 //! written text is read back and compared. What the other format has no place for can be carried in it.
 //!
