@@ -45,9 +45,9 @@ const IDENTIFIER: u32 = 0x3FFF_FFFF;
 
 /// The steps that bring every wanted entry to its value.
 pub(super) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
-    let mut groups: BTreeMap<(Stage, u16), BTreeSet<Key>> = BTreeMap::new();
+    let mut groups: BTreeMap<(Stage, u16), Vec<Key>> = BTreeMap::new();
     for key in settings.wanted() {
-        groups.entry(group(key.0)).or_default().insert(key);
+        groups.entry(group(key.0)).or_default().push(key);
     }
     let mut arranger = Arranger { settings, stages: BTreeMap::new() };
     let pdos: Vec<u16> =
@@ -158,7 +158,7 @@ impl Arranger<'_, '_> {
     }
 
     /// 1016h: a node must not be watched by two entries, so a node that moves to another entry leaves its old one first.
-    fn heartbeat_consumers(&mut self, keys: &BTreeSet<Key>) {
+    fn heartbeat_consumers(&mut self, keys: &[Key]) {
         let mut done = BTreeSet::new();
         for &key in keys {
             let watched = self.settings.target_number(key).and_then(watched_node);
@@ -174,7 +174,7 @@ impl Arranger<'_, '_> {
     }
 
     /// Identifiers of which bits 0 to 29 may change only while `off` is applied: 1012h, 1014h, 1028h.
-    fn identifiers(&mut self, keys: &BTreeSet<Key>, off: impl Fn(u32) -> u32) {
+    fn identifiers(&mut self, keys: &[Key], off: impl Fn(u32) -> u32) {
         for &key in keys {
             if let Some(new) = self.settings.target_number(key) {
                 let old = self.settings.default_number(key).unwrap_or(new);
@@ -188,7 +188,7 @@ impl Arranger<'_, '_> {
     }
 
     /// An SDO of 1200h to 12FFh: off, its parameters, on.
-    fn sdo(&mut self, keys: &BTreeSet<Key>) {
+    fn sdo(&mut self, keys: &[Key]) {
         let (identifiers, others): (Vec<Key>, Vec<Key>) =
             keys.iter().partition(|(_, sub)| matches!(sub, 1 | 2));
         let mut on = Vec::new();

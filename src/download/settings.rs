@@ -14,7 +14,8 @@ pub(super) type Key = (u16, u8);
 pub(super) struct Settings<'a> {
     node_id: Option<u8>,
     scope: Scope,
-    entries: BTreeMap<Key, Setting<'a>>,
+    /// In ascending order, in which the dictionary gives them: many are looked up, and moving them about costs most.
+    entries: Vec<(Key, Setting<'a>)>,
     problems: BTreeMap<Key, Problem>,
     skipped: BTreeMap<Key, Skipped>,
 }
@@ -47,7 +48,7 @@ impl<'a> Settings<'a> {
         let mut settings = Self {
             node_id: options.node_id.or_else(|| device.node_id()),
             scope: options.scope,
-            entries: BTreeMap::new(),
+            entries: Vec::new(),
             problems: BTreeMap::new(),
             skipped: BTreeMap::new(),
         };
@@ -83,27 +84,34 @@ impl<'a> Settings<'a> {
         let has_value = entry.value().is_some() || unreadable.is_some() || from_file;
         let wanted = differs || self.scope == Scope::All && has_value && !count;
         let entry_type = EntryType::of(device, object, sub, &entry);
-        self.entries.insert((index, sub), Setting { entry, place, entry_type, wanted, unreadable });
+        self.entries.push(((index, sub), Setting { entry, place, entry_type, wanted, unreadable }));
+    }
+
+    fn find(&self, key: Key) -> Option<&Setting<'a>> {
+        let found = self.entries.binary_search_by_key(&key, |&(other, _)| other);
+        found.ok().map(|position| &self.entries[position].1)
     }
 
     /// Whether a download may write the entry.
     pub(super) fn can_write(&self, key: Key) -> bool {
-        self.entries.contains_key(&key)
+        self.find(key).is_some()
     }
 
     /// Whether the plan has to bring the entry to its value.
     pub(super) fn wants(&self, key: Key) -> bool {
-        self.entries.get(&key).is_some_and(|setting| setting.wanted)
+        self.find(key).is_some_and(|setting| setting.wanted)
     }
 
     /// The entries that the plan has to bring to their values.
     pub(super) fn wanted(&self) -> Vec<Key> {
-        self.entries.iter().filter(|(_, setting)| setting.wanted).map(|(&key, _)| key).collect()
+        self.entries.iter().filter(|(_, setting)| setting.wanted).map(|&(key, _)| key).collect()
     }
 
     /// The writable sub-indexes of an object.
     pub(super) fn subs(&self, index: u16) -> Vec<u8> {
-        self.entries.range((index, 0)..=(index, 0xFF)).map(|(&(_, sub), _)| sub).collect()
+        let first = self.entries.partition_point(|&(key, _)| key < (index, 0));
+        let entries = self.entries[first..].iter().take_while(|&&((other, _), _)| other == index);
+        entries.map(|&((_, sub), _)| sub).collect()
     }
 
     /// Whether all values are written, whatever the node may have now.
@@ -113,12 +121,12 @@ impl<'a> Settings<'a> {
 
     /// The name of the file with the data of an entry.
     pub(super) fn file(&self, key: Key) -> Option<Box<str>> {
-        self.entries.get(&key)?.entry.configured.as_ref()?.download_file.clone()
+        self.find(key)?.entry.configured.as_ref()?.download_file.clone()
     }
 
     /// The bytes that the entry shall have; `None` where there is no value, or, with a problem noted, no legal one.
     pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
-        let setting = self.entries.get(&key)?;
+        let setting = self.find(key)?;
         let bytes = match (&setting.unreadable, setting.entry.value()) {
             (Some(text), _) => Err(ProblemKind::Unreadable(text.clone())),
             (None, Some(value)) => setting.checked_bytes(value, self.node_id),
@@ -134,7 +142,7 @@ impl<'a> Settings<'a> {
 
     /// The number that an entry of 32 bits has by default; `None` where the description does not say.
     pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
-        let setting = self.entries.get(&key)?;
+        let setting = self.find(key)?;
         let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
             // a default that is none is as good as an unknown one
@@ -150,9 +158,7 @@ impl<'a> Settings<'a> {
 
     /// Notes that an unused entry of a PDO mapping is left out.
     pub(super) fn unused(&mut self, key: Key) {
-        if let Some(setting) =
-            self.entries.get(&key).filter(|setting| setting.entry.configured_value().is_some())
-        {
+        if let Some(setting) = self.find(key).filter(|setting| setting.entry.configured_value().is_some()) {
             let skipped = Skipped { place: setting.place.clone(), reason: SkipReason::Unused };
             self.skipped.insert(key, skipped);
         }
@@ -162,7 +168,7 @@ impl<'a> Settings<'a> {
         match result {
             Ok(value) => Some(value),
             Err(kind) => {
-                if let Some(setting) = self.entries.get(&key) {
+                if let Some(setting) = self.find(key) {
                     let place = setting.place.clone();
                     self.problems.entry(key).or_insert(Problem { place, kind });
                 }

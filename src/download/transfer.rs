@@ -1,5 +1,6 @@
 //! Values as the bytes that a transfer carries.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::ProblemKind;
@@ -34,19 +35,18 @@ impl EntryType {
         let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.stated };
         let data_type = self.transferred.ok_or_else(unknown)?;
         let misfit = || ProblemKind::NotOfType { value: value.clone(), data_type };
-        let typed = match value {
-            Value::Raw(text) => number_of_own_type(text, data_type).ok_or_else(unknown)?,
-            _ => value.clone(),
-        };
-        let typed = match (&typed, node_id) {
+        let typed = match (value, node_id) {
+            (Value::Raw(text), _) => Cow::Owned(number_of_own_type(text, data_type).ok_or_else(unknown)?),
             (Value::NodeId(_), None) => return Err(ProblemKind::NeedsNodeId(value.clone())),
-            (Value::NodeId(_), Some(node_id)) => typed.resolve(data_type, node_id).ok_or_else(misfit)?,
-            _ => typed,
+            (Value::NodeId(_), Some(node_id)) => {
+                Cow::Owned(value.resolve(data_type, node_id).ok_or_else(misfit)?)
+            }
+            _ => Cow::Borrowed(value),
         };
         // a value made in code may be too large for its type: the bytes would wrap
         let fits = typed
             .as_integer()
-            .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&typed));
+            .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&*typed));
         typed.to_bytes(data_type).filter(|_| fits).ok_or_else(misfit)
     }
 }
@@ -118,7 +118,7 @@ pub(crate) enum Beyond {
 /// The limit that a value is beyond on a node; a limit that nobody can compare with is none.
 pub(crate) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
     let against = |limit: &Option<Value>, wrong: Ordering| {
-        limit.clone().filter(|limit| compare(value, limit, node_id) == Some(wrong))
+        limit.as_ref().filter(|limit| compare(value, limit, node_id) == Some(wrong)).cloned()
     };
     against(&entry.low_limit, Ordering::Less)
         .map(Beyond::Low)

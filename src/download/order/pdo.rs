@@ -122,7 +122,7 @@ impl Arranger<'_, '_> {
 
     /// The SRDOs (CiA 301 §7.5.2.40 to §7.5.2.43): their configuration is invalid while it is changed; the checksums
     /// and the mark that it is valid come last.
-    pub(super) fn srdos(&mut self, keys: &std::collections::BTreeSet<Key>) {
+    pub(super) fn srdos(&mut self, keys: &[Key]) {
         let stage = Stage::Communication;
         if self.settings.can_write(SRDO_VALID) {
             self.put(Stage::SwitchOff, SRDO_VALID, [0]);
