@@ -31,21 +31,32 @@ pub(super) fn run(command: &DcfCommand, out: &mut Output) -> Result<Outcome, Fai
 
 /// A stream in any of its spellings.
 fn stream(path: &Path, input: &InputArgs, node_id: Option<u8>) -> Result<ConciseDcf, Failure> {
-    let bytes = input.size.bytes(path)?;
-    let name = name_of(path);
-    if input.from.is_none()
-        && let Some(stream) = std::str::from_utf8(&bytes).ok().and_then(concise::of_hex)
-    {
+    stream_of(&name_of(path), input.size.bytes(path)?, input, node_id)
+}
+
+/// The bytes that hex digits stand for, where a file has nothing else and nobody says what it is.
+fn hex_of(bytes: &[u8], input: &InputArgs) -> Option<Vec<u8>> {
+    std::str::from_utf8(bytes).ok().filter(|_| input.from.is_none()).and_then(concise::of_hex)
+}
+
+/// A stream in any of its spellings, from the bytes of a file.
+fn stream_of(
+    name: &str,
+    bytes: Vec<u8>,
+    input: &InputArgs,
+    node_id: Option<u8>,
+) -> Result<ConciseDcf, Failure> {
+    if let Some(stream) = hex_of(&bytes, input) {
         return ConciseDcf::parse(&stream)
             .map_err(|error| Failure::new(format_args!("`{name}`, hex digits: {error}")));
     }
     // what nothing shows to be something else is a stream, and what is wrong with it is worth telling
     let reading = Reading { node_id, ..input.reading() };
-    let kind = match reading.kind(&name, &bytes) {
+    let kind = match reading.kind(name, &bytes) {
         Ok(kind @ (FileKind::CdcfText | FileKind::Json | FileKind::Cdcf)) => kind,
         _ => FileKind::Cdcf,
     };
-    match (Reading { from: Some(kind), ..reading }).read(&name, bytes)? {
+    match (Reading { from: Some(kind), ..reading }).read(name, bytes)? {
         (_, Input::Concise(configuration)) => Ok(configuration),
         _ => Err(Failure::new(format_args!("`{name}` is no concise DCF"))),
     }

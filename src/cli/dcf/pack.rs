@@ -8,22 +8,22 @@ use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::input::{Input, name_of};
 use super::super::output::Output;
 use super::super::{Failure, Outcome, tell};
-use super::{count, deliver, device, stream, verify};
+use super::{count, deliver, device, hex_of, stream_of, verify};
 use crate::download::{ConciseDcf, PlanOptions, Scope};
 use crate::format::concise::BlobSpelling;
-use crate::format::input::{FileKind, Reading};
+use crate::format::input::FileKind;
 use crate::model::Device;
 use crate::source::Folder;
 
 pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let eds = args.eds.as_ref().map(|path| device(path, &args.input, &args.expand)).transpose()?;
-    let (configuration, own) = match own_device(args)? {
-        Some(device) => (planned(args, &device, eds.as_ref())?, Some(device)),
-        None => (stream(&args.file, &args.input, node_id(args, None, eds.as_ref()))?, None),
+    let (configuration, own) = match content(args, eds.as_ref())? {
+        Content::Device(device) => (planned(args, &device, eds.as_ref())?, Some(device)),
+        Content::Stream(configuration) => (configuration, None),
     };
     let mut outcome = Outcome::Clean;
-    if let Some(against) = eds.as_ref().or(own.as_ref()) {
-        let node_id = node_id(args, own.as_ref(), eds.as_ref());
+    if let Some(against) = eds.as_ref().or(own.as_deref()) {
+        let node_id = node_id(args, own.as_deref(), eds.as_ref());
         let verification = configuration.verify(against, node_id);
         tell(&verify::text(&verification, Described { device: Some(against), node_id }));
         if !verification.is_accepted() {
@@ -46,21 +46,34 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
     Ok(outcome)
 }
 
-/// The device in the file; `None` where it is a stream in one of its spellings.
-fn own_device(args: &PackArgs) -> Result<Option<Device>, Failure> {
-    let bytes = args.input.size.bytes(&args.file)?;
-    let reading = args.input.reading();
+/// What is in the file.
+enum Content {
+    Device(Box<Device>),
+    /// In any of its spellings.
+    Stream(ConciseDcf),
+}
+
+fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
     let name = name_of(&args.file);
-    match reading.kind(&name, &bytes)? {
-        FileKind::Cdcf | FileKind::CdcfText => return Ok(None),
-        _ => {}
+    let bytes = args.input.size.bytes(&args.file)?; // once: it may be the standard input
+    let reading = args.input.reading();
+    let is_stream = hex_of(&bytes, &args.input).is_some()
+        || matches!(reading.kind(&name, &bytes)?, FileKind::Cdcf | FileKind::CdcfText);
+    if is_stream {
+        let node_id = node_id(args, None, eds);
+        return stream_of(&name, bytes, &args.input, node_id).map(Content::Stream);
     }
-    let reading = Reading { node_id: args.node_id, ..reading };
-    Ok(match reading.read_one(&name, bytes)? {
-        (_, Input::Description(description)) => Some(args.expand.device(description.device()).into_owned()),
-        (_, Input::Device(device)) => Some(args.expand.device(&device).into_owned()),
-        _ => None,
-    })
+    match reading.read_one(&name, bytes)? {
+        (_, Input::Description(description)) => {
+            Ok(Content::Device(Box::new(args.expand.device(description.device()).into_owned())))
+        }
+        (_, Input::Device(device)) => Ok(Content::Device(Box::new(args.expand.device(&device).into_owned()))),
+        (_, Input::Concise(configuration)) => Ok(Content::Stream(configuration)),
+        (_, Input::NodeList(_)) => {
+            Err(Failure::new(format_args!("`{name}` is a node list and holds no values"))
+                .help(format!("`objdict show {name}` names the files of its nodes")))
+        }
+    }
 }
 
 /// The downloads that bring a node to what the device says.

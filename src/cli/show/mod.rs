@@ -38,11 +38,6 @@ impl View<'_> {
     fn shows(&self, entry: &Entry) -> bool {
         !self.changed || entry.is_changed(self.node_id)
     }
-
-    /// Whether there may be entries that are not.
-    fn is_filtered(&self) -> bool {
-        self.changed
-    }
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {

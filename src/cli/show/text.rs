@@ -150,7 +150,7 @@ fn object_rows(view: &View<'_>, index: u16, object: &Object, table: &mut Table<1
         table.row(row(shown_index, String::new(), object.name(), object_type.to_string(), cells));
         return;
     }
-    if !object.entries().any(|(_, entry)| view.shows(&entry)) && view.is_filtered() {
+    if view.changed && !object.entries().any(|(_, entry)| view.shows(&entry)) {
         return;
     }
     let (name, object_type) = match object.orphan {
