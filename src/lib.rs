@@ -196,9 +196,12 @@ pub mod config;
 pub mod configure;
 pub mod decoded;
 pub mod diagnostic;
+#[cfg(feature = "document")]
+pub mod document;
 pub mod download;
 pub mod format;
 pub mod generate;
+mod language;
 pub mod lint;
 mod mend;
 pub mod model;
@@ -211,6 +214,7 @@ pub mod skeleton;
 pub mod source;
 
 pub use check::{check, check_with};
+pub use language::Language;
 pub use mend::{Mended, Repair, mend};
 
 /// The examples of the README are compiled with those of this page.

@@ -1,0 +1,60 @@
+//! Documentation made of a description: pages that people read, tables that programs read.
+//!
+//! A [`Page`] is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
+//! knows a file: what `check` found and what the file is called are given with the device ([`Subject`]).
+
+mod texts;
+
+use crate::Language;
+use crate::model::Device;
+
+/// What is documented.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// The device.
+    pub device: &'a Device,
+    /// The name of its file, as a reader knows it.
+    pub file: &'a str,
+    /// The format of the file: `EDS`, `DCF`, `XDD`, `XDC`, `JSON`.
+    pub format: &'a str,
+}
+
+/// How documentation is written down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// One page that needs nothing beside it: no network, no other file.
+    Html,
+}
+
+impl Form {
+    /// The ending of a file.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Html => "html",
+        }
+    }
+}
+
+/// What documentation shall be like.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The title; without it, the product's name.
+    pub title: Option<String>,
+    /// The node that COB-IDs are worked out for, 1 to 127; without it, that of a configured node, if any.
+    pub node_id: Option<u8>,
+    /// The language of names and descriptions, where the description has them in several (RFC 5646, such as `de`); headings and
+    /// sentences are in it where objdict writes in it ([`Language::of_tag`]), else in English.
+    pub language: Option<String>,
+}
+
+impl Options {
+    /// The language of headings and sentences.
+    pub fn own_language(&self) -> Language {
+        self.language.as_deref().and_then(Language::of_tag).unwrap_or_default()
+    }
+
+    /// The language of texts of the description.
+    pub(crate) fn tag(&self) -> &str {
+        self.language.as_deref().unwrap_or("en")
+    }
+}

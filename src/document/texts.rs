@@ -1,0 +1,101 @@
+//! The headings and words of documentation, in the languages that objdict writes in. Sentences with numbers in them stand where
+//! they are made.
+
+use crate::Language;
+
+macro_rules! texts {
+    ($($name:ident: $english:literal, $german:literal;)+) => {
+        /// Headings and words in one language.
+        #[derive(Debug)]
+        pub(crate) struct Texts {
+            $(pub(crate) $name: &'static str,)+
+        }
+
+        static ENGLISH: Texts = Texts { $($name: $english,)+ };
+        static GERMAN: Texts = Texts { $($name: $german,)+ };
+    };
+}
+
+impl Texts {
+    /// Those of a language.
+    pub(crate) fn of(language: Language) -> &'static Self {
+        match language {
+            Language::English => &ENGLISH,
+            Language::German => &GERMAN,
+        }
+    }
+}
+
+texts! {
+    // parts of the page
+    contents: "Contents", "Inhalt";
+    to_objects: "Skip to the objects", "Zu den Objekten springen";
+    device: "Device", "Gerät";
+    findings: "Findings", "Befunde";
+    communication: "Communication", "Kommunikation";
+    pdos: "PDOs", "PDOs";
+    connections: "Connection set", "CAN-Identifier";
+    objects: "Objects", "Objekte";
+    groups: "Parameter groups", "Parametergruppen";
+    // the device
+    vendor: "Vendor", "Hersteller";
+    vendor_id: "Vendor-ID", "Hersteller-ID";
+    product: "Product", "Produkt";
+    product_code: "Product code", "Produktcode";
+    revision: "Revision number", "Revisionsnummer";
+    serial_number: "Serial number", "Seriennummer";
+    order_code: "Order code", "Bestellnummer";
+    family: "Family", "Gerätefamilie";
+    versions: "Versions", "Versionen";
+    profile: "Device profile", "Geräteprofil";
+    node: "Node", "Knoten";
+    node_id: "Node-ID", "Knotennummer";
+    network: "Network", "Netzwerk";
+    bit_rates: "Bit rates", "Bitraten";
+    bit_rate: "Bit rate", "Bitrate";
+    features: "Features", "Eigenschaften";
+    description: "Description", "Beschreibung";
+    file: "File", "Datei";
+    created: "Created", "Erstellt";
+    modified: "Modified", "Geändert";
+    made_from: "Made from", "Abgeleitet von";
+    comments: "Comments", "Kommentare";
+    modules: "Modules", "Module";
+    made_by: "Made by", "Erzeugt mit";
+    // objects
+    filter: "Filter objects", "Objekte filtern";
+    filter_hint: "index, name, type, access", "Index, Name, Typ, Zugriff";
+    nothing_found: "nothing found", "nichts gefunden";
+    expand: "Expand all", "Alle aufklappen";
+    collapse: "Collapse arrays", "Arrays zuklappen";
+    index: "Index", "Index";
+    sub: "Sub", "Sub";
+    name: "Name", "Name";
+    object_type: "Object", "Objekt";
+    data_type: "Type", "Typ";
+    access: "Access", "Zugriff";
+    pdo: "PDO", "PDO";
+    default: "Default", "Vorgabe";
+    value: "Value", "Wert";
+    limits: "limits", "Grenzen";
+    unit: "unit", "Einheit";
+    denotation: "denotation", "Bezeichnung";
+    links: "see also", "siehe auch";
+    not_described: "(not described)", "(nicht beschrieben)";
+    no_name: "(no name)", "(ohne Namen)";
+    // areas of the dictionary
+    data_types: "Data types", "Datentypen";
+    communication_area: "Communication profile", "Kommunikationsprofil";
+    manufacturer_area: "Manufacturer-specific", "Herstellerspezifisch";
+    profile_area: "Standardised device profile", "Standardisiertes Geräteprofil";
+    interface_area: "Standardised interface profile", "Standardisiertes Schnittstellenprofil";
+    network_area: "Network variables", "Netzwerkvariablen";
+    reserved_area: "Reserved", "Reserviert";
+    // findings
+    no_findings: "No findings.", "Keine Befunde.";
+    not_checked: "Not checked.", "Nicht geprüft.";
+    error: "error", "Fehler";
+    warning: "warning", "Warnung";
+    note: "note", "Hinweis";
+    line: "line", "Zeile";
+}
