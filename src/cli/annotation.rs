@@ -1,6 +1,6 @@
 //! What is said of a download beside its bytes.
 
-use crate::decoded;
+use crate::decoded::Decoder;
 use crate::download::Download;
 use crate::format::concise::Annotation;
 use crate::model::{DataType, Device, Value};
@@ -21,7 +21,7 @@ impl Described<'_> {
         };
         let data_type = device.transferred_type(index, sub).or_else(|| unsigned(download.data.len()));
         let value = data_type.and_then(|data_type| Value::from_bytes(&download.data, data_type));
-        let meaning = value.and_then(|value| decoded::of(device, index, sub, &value, self.node_id));
+        let meaning = value.and_then(|value| Decoder::english(device, self.node_id).of(index, sub, &value));
         let said = [self.name_of(index, sub), meaning.unwrap_or_default()];
         let said: Vec<String> = said.into_iter().filter(|text| !text.is_empty()).collect();
         Annotation { data_type, comment: said.join(": ") }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::View;
 use super::value::Reader;
 use crate::cli::table::{Table, fit};
-use crate::decoded;
+use crate::decoded::Decoder;
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 use crate::report::plural;
 
@@ -35,10 +35,11 @@ pub(super) fn object(view: &View<'_>, index: u16, object: &Object, out: &mut dyn
     table.write(out)?;
     let mut meanings = Table::new(["Sub", "Meaning"], LINE);
     let mut any = false;
+    let decoder = Decoder::english(view.device, view.node_id);
     for (sub, entry) in object.entries() {
         if let Some(meaning) = entry.value().and_then(|value| {
             let value = view.reader(index).resolve(value, entry.data_type);
-            decoded::of(view.device, index, sub, &value, view.node_id)
+            decoder.of(index, sub, &value)
         }) {
             meanings.row([format!("{sub:X}"), meaning]);
             any = true;
@@ -94,7 +95,7 @@ pub(super) fn entry(
             line("bytes", bytes);
         }
         let resolved = reader.resolve(value, entry.data_type);
-        if let Some(meaning) = decoded::of(view.device, index, sub, &resolved, view.node_id) {
+        if let Some(meaning) = Decoder::english(view.device, view.node_id).of(index, sub, &resolved) {
             line("meaning", meaning);
         }
     }

@@ -1,0 +1,81 @@
+//! COB-IDs: the CAN-ID, its length, and what the bits above say of the service.
+
+use super::Decoder;
+use crate::model::{CobId, PdoKind, Value};
+
+/// A CAN-ID on a node, else as a formula: `0x185`, `$NODEID+0x180`.
+pub(crate) fn can_id(id: CobId, node_id: Option<u8>) -> String {
+    let formula = match node_id {
+        None if id.depends_on_node_id() => CobId::per_node(id.number() & 0x1FFF_FFFF),
+        _ => None,
+    };
+    match formula {
+        Some(formula) => formula.to_string(),
+        None if id.is_extended() => format!("0x{:08X}", id.can_id(node_id.unwrap_or_default())),
+        None => format!("0x{:03X}", id.can_id(node_id.unwrap_or_default())),
+    }
+}
+
+impl Decoder<'_> {
+    pub(super) fn sync_cob_id(&self, value: &Value) -> Option<String> {
+        self.cob_id(value, |id| match id.bit_30() {
+            true => self.pick("produces SYNC", "sendet SYNC"),
+            false => self.pick("consumes SYNC", "empfängt SYNC"),
+        })
+    }
+
+    pub(super) fn time_cob_id(&self, value: &Value) -> Option<String> {
+        self.cob_id(value, |id| self.time_roles(id))
+    }
+
+    /// What a device does with TIME.
+    pub(crate) fn time_roles(&self, id: CobId) -> &'static str {
+        let (english, german) = match (!id.is_valid(), id.bit_30()) {
+            (true, true) => ("consumes and produces TIME", "empfängt und sendet TIME"),
+            (true, false) => ("consumes TIME", "empfängt TIME"),
+            (false, true) => ("produces TIME", "sendet TIME"),
+            (false, false) => ("neither consumes nor produces TIME", "weder Empfänger noch Sender von TIME"),
+        };
+        self.language.pick(english, german)
+    }
+
+    /// The COB-ID of a service that bit 31 switches off.
+    pub(super) fn service_cob_id(&self, value: &Value) -> Option<String> {
+        self.cob_id(value, |id| self.existence(id))
+    }
+
+    pub(super) fn sdo_cob_id(&self, value: &Value) -> Option<String> {
+        self.cob_id(value, |id| match (id.is_valid(), id.bit_30()) {
+            (true, true) => self.pick("exists, assigned dynamically", "gültig, dynamisch vergeben"),
+            (false, true) => {
+                self.pick("does not exist, assigned dynamically", "ungültig, dynamisch vergeben")
+            }
+            (_, false) => self.existence(id),
+        })
+    }
+
+    pub(super) fn pdo_cob_id(&self, kind: PdoKind, value: &Value) -> Option<String> {
+        self.cob_id(value, |id| match id.is_valid() && id.bit_30() && kind == PdoKind::Tpdo {
+            true => self.pick("exists, no remote frames", "gültig, keine Remote-Frames"),
+            false => self.existence(id),
+        })
+    }
+
+    pub(super) fn emergency_consumer(&self, node: u8, value: &Value) -> Option<String> {
+        let id = self.service_cob_id(value)?;
+        Some(format!("{} {node}: {id}", self.pick("EMCY of node", "EMCY des Knotens")))
+    }
+
+    fn cob_id<'t>(&self, value: &Value, flags: impl Fn(CobId) -> &'t str) -> Option<String> {
+        let id = CobId::from_value(value)?;
+        let length = if id.is_extended() { "29" } else { "11" };
+        let bits = self.pick("bits", "Bit");
+        Some(format!("CAN-ID {}, {length} {bits}, {}", can_id(id, self.node_id), flags(id)))
+    }
+
+    fn existence(&self, id: CobId) -> &'static str {
+        let (english, german) =
+            if id.is_valid() { ("exists", "gültig") } else { ("does not exist", "ungültig") };
+        self.language.pick(english, german)
+    }
+}

@@ -1,0 +1,136 @@
+//! PDOs, and SRDOs, which are built like them (CiA 304).
+
+use super::{Decoder, time};
+use crate::Language;
+use crate::model::{DataType, MappedObject, PdoKind, Value};
+
+impl Decoder<'_> {
+    pub(super) fn of_pdo(&self, index: u16, sub: u8, value: &Value) -> Option<String> {
+        let number = || u32::try_from(value.as_integer()?).ok();
+        if PdoKind::of_mapping(index).is_some() {
+            return if sub == 0 { self.mapped_count(number()?) } else { self.mapped(number()?) };
+        }
+        let (kind, _) = PdoKind::of_communication(index)?;
+        match sub {
+            1 => self.pdo_cob_id(kind, value),
+            2 => number().map(|number| self.transmission_type(kind, number)),
+            3 => number().map(|time| self.or_off(time, time::of_tenths)),
+            5 => number().map(|time| self.or_off(time, time::of_milliseconds)),
+            6 => number().map(|start| self.sync_start(start)),
+            _ => None,
+        }
+    }
+
+    /// When a PDO is sent, or taken over.
+    pub(crate) fn transmission_type(&self, kind: PdoKind, number: u32) -> String {
+        let (english, german) = match (kind, number) {
+            (PdoKind::Tpdo, 0) => {
+                ("synchronous, when the value changed", "synchron, wenn sich der Wert geändert hat")
+            }
+            (PdoKind::Tpdo, 1) => ("synchronous, with every SYNC", "synchron, mit jedem SYNC"),
+            (PdoKind::Tpdo, 2..=240) => {
+                return match self.language {
+                    Language::English => format!("synchronous, with every {number}. SYNC"),
+                    Language::German => format!("synchron, mit jedem {number}. SYNC"),
+                };
+            }
+            (PdoKind::Rpdo, 0..=240) => {
+                ("synchronous, taken over with the next SYNC", "synchron, mit dem nächsten SYNC übernommen")
+            }
+            (PdoKind::Tpdo, 252) => {
+                ("on remote frame, sampled with SYNC", "auf Remote-Frame, mit SYNC erfasst")
+            }
+            (PdoKind::Tpdo, 253) => ("on remote frame", "auf Remote-Frame"),
+            (_, 254) => {
+                ("event-driven, events of the manufacturer", "ereignisgesteuert, Ereignisse des Herstellers")
+            }
+            (_, 255) => (
+                "event-driven, events of the device profile",
+                "ereignisgesteuert, Ereignisse des Geräteprofils",
+            ),
+            _ => ("reserved", "reserviert"),
+        };
+        self.pick(english, german).to_owned()
+    }
+
+    fn sync_start(&self, start: u32) -> String {
+        match (start, self.language) {
+            (0, _) => self.pick("off", "aus").to_owned(),
+            (1..=240, Language::English) => format!("counts from SYNC {start} on"),
+            (1..=240, Language::German) => format!("zählt ab SYNC {start}"),
+            _ => self.pick("reserved", "reserviert").to_owned(),
+        }
+    }
+
+    fn mapped_count(&self, count: u32) -> Option<String> {
+        let (english, german) = match count {
+            0 => ("nothing is mapped", "nichts gemappt"),
+            0xFE => ("MPDO that names its source", "MPDO, das seine Quelle nennt"),
+            0xFF => ("MPDO that names its destination", "MPDO, das sein Ziel nennt"),
+            65..=0xFD => ("reserved", "reserviert"),
+            _ => return None,
+        };
+        Some(self.pick(english, german).to_owned())
+    }
+
+    fn mapped(&self, number: u32) -> Option<String> {
+        let object = MappedObject::from_number(number);
+        if object.is_unused() {
+            return None;
+        }
+        let bits = match object.bits {
+            1 => self.pick("1 bit", "1 Bit").to_owned(),
+            bits => format!("{bits} {}", self.pick("bits", "Bit")),
+        };
+        if object.is_dummy() {
+            let (unused, dummy) = (self.pick("unused", "unbenutzt"), DataType(object.index));
+            return Some(format!("{bits} {unused} (dummy {dummy})"));
+        }
+        let place = format!("0x{:04X}sub{:X}", object.index, object.sub);
+        Some(match self.device.entry(object.index, object.sub) {
+            Some(entry) => format!("{place} {}, {bits}", entry.name),
+            None => {
+                let missing =
+                    self.pick("which the description does not have", "den die Beschreibung nicht hat");
+                format!("{place}, {missing}, {bits}")
+            }
+        })
+    }
+
+    /// What a scanner list (1FA0h) names.
+    pub(super) fn scanned(&self, number: u32) -> Option<String> {
+        let [sub, low, high, block] = number.to_le_bytes();
+        if number == 0 {
+            return None;
+        }
+        let place = format!("0x{:04X}sub{sub:X}", u16::from_le_bytes([low, high]));
+        Some(match (block, self.language) {
+            (0 | 1, _) => place,
+            (_, Language::English) => format!("{place} and the {} behind it", block - 1),
+            (_, Language::German) => format!("{place} und die {} danach", block - 1),
+        })
+    }
+
+    /// The objects of CiA 304.
+    pub(super) fn safety(&self, index: u16, sub: u8, value: &Value) -> Option<String> {
+        let number = u32::try_from(value.as_integer().unwrap_or_default()).ok()?;
+        let (english, german) = match (index, sub) {
+            (0x1300, 0) if number == 0 => ("no global fail-safe command", "kein globaler Fail-Safe-Befehl"),
+            (0x1300, 0) => ("global fail-safe command", "globaler Fail-Safe-Befehl"),
+            (0x13FE, 0) if number == 0xA5 => ("configuration valid", "Konfiguration gültig"),
+            (0x13FE, 0) => ("configuration not valid", "Konfiguration ungültig"),
+            (0x1301..=0x1340, 1) => match number {
+                0 => ("does not exist", "ungültig"),
+                1 => ("transmitted", "wird gesendet"),
+                2 => ("received", "wird empfangen"),
+                _ => ("reserved", "reserviert"),
+            },
+            (0x1301..=0x1340, 2 | 3) => return Some(time::of_milliseconds(number, self.language)),
+            (0x1301..=0x1340, 4) => return Some(self.transmission_type(PdoKind::Tpdo, number)),
+            (0x1301..=0x1340, 5 | 6) => return self.service_cob_id(value),
+            (0x1381..=0x13C0, 1..) => return self.mapped(number),
+            _ => return None,
+        };
+        Some(self.pick(english, german).to_owned())
+    }
+}
