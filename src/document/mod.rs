@@ -3,6 +3,7 @@
 //! A [`Page`] is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
 //! knows a file: what `check` found and what the file is called are given with the device ([`Subject`]).
 
+mod escape;
 mod texts;
 
 use crate::Language;

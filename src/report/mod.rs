@@ -200,9 +200,11 @@ pub(crate) fn plural(count: usize, word: &str) -> String {
 pub(crate) fn visible(character: char) -> char {
     match character {
         '\t' => character,
-        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' => {
-            char::REPLACEMENT_CHARACTER
-        }
+        '\u{061C}'
+        | '\u{200B}'..='\u{200F}'
+        | '\u{2028}'..='\u{202E}'
+        | '\u{2060}'..='\u{2069}'
+        | '\u{FEFF}' => char::REPLACEMENT_CHARACTER,
         _ if character.is_control() => char::REPLACEMENT_CHARACTER,
         _ => character,
     }

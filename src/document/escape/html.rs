@@ -1,0 +1,78 @@
+//! HTML and SVG, in texts and in attributes with quotes.
+
+use std::fmt;
+
+use askama::filters::Escaper;
+
+use super::shown;
+
+/// What `.html` and `.svg` templates write texts with.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Html;
+
+impl Escaper for Html {
+    fn write_escaped_str<W: fmt::Write>(&self, mut dest: W, text: &str) -> fmt::Result {
+        let mut written = 0;
+        let mut characters = text.char_indices().peekable();
+        while let Some((at, character)) = characters.next() {
+            let reference = match character {
+                '&' => "&amp;",
+                '<' => "&lt;",
+                '>' => "&gt;",
+                '"' => "&quot;",
+                '\'' => "&#39;",
+                ' '..='~' => continue,
+                _ => match shown(character, characters.peek().map(|(_, next)| *next)) {
+                    Some(same) if same == character => continue,
+                    Some('\n') => "\n",
+                    Some(_) => "\u{FFFD}",
+                    None => "",
+                },
+            };
+            dest.write_str(&text[written..at])?;
+            dest.write_str(reference)?;
+            written = at + character.len_utf8();
+        }
+        dest.write_str(&text[written..])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::tests::text_of;
+    use super::*;
+
+    fn escaped(text: &str) -> String {
+        let mut written = String::new();
+        Html.write_escaped_str(&mut written, text).unwrap();
+        written
+    }
+
+    #[test]
+    fn markup_is_text() {
+        assert_eq!(
+            escaped("</title><script>'a' & \"b\""),
+            "&lt;/title&gt;&lt;script&gt;&#39;a&#39; &amp; &quot;b&quot;"
+        );
+        assert_eq!(
+            escaped("a\0b\u{202E}\r\nc\rd\u{1B}[31m Größe 速度"),
+            "a\u{FFFD}b\u{FFFD}\nc\nd\u{FFFD}[31m Größe 速度"
+        );
+    }
+
+    proptest! {
+        /// An XML reader sees the text, as text and as attribute. (Newlines of attributes are blanks for XML alone.)
+        #[test]
+        fn comes_back(text in "(?s).{0,40}") {
+            let text = text.replace(['\u{FFFE}', '\u{FFFF}'], ""); // XML has none of them
+            let page = format!("<p title=\"{0}\">{0}</p>", escaped(&text));
+            let tree = roxmltree::Document::parse(&page).unwrap();
+            let expected = text_of(&text);
+            prop_assert_eq!(tree.root_element().text().unwrap_or_default(), &expected);
+            let blanks = expected.replace(['\n', '\t'], " ");
+            prop_assert_eq!(tree.root_element().attribute("title"), Some(blanks.as_str()));
+        }
+    }
+}
