@@ -2,6 +2,7 @@
 
 mod configure;
 mod dcf;
+mod docs;
 mod generate;
 mod new;
 
@@ -16,6 +17,7 @@ pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::dcf::{
     DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, UnpackArgs, VerdictFormat, VerifyArgs,
 };
+pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
@@ -50,6 +52,7 @@ pub(super) enum Command {
     Identify(IdentifyArgs),
     Show(ShowArgs),
     Generate(Box<GenerateArgs>),
+    Docs(Box<DocsArgs>),
     Convert(ConvertArgs),
     Configure(ConfigureArgs),
     Modules(ModulesArgs),

@@ -10,6 +10,7 @@ mod configure;
 mod convert;
 mod dcf;
 mod diff;
+mod docs;
 mod files;
 mod fix;
 mod generate;
@@ -61,6 +62,7 @@ pub fn run() -> ExitCode {
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
+        Command::Docs(command) => docs::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),
         Command::Profile(command) => profile::run(&command.command, &mut out),
         Command::Fmt(command) => arrange::run(command, &mut out),

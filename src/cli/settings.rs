@@ -100,6 +100,18 @@ impl ConfigArgs {
     }
 }
 
+impl SettingsArgs {
+    /// The node-ID that formulas are worked out for.
+    pub(super) fn node_id(&self) -> Option<u8> {
+        self.node_id
+    }
+
+    /// The mildest severity that is too grave, where an argument says so.
+    pub(super) fn stated_deny(&self) -> Option<Severity> {
+        self.deny.map(Severity::from)
+    }
+}
+
 /// What a check is told, with the configurations, each of which is read once.
 pub(super) struct Settings<'a> {
     args: &'a SettingsArgs,

@@ -5,7 +5,9 @@ mod device;
 mod error;
 mod pdo;
 pub(crate) mod time;
+mod value;
 
+pub(crate) use self::value::Reader;
 use crate::Language;
 use crate::model::{Device, Value};
 use crate::profile;

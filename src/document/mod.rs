@@ -3,9 +3,20 @@
 //! A [`Page`] is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
 //! knows a file: what `check` found and what the file is called are given with the device ([`Subject`]).
 
+mod anchor;
+mod card;
+mod details;
+mod entry;
 mod escape;
+mod finding;
+mod groups;
+mod html;
+mod object;
+mod page;
 mod texts;
 
+pub use self::finding::Finding;
+pub(crate) use self::page::Page;
 use crate::Language;
 use crate::model::Device;
 
@@ -18,6 +29,8 @@ pub struct Subject<'a> {
     pub file: &'a str,
     /// The format of the file: `EDS`, `DCF`, `XDD`, `XDC`, `JSON`.
     pub format: &'a str,
+    /// What `check` found; `None` where nobody checked.
+    pub findings: Option<&'a [Finding]>,
 }
 
 /// How documentation is written down.
@@ -28,6 +41,11 @@ pub enum Form {
 }
 
 impl Form {
+    /// What the ending of a file, without its point, stands for.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        [Self::Html].into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
+    }
+
     /// The ending of a file.
     pub const fn extension(self) -> &'static str {
         match self {
@@ -57,5 +75,25 @@ impl Options {
     /// The language of texts of the description.
     pub(crate) fn tag(&self) -> &str {
         self.language.as_deref().unwrap_or("en")
+    }
+}
+
+/// The documentation of a device.
+///
+/// ```
+/// use objdict::document::{self, Form, Options, Subject};
+///
+/// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
+/// # let path = std::path::Path::new(folder).join("io-401.eds");
+/// let eds = objdict::format::open(&path, &Default::default())?;
+/// let subject = Subject { device: eds.device(), file: "io-401.eds", format: "EDS", findings: None };
+/// let page = document::write(&subject, Form::Html, &Options { node_id: Some(5), ..Options::default() });
+/// assert!(page.contains(r#"id="6000""#));
+/// # Ok::<(), objdict::format::ReadError>(())
+/// ```
+pub fn write(subject: &Subject<'_>, form: Form, options: &Options) -> String {
+    let page = Page::new(subject, options);
+    match form {
+        Form::Html => html::write(&page),
     }
 }

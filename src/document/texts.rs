@@ -58,6 +58,8 @@ texts! {
     file: "File", "Datei";
     created: "Created", "Erstellt";
     modified: "Modified", "Geändert";
+    version: "Version", "Version";
+    eds_version: "EDS version", "EDS-Version";
     made_from: "Made from", "Abgeleitet von";
     comments: "Comments", "Kommentare";
     modules: "Modules", "Module";
@@ -79,6 +81,8 @@ texts! {
     value: "Value", "Wert";
     limits: "limits", "Grenzen";
     unit: "unit", "Einheit";
+    mapped: "mapped in", "gemappt in";
+    bit: "bit", "Bit";
     denotation: "denotation", "Bezeichnung";
     links: "see also", "siehe auch";
     not_described: "(not described)", "(nicht beschrieben)";
@@ -87,9 +91,10 @@ texts! {
     data_types: "Data types", "Datentypen";
     communication_area: "Communication profile", "Kommunikationsprofil";
     manufacturer_area: "Manufacturer-specific", "Herstellerspezifisch";
-    profile_area: "Standardised device profile", "Standardisiertes Geräteprofil";
-    interface_area: "Standardised interface profile", "Standardisiertes Schnittstellenprofil";
+    profile_area: "Device profile", "Geräteprofil";
+    logical_device: "logical device", "logisches Gerät";
     network_area: "Network variables", "Netzwerkvariablen";
+    system_area: "System variables", "Systemvariablen";
     reserved_area: "Reserved", "Reserviert";
     // findings
     no_findings: "No findings.", "Keine Befunde.";

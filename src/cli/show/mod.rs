@@ -3,17 +3,16 @@
 mod json;
 mod nodes;
 mod text;
-mod value;
 
 use std::borrow::Cow;
 use std::io::Write;
 
-use self::value::Reader;
 use super::args::{ShowArgs, ShowFormat};
 use super::input::{Input, name_of};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
+use crate::decoded::Reader;
 use crate::download::{ConciseDcf, Download};
 use crate::format::{concise, json as json_format};
 use crate::model::{Address, Device, Entry, Object};

@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 
 use super::View;
-use super::value::Reader;
 use crate::cli::table::{Table, fit};
-use crate::decoded::Decoder;
+use crate::decoded::{Decoder, Reader};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 use crate::report::plural;
 

@@ -1,6 +1,6 @@
 //! Words whose bits are parts.
 
-use super::{Enumeration, Meanings, enumeration::name, number};
+use super::{Enumeration, Meanings, enumeration::name_in, number};
 use crate::model::{DataType, DataTypeRef, SimpleType, TypeDefinition, TypeShape, VarDeclaration};
 
 /// A word that a struct divides into parts.
@@ -61,7 +61,7 @@ impl<'a> BitStruct<'a> {
         let length = i128::from(data_type.bit_length().unwrap_or(0));
         let mut next = Some(0);
         for member in members {
-            let own = name(&member.labels);
+            let own = name_in(&member.labels, meanings.language);
             let name = if member.name.is_empty() { own } else { &*member.name };
             let first = match member.start.as_deref() {
                 Some(start) => number(start).filter(|start| (0..64).contains(start)),
@@ -97,12 +97,12 @@ impl<'a> Meanings<'a> {
         let data_type = holding(bits, form.is_signed);
         let values = match definition.map(|definition| (definition, &definition.shape)) {
             Some((definition, TypeShape::Enum { values, .. })) if !values.is_empty() => {
-                Some(Enumeration::of_type(definition, values, data_type))
+                Some(Enumeration::of_type(definition, values, data_type, self.language))
             }
             _ => member
                 .allowed_values
                 .as_ref()
-                .and_then(|allowed| Enumeration::of_allowed(self.values(allowed), data_type)),
+                .and_then(|allowed| Enumeration::of_allowed(self.values(allowed), data_type, self.language)),
         };
         BitField {
             name,

@@ -19,7 +19,7 @@ pub struct Enumeration<'a> {
 /// A value with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NamedValue<'a> {
-    /// The name, in English where there is one; empty where it has none.
+    /// The name, in the language that was asked for where there is one; empty where it has none.
     pub name: &'a str,
     /// The value, which the data type holds.
     pub number: i128,
@@ -31,26 +31,31 @@ impl<'a> Enumeration<'a> {
         definition: &'a TypeDefinition,
         values: &'a [EnumValue],
         data_type: DataType,
+        language: &str,
     ) -> Self {
         let mut found = Self { definition: Some(definition), ..Self::empty(data_type) };
         let mut next = Some(0);
         for value in values {
             let stated = value.value.as_deref();
             let number = stated.map_or(next, number);
-            found.put(&value.labels, number, stated);
+            found.put(name_in(&value.labels, language), number, stated);
             next = number.map(|number| number + 1);
         }
         found
     }
 
     /// The single values that an entry may have, when one of them has a name.
-    pub(super) fn of_allowed(allowed: &'a AllowedValues, data_type: DataType) -> Option<Self> {
-        if allowed.values.iter().all(|value| name(&value.labels).is_empty()) {
+    pub(super) fn of_allowed(
+        allowed: &'a AllowedValues,
+        data_type: DataType,
+        language: &str,
+    ) -> Option<Self> {
+        if allowed.values.iter().all(|value| name_in(&value.labels, language).is_empty()) {
             return None;
         }
         let mut found = Self::empty(data_type);
         for value in &allowed.values {
-            found.put(&value.labels, number(&value.value), Some(&value.value));
+            found.put(name_in(&value.labels, language), number(&value.value), Some(&value.value));
         }
         Some(found)
     }
@@ -63,9 +68,8 @@ impl<'a> Enumeration<'a> {
         Self { definition: None, data_type, values: Vec::new(), defects }
     }
 
-    fn put(&mut self, labels: &'a Labels, number: Option<i128>, stated: Option<&str>) {
+    fn put(&mut self, name: &'a str, number: Option<i128>, stated: Option<&str>) {
         let Some((low, high)) = self.data_type.integer_range() else { return };
-        let name = name(labels);
         let number = number.map(|number| match self.data_type.kind() {
             // hex digits of two's complement
             TypeKind::Signed(bits) if is_hex(stated) && number > high && number < 1 << bits => {
@@ -90,8 +94,8 @@ fn is_hex(stated: Option<&str>) -> bool {
 }
 
 /// The name that labels give.
-pub(super) fn name(labels: &Labels) -> &str {
-    labels.name_in("en").unwrap_or_default().trim_ascii()
+pub(super) fn name_in<'a>(labels: &'a Labels, language: &str) -> &'a str {
+    labels.name_in(language).unwrap_or_default().trim_ascii()
 }
 
 #[cfg(test)]
@@ -113,7 +117,7 @@ mod tests {
             value("e", None),
         ];
         let definition = TypeDefinition::default();
-        let found = Enumeration::of_type(&definition, &values, DataType::INTEGER8);
+        let found = Enumeration::of_type(&definition, &values, DataType::INTEGER8, "en");
         let numbers: Vec<_> = found.values.iter().map(|value| (value.name, value.number)).collect();
         assert_eq!(numbers, [("a", 0), ("b", 127)]);
         assert_eq!(
@@ -136,11 +140,11 @@ mod tests {
         let allowed =
             |values: &[ScaledValue]| AllowedValues { values: values.to_vec(), ..AllowedValues::default() };
         let plain = allowed(&[value("", "1"), value("", "2")]);
-        assert_eq!(Enumeration::of_allowed(&plain, DataType::UNSIGNED8), None);
+        assert_eq!(Enumeration::of_allowed(&plain, DataType::UNSIGNED8, "en"), None);
         let named = allowed(&[value("off", "0xFF"), value("", "2")]);
-        let found = Enumeration::of_allowed(&named, DataType::INTEGER8).unwrap();
+        let found = Enumeration::of_allowed(&named, DataType::INTEGER8, "en").unwrap();
         assert_eq!(found.values.iter().map(|value| value.number).collect::<Vec<_>>(), [-1, 2]);
-        let found = Enumeration::of_allowed(&named, DataType::VISIBLE_STRING).unwrap();
+        let found = Enumeration::of_allowed(&named, DataType::VISIBLE_STRING, "en").unwrap();
         assert_eq!((found.values.len(), found.defects.len()), (0, 1));
     }
 }

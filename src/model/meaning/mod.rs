@@ -29,6 +29,7 @@ pub enum Meaning<'a> {
 #[derive(Debug)]
 pub struct Meanings<'a> {
     device: &'a Device,
+    language: &'a str,
     types: HashMap<&'a str, &'a TypeDefinition>,
     templates: HashMap<&'a str, &'a Parameter>,
     allowed: HashMap<&'a str, &'a AllowedValues>,
@@ -44,16 +45,22 @@ struct Described<'a> {
 }
 
 impl Device {
-    /// What the values of its entries mean, ready to be asked for.
+    /// What the values of its entries mean, ready to be asked for; names are in English where they are in several languages.
     pub fn meanings(&self) -> Meanings<'_> {
-        Meanings::new(self)
+        self.meanings_in("en")
+    }
+
+    /// What the values of its entries mean, with names in a language; see [`Labels::name_in`](super::Labels::name_in).
+    pub fn meanings_in<'a>(&'a self, language: &'a str) -> Meanings<'a> {
+        Meanings::new(self, language)
     }
 }
 
 impl<'a> Meanings<'a> {
-    fn new(device: &'a Device) -> Self {
+    fn new(device: &'a Device, language: &'a str) -> Self {
         let mut found = Self {
             device,
+            language,
             types: HashMap::new(),
             templates: HashMap::new(),
             allowed: HashMap::new(),
@@ -110,7 +117,8 @@ impl<'a> Meanings<'a> {
         let definition =
             described.data_type.and_then(|reference| self.definition(reference)).or_else(of_element);
         self.of_type(definition, data_type).or_else(|| {
-            Enumeration::of_allowed(self.values(described.allowed?), data_type).map(Meaning::Enumeration)
+            Enumeration::of_allowed(self.values(described.allowed?), data_type, self.language)
+                .map(Meaning::Enumeration)
         })
     }
 
@@ -119,13 +127,18 @@ impl<'a> Meanings<'a> {
         let definition = definition?;
         match &definition.shape {
             TypeShape::Enum { values, .. } if !values.is_empty() => {
-                Some(Meaning::Enumeration(Enumeration::of_type(definition, values, data_type)))
+                Some(Meaning::Enumeration(Enumeration::of_type(definition, values, data_type, self.language)))
             }
             TypeShape::Struct { members } if data_type.is_integer() && !members.is_empty() => {
                 Some(Meaning::BitStruct(BitStruct::new(self, definition, members, data_type)))
             }
             _ => None,
         }
+    }
+
+    /// The template that says what a parameter does not say itself.
+    pub fn template_of(&self, parameter: &Parameter) -> Option<&'a Parameter> {
+        self.templates.get(parameter.template.as_deref()?).copied()
     }
 
     /// The definition behind a reference, which is no other name of a type.
@@ -155,8 +168,7 @@ impl<'a> Meanings<'a> {
 
     /// What a parameter says, else its template.
     fn of_parameter(&self, parameter: &'a Parameter) -> Described<'a> {
-        let template = parameter.template.as_deref().and_then(|id| self.templates.get(id).copied());
-        let template = template.unwrap_or(parameter);
+        let template = self.template_of(parameter).unwrap_or(parameter);
         Described {
             data_type: parameter.data_type.as_ref().or(template.data_type.as_ref()),
             allowed: parameter.allowed_values.as_ref().or(template.allowed_values.as_ref()),

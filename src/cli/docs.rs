@@ -1,0 +1,190 @@
+//! `objdict docs`.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::args::DocsArgs;
+use super::files::{self, File};
+use super::input::{Input, name_of};
+use super::output::Output;
+use super::save::{Saved, save};
+use super::settings::Settings;
+use super::{Failure, Outcome};
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::document::{self, Finding, Form, Options, Subject};
+use crate::format::Description;
+use crate::lint;
+use crate::model::Device;
+
+/// A device with all that its page needs.
+struct Documented {
+    /// The name of its file, without folders.
+    file: String,
+    format: &'static str,
+    device: Device,
+    findings: Vec<Finding>,
+}
+
+impl Documented {
+    fn subject(&self) -> Subject<'_> {
+        Subject {
+            device: &self.device,
+            file: &self.file,
+            format: self.format,
+            findings: Some(&self.findings),
+        }
+    }
+}
+
+pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let form = form(args)?;
+    let mut settings = Settings::new(&args.settings)?;
+    let (files, failures) = files::gather(&args.files, &mut settings)?;
+    let mut outcome = Outcome::Clean;
+    for failure in failures {
+        failure.print();
+        outcome = Outcome::Failed;
+    }
+    let mut devices = Vec::new();
+    for file in &files {
+        match read(args, &settings, file) {
+            Ok(read) => devices.extend(read),
+            Err(failure) => {
+                failure.print();
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    let options = Options {
+        title: args.title.clone(),
+        node_id: args.settings.node_id(),
+        language: args.lang.clone(),
+    };
+    let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(args);
+    match (is_one, devices.as_slice()) {
+        (_, []) => {}
+        (true, [one]) => write_one(args, &document::write(&one.subject(), form, &options), out)?,
+        (_, devices) => write_site(args, devices, form, &options, out)?,
+    }
+    let is_denied = args.settings.stated_deny().is_some_and(|deny| {
+        devices.iter().flat_map(|device| &device.findings).any(|finding| finding.severity >= deny)
+    });
+    Ok(match outcome {
+        Outcome::Clean if is_denied => Outcome::Findings,
+        outcome => outcome,
+    })
+}
+
+fn form(args: &DocsArgs) -> Result<Form, Failure> {
+    if let Some(format) = args.format {
+        return Ok(format.into());
+    }
+    match args.out.extension().filter(|_| !is_folder(args)) {
+        None => Ok(Form::Html),
+        Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
+            let message =
+                format!("the name `{}` does not say which format to write", args.out.display());
+            Failure::new(message).help("`.html`, `.md` and `.csv` are known; or say it with `--format`")
+        }),
+    }
+}
+
+/// Whether the output is a folder because it says so; several devices make one of it anyway.
+fn is_folder(args: &DocsArgs) -> bool {
+    args.out.is_dir() || args.out.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
+}
+
+/// The devices of a file; a network file has several.
+fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Documented>, Failure> {
+    let options = settings.options(&file.path, file.project.as_deref());
+    let (kind, input) = args.input.read(&file.path)?;
+    let name = file_name(&file.path);
+    let described = |file: String, description: &Description| {
+        let findings = crate::check_with(description, &options);
+        let subject = description.into();
+        let findings = told(&findings, |finding| Finding::located(finding, subject));
+        let device = args.expand.device(description.device()).into_owned();
+        Documented { file, format: description.format().name(), device, findings }
+    };
+    match input {
+        Input::Description(description) if description.device_count() > 1 && args.input.device.is_none() => {
+            let mut next = Some(*description);
+            let mut devices = Vec::new();
+            while let Some(description) = next.take() {
+                devices.push(described(format!("{name} [{}]", devices.len() + 1), &description));
+                next = description.select(devices.len());
+            }
+            Ok(devices)
+        }
+        Input::Description(description) => {
+            Ok(vec![described(name, &args.input.selected(&file.path, *description)?)])
+        }
+        Input::Device(device) => {
+            let findings = options.severities.apply(lint::check(&device, &options));
+            let device = args.expand.device(&device).into_owned();
+            Ok(vec![Documented { file: name, format: "JSON", device, findings: told(&findings, Finding::new) }])
+        }
+        Input::NodeList(_) | Input::Concise(_) => {
+            let message = format!("`{}` is read as {} and describes no device", name_of(&file.path), kind.name());
+            Err(Failure::new(message).help("name the descriptions of the devices"))
+        }
+    }
+}
+
+fn told(findings: &Findings, tell: impl Fn(&Diagnostic) -> Finding) -> Vec<Finding> {
+    findings.iter().map(tell).collect()
+}
+
+fn file_name(path: &Path) -> String {
+    let name = path.file_name().filter(|_| path != Path::new("-"));
+    name.map_or_else(|| name_of(path), |name| name.to_string_lossy().into_owned())
+}
+
+fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failure> {
+    if args.out == Path::new("-") {
+        out.write_all(page.as_bytes())?;
+        return Ok(());
+    }
+    tell_saved(&args.out, page, out)
+}
+
+fn tell_saved(path: &Path, page: &str, out: &mut Output) -> Result<(), Failure> {
+    let unchanged = match save(path, page.as_bytes())? {
+        Saved::Written => "",
+        Saved::Unchanged => ", unchanged",
+    };
+    writeln!(out, "{}: {} bytes{unchanged}", path.display(), page.len())?;
+    Ok(())
+}
+
+fn write_site(
+    args: &DocsArgs,
+    devices: &[Documented],
+    form: Form,
+    options: &Options,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    if args.out == Path::new("-") {
+        return Err(Failure::new("several pages do not fit into the standard output").help("name a folder"));
+    }
+    // the title is that of the site
+    let options = Options { title: None, ..options.clone() };
+    for (device, name) in devices.iter().zip(page_names(devices, form)) {
+        tell_saved(&args.out.join(name), &document::write(&device.subject(), form, &options), out)?;
+    }
+    Ok(())
+}
+
+/// A name for each page: that of the file, with a number where several files are called so.
+fn page_names(devices: &[Documented], form: Form) -> Vec<PathBuf> {
+    let mut taken: BTreeMap<String, usize> = BTreeMap::from([("index".to_owned(), 1)]);
+    let name = |device: &Documented| {
+        let stem = Path::new(&device.file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let count = taken.entry(stem.to_lowercase()).or_default();
+        *count += 1;
+        let stem = if *count == 1 { stem } else { format!("{stem}-{count}") };
+        PathBuf::from(format!("{stem}.{}", form.extension()))
+    };
+    devices.iter().map(name).collect()
+}

@@ -1,0 +1,235 @@
+//! What only some entries have: units, names of values, parts of a word, denotations, keys of a vendor.
+
+use std::borrow::Cow;
+
+use super::page::Context;
+use crate::Language;
+use crate::model::{Entry, Field, Meaning, Parameter, Unit};
+
+/// The fields that have a place of their own on a page.
+const VALUES: [Field; 4] = [Field::DefaultValue, Field::ParameterValue, Field::LowLimit, Field::HighLimit];
+
+/// Further things that are to be said of an entry.
+#[derive(Debug, Default)]
+pub(crate) struct Details<'a> {
+    /// The text of the description; it may have several lines.
+    pub(crate) description: Option<Cow<'a, str>>,
+    /// Unit of the engineering value, with its scaling.
+    pub(crate) unit: Option<String>,
+    /// The name in the application.
+    pub(crate) denotation: Option<String>,
+    /// The PDOs that carry it: `TPDO 1`.
+    pub(crate) carried_by: Option<String>,
+    /// Values with names.
+    pub(crate) values: Vec<(i128, &'a str)>,
+    /// Parts of a word.
+    pub(crate) parts: Vec<Part<'a>>,
+    /// Anything else, by what it is called.
+    pub(crate) facts: Vec<(Cow<'static, str>, String)>,
+    /// Keys of the vendor or of a tool, as they stand in the file.
+    pub(crate) keys: Vec<(String, String)>,
+}
+
+/// A part of a word.
+#[derive(Debug)]
+pub(crate) struct Part<'a> {
+    pub(crate) first: u8,
+    pub(crate) last: u8,
+    pub(crate) name: &'a str,
+    pub(crate) values: Vec<(i128, &'a str)>,
+}
+
+impl Part<'_> {
+    /// `3` or `4–7`.
+    pub(crate) fn range(&self) -> String {
+        if self.first == self.last { self.first.to_string() } else { format!("{}–{}", self.first, self.last) }
+    }
+}
+
+impl Details<'_> {
+    /// Whether there is nothing to be said.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.description.is_none() && self.has_no_facts() && self.values.is_empty() && self.parts.is_empty()
+    }
+
+    /// Whether there is nothing that stands beside its name.
+    pub(crate) fn has_no_facts(&self) -> bool {
+        self.unit.is_none()
+            && self.denotation.is_none()
+            && self.carried_by.is_none()
+            && self.facts.is_empty()
+            && self.keys.is_empty()
+    }
+}
+
+/// What is said of an entry beside its name, type, access and values.
+pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Cow<'a, Entry>) -> Details<'a> {
+    let mut details = Details { carried_by: context.carriers(index, sub), ..Details::default() };
+    match context.meanings.as_ref().and_then(|meanings| meanings.of(index, sub)) {
+        None => {}
+        Some(Meaning::Enumeration(found)) => {
+            details.values = found.values.iter().map(|value| (value.number, value.name)).collect();
+        }
+        Some(Meaning::BitStruct(word)) => {
+            let part = |field: &crate::model::BitField<'a>| Part {
+                first: field.first,
+                last: field.first + (field.bits - 1),
+                name: field.name,
+                values: field
+                    .values
+                    .iter()
+                    .flat_map(|values| &values.values)
+                    .map(|value| (value.number, value.name))
+                    .collect(),
+            };
+            details.parts = word.fields.iter().map(part).collect();
+        }
+    }
+    if !is_plain(entry) {
+        of_own(context, entry, &mut details);
+    }
+    details
+}
+
+/// What the description says of this entry alone.
+fn of_own<'a>(context: &Context<'a>, entry: &Cow<'a, Entry>, details: &mut Details<'a>) {
+    if let Some(parameter) = &entry.parameter {
+        of_parameter(context, entry, parameter, details);
+    }
+    of_configuration(context, entry, details);
+    of_flags(context, entry, details);
+    if let Some(stack) = &entry.stack {
+        details.keys.extend(stack.settings().map(|(key, value)| (key.to_owned(), value)));
+    }
+    details.keys.extend(entry.extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())));
+    // those of values stand where the values do
+    let others = entry.misfits.iter().filter(|misfit| !VALUES.contains(&misfit.field));
+    details.keys.extend(others.map(|misfit| (misfit.field.to_string(), format!("`{}`?", misfit.text))));
+}
+
+/// What is said of an object beside the name and the entries.
+pub(super) fn of_object<'a>(context: &Context<'a>, main: &'a Entry) -> Details<'a> {
+    let mut details = Details::default();
+    if !is_plain(main) {
+        of_own(context, &Cow::Borrowed(main), &mut details);
+    }
+    details
+}
+
+/// Whether an entry says nothing beside what every entry says, as most do.
+fn is_plain(entry: &Entry) -> bool {
+    entry.parameter.is_none()
+        && entry.configured.is_none()
+        && entry.flags.is_none()
+        && entry.safety.is_none()
+        && entry.stack.is_none()
+        && entry.extra.is_empty()
+        && entry.misfits.is_empty()
+}
+
+fn of_parameter<'a>(
+    context: &Context<'a>,
+    entry: &Cow<'a, Entry>,
+    parameter: &Parameter,
+    details: &mut Details<'a>,
+) {
+    let text = match entry {
+        Cow::Borrowed(entry) => {
+            let parameter = entry.parameter.as_ref();
+            parameter.and_then(|of| of.labels.description_in(context.tag)).map(Cow::Borrowed)
+        }
+        Cow::Owned(_) => {
+            parameter.labels.description_in(context.tag).map(|text| Cow::Owned(text.to_owned()))
+        }
+    };
+    details.description = text.filter(|text| !text.trim().is_empty());
+    details.unit = scaled_unit(context, parameter);
+    details.denotation =
+        parameter.denotation.name_in(context.tag).filter(|text| !text.is_empty()).map(str::to_owned);
+    let language = context.language;
+    let mut fact = |name: &'static str, text: String| details.facts.push((name.into(), text));
+    if let Some(value) = &parameter.substitute_value {
+        fact(language.pick("substitute value", "Ersatzwert"), value.value.to_string());
+    }
+    if parameter.persistent == Some(true) {
+        fact(language.pick("persistent", "nichtflüchtig"), language.pick("yes", "ja").to_owned());
+    }
+    if let Some(support) = parameter.support {
+        fact(language.pick("support", "Unterstützung"), support.name().to_owned());
+    }
+    for range in parameter.allowed_values.iter().flat_map(|allowed| &allowed.ranges) {
+        let step = range.step.as_ref().map(|step| match language {
+            Language::English => format!(", in steps of {}", step.value),
+            Language::German => format!(", in Schritten von {}", step.value),
+        });
+        let text = format!("{} … {}{}", range.min.value, range.max.value, step.unwrap_or_default());
+        fact(language.pick("allowed", "erlaubt"), text);
+    }
+    let properties = parameter.properties.iter();
+    details
+        .keys
+        .extend(properties.map(|property| (property.name.to_string(), property.value.to_string())));
+}
+
+/// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how its value comes of the number in the entry.
+fn scaled_unit(context: &Context<'_>, parameter: &Parameter) -> Option<String> {
+    let template = context.meanings.as_ref().and_then(|meanings| meanings.template_of(parameter));
+    let text_of = |field: fn(&Parameter) -> Option<&str>| {
+        let text = field(parameter).or_else(|| field(template?)).map(str::trim);
+        text.filter(|text| !text.is_empty())
+    };
+    let unit: Option<&Unit> = parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref()));
+    let mut text = unit.and_then(|unit| unit.labels.name_in(context.tag)).unwrap_or_default().trim().to_owned();
+    if let Some(base) = unit.map(|unit| unit.multiplier.trim()).filter(|factor| !matches!(*factor, "" | "1")) {
+        text.push_str(&format!(" (× {base})"));
+    }
+    let factor = text_of(|of| of.multiplier.as_deref()).filter(|factor| *factor != "1");
+    let offset = text_of(|of| of.offset.as_deref()).filter(|offset| *offset != "0");
+    let value = context.language.pick("value", "Wert");
+    let formula = match (offset, factor) {
+        (None, None) => None,
+        (None, Some(factor)) => Some(format!("{value} × {factor}")),
+        (Some(offset), None) => Some(format!("{value} + {offset}")),
+        (Some(offset), Some(factor)) => Some(format!("({value} + {offset}) × {factor}")),
+    };
+    let parts: Vec<String> = Some(text).filter(|text| !text.is_empty()).into_iter().chain(formula).collect();
+    if parts.is_empty() { None } else { Some(parts.join(" = ")) }
+}
+
+fn of_configuration(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
+    let Some(configured) = &entry.configured else { return };
+    if let Some(denotation) = configured.denotation.as_deref().filter(|text| !text.is_empty()) {
+        details.denotation = Some(denotation.to_owned());
+    }
+    let language = context.language;
+    let texts = [
+        (language.pick("upload file", "Upload-Datei"), &configured.upload_file),
+        (language.pick("download file", "Download-Datei"), &configured.download_file),
+        (language.pick("reference", "Referenzkennzeichen"), &configured.reference_designator),
+    ];
+    for (name, text) in texts {
+        if let Some(text) = text.as_deref().filter(|text| !text.is_empty()) {
+            details.facts.push((name.into(), text.to_owned()));
+        }
+    }
+}
+
+fn of_flags(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
+    let language = context.language;
+    let mut fact = |name: &'static str, text: String| details.facts.push((name.into(), text));
+    let tool = language.pick("configuration tool", "Konfigurationswerkzeug");
+    if entry.flags().refuses_write() {
+        fact(tool, language.pick("does not write it", "schreibt ihn nicht").to_owned());
+    }
+    if entry.flags().refuses_read() {
+        fact(tool, language.pick("does not read it", "liest ihn nicht").to_owned());
+    }
+    let Some(safety) = &entry.safety else { return };
+    if safety.srdo_mapping == Some(true) {
+        fact("SRDO", language.pick("may be mapped", "abbildbar").to_owned());
+    }
+    if let Some(inverted) = safety.inverted_srad.filter(|&place| place != 0) {
+        let place = format!("{:04X}h:{:02X}", inverted >> 16, inverted & 0xFF);
+        fact(language.pick("inverted value", "invertierter Wert"), place);
+    }
+}

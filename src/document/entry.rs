@@ -1,0 +1,119 @@
+//! An entry of the dictionary, as a page tells it.
+
+use std::borrow::Cow;
+
+use super::anchor::Anchor;
+use super::details::{self, Details};
+use super::page::Context;
+use crate::decoded::Reader;
+use crate::model::{Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
+
+/// What a page says of a sub-index.
+#[derive(Debug)]
+pub(crate) struct EntryView<'a> {
+    pub(crate) index: u16,
+    pub(crate) sub: u8,
+    /// The name in the language of the page, where the description has one, else that in the file.
+    pub(crate) name: Cow<'a, str>,
+    /// The name in the file, where another one is shown.
+    pub(crate) own_name: Option<Cow<'a, str>>,
+    /// Empty where it has none.
+    pub(crate) data_type: Cow<'static, str>,
+    /// Length in bits, where that is known.
+    pub(crate) bits: Option<u8>,
+    /// Empty where it is not stated.
+    pub(crate) access: &'static str,
+    /// Which PDOs may carry it: `RPDO`, `TPDO`, both; empty for none.
+    pub(crate) pdo: &'static str,
+    /// The value after the defaults were restored, formulas worked out where the node is known; empty where there is none.
+    pub(crate) default: String,
+    /// What a DCF configures.
+    pub(crate) value: Option<String>,
+    /// Whether that differs from the default.
+    pub(crate) is_changed: bool,
+    /// Empty where it is not stated.
+    pub(crate) low: String,
+    /// Empty where it is not stated.
+    pub(crate) high: String,
+    /// What the value says in words.
+    pub(crate) meaning: Option<String>,
+    pub(crate) details: Details<'a>,
+}
+
+impl<'a> EntryView<'a> {
+    pub(crate) fn new(context: &Context<'a>, index: u16, sub: u8, entry: Cow<'a, Entry>) -> Self {
+        let reader = Reader { index, node_id: context.node_id };
+        let field = |field: Field, value: Option<&Value>| reader.field(&entry, &field, value);
+        let value = entry.configured_value().map(|value| field(Field::ParameterValue, Some(value)));
+        let meaning = entry.value().and_then(|value| {
+            let value = reader.resolve(value, entry.data_type);
+            context.decoder.of(index, sub, &value)
+        });
+        let details = details::of(context, index, sub, &entry);
+        let mut view = Self {
+            index,
+            sub,
+            name: Cow::Borrowed(""),
+            own_name: None,
+            data_type: data_type(&entry),
+            bits: entry.data_type.and_then(|data_type| data_type.bit_length()),
+            access: entry.access.map_or("", |access| access.name()),
+            pdo: directions(&entry),
+            default: field(Field::DefaultValue, entry.default.as_ref()),
+            is_changed: entry.is_changed(context.node_id),
+            value: value.or_else(|| {
+                entry.misfits.get(&Field::ParameterValue).map(|misfit| format!("`{}`?", misfit.text))
+            }),
+            low: field(Field::LowLimit, entry.low_limit.as_ref()),
+            high: field(Field::HighLimit, entry.high_limit.as_ref()),
+            meaning,
+            details,
+        };
+        (view.name, view.own_name) = context.names(entry);
+        view
+    }
+
+    /// Where it is in the page.
+    pub(crate) fn anchor(&self) -> Anchor {
+        Anchor::entry(self.index, self.sub)
+    }
+
+    /// The sub-index as two hex digits.
+    pub(crate) fn shown_sub(&self) -> String {
+        format!("{:02X}", self.sub)
+    }
+
+    /// Whether a page says more of it than its name, type, access, mapping and value.
+    pub(crate) fn has_more(&self) -> bool {
+        self.meaning.is_some() || self.has_limits() || self.own_name.is_some() || !self.details.is_empty()
+    }
+
+    /// Whether a limit is stated.
+    pub(crate) fn has_limits(&self) -> bool {
+        !self.low.is_empty() || !self.high.is_empty()
+    }
+}
+
+fn data_type(entry: &Entry) -> Cow<'static, str> {
+    match (entry.data_type, entry.object_type) {
+        (None, Some(ObjectType::Domain)) => "DOMAIN".into(),
+        (None, _) => "".into(),
+        (Some(data_type), _) => match data_type.name() {
+            Some(name) => name.into(),
+            None => data_type.to_string().into(),
+        },
+    }
+}
+
+fn directions(entry: &Entry) -> &'static str {
+    match entry.pdo_mapping {
+        None | Some(PdoMapping::No) => "",
+        Some(_) => match (entry.fits_pdo(PdoKind::Rpdo), entry.fits_pdo(PdoKind::Tpdo)) {
+            (true, true) => "RPDO TPDO",
+            (true, false) => "RPDO",
+            (false, true) => "TPDO",
+            // the access type forbids both, which `check` tells
+            (false, false) => "PDO",
+        },
+    }
+}

@@ -1,0 +1,71 @@
+//! What `check` found, as a page tells it.
+
+use super::anchor::Anchor;
+use super::texts::Texts;
+use crate::diagnostic::{At, Diagnostic, Severity};
+use crate::model::{Part, Place};
+use crate::report::{Location, Subject};
+
+/// A finding, told for readers who may not have the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// How grave it is.
+    pub severity: Severity,
+    /// The rule, such as `cia301/pdo-length-exceeded`.
+    pub rule: &'static str,
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: Option<String>,
+    /// Where it is in the dictionary; `None` where only the text shows it.
+    pub place: Option<Place>,
+    /// The line of the file, counted from 1; `None` where there is no text.
+    pub line: Option<u32>,
+}
+
+impl Finding {
+    /// A finding about a model alone.
+    pub fn new(finding: &Diagnostic) -> Self {
+        let place = finding.labels.iter().find_map(|label| match &label.at {
+            At::Place(place) => Some(place.clone()),
+            At::Span(_) => None,
+        });
+        Self {
+            severity: finding.severity,
+            rule: finding.rule.id,
+            message: finding.message.to_string(),
+            help: finding.help.as_ref().map(ToString::to_string),
+            place,
+            line: None,
+        }
+    }
+
+    /// A finding about a text.
+    pub fn located(finding: &Diagnostic, subject: Subject<'_>) -> Self {
+        let is_placed = !finding.labels.is_empty();
+        let line = is_placed.then(|| Location::start_of(subject, finding).line);
+        Self { line, ..Self::new(finding) }
+    }
+
+    /// The word for its severity.
+    pub(crate) fn severity_word(&self, texts: &Texts) -> &'static str {
+        match self.severity {
+            Severity::Error => texts.error,
+            Severity::Warning => texts.warning,
+            Severity::Note => texts.note,
+        }
+    }
+
+    /// The object or entry that it is about.
+    pub(crate) fn anchor(&self) -> Option<Anchor> {
+        match self.place.as_ref()?.part {
+            Part::Object(index)
+            | Part::CompactNames(index)
+            | Part::CompactValues(index)
+            | Part::CompactDenotations(index)
+            | Part::Links(index) => Some(Anchor::object(index)),
+            Part::Entry(index, sub) => Some(Anchor::entry(index, sub)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The groups that an XDD sorts its parameters into.
+
+use std::collections::HashMap;
+
+use super::anchor::Anchor;
+use super::page::Context;
+use crate::model::{Device, Parameter, ParameterGroup};
+
+/// So deep may groups lie in each other; what is deeper stands beside its elders.
+const MAX_DEPTH: usize = 8;
+
+/// A group of parameters.
+#[derive(Debug)]
+pub(crate) struct Group<'a> {
+    /// How many groups it lies in.
+    pub(crate) depth: usize,
+    /// Empty where it has none.
+    pub(crate) name: &'a str,
+    /// Empty where it has none.
+    pub(crate) description: &'a str,
+    /// The objects and entries of its parameters.
+    pub(crate) members: Vec<Member>,
+}
+
+/// What a group names.
+#[derive(Debug)]
+pub(crate) struct Member {
+    /// Where it is in the page; `None` for a parameter that belongs to no entry.
+    pub(crate) anchor: Option<Anchor>,
+    /// Its name, or the id of a parameter that belongs to no entry.
+    pub(crate) name: String,
+}
+
+/// All groups, each before those in it.
+pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<Group<'a>> {
+    let mut groups = Vec::new();
+    let top: Vec<&ParameterGroup> =
+        context.device.application.iter().flat_map(|process| &process.groups).collect();
+    if top.is_empty() {
+        return groups;
+    }
+    let members = Members::new(context.device);
+    for group in top {
+        add(context, &members, group, 0, &mut groups);
+    }
+    groups
+}
+
+fn add<'a>(
+    context: &Context<'a>,
+    members: &Members<'a>,
+    group: &'a ParameterGroup,
+    depth: usize,
+    groups: &mut Vec<Group<'a>>,
+) {
+    groups.push(Group {
+        depth: depth.min(MAX_DEPTH),
+        name: group.labels.name_in(context.tag).unwrap_or_default(),
+        description: group.labels.description_in(context.tag).unwrap_or_default(),
+        members: group.parameters.iter().map(|id| members.member(context, id)).collect(),
+    });
+    for inner in &group.groups {
+        add(context, members, inner, depth + 1, groups);
+    }
+}
+
+/// Where the parameters of a device belong, by their ids.
+struct Members<'a>(HashMap<&'a str, (u16, Option<u8>)>);
+
+impl<'a> Members<'a> {
+    /// Of two equal ids the first counts.
+    fn new(device: &'a Device) -> Self {
+        let mut places = HashMap::new();
+        for (&index, object) in &device.objects {
+            for (sub, entry) in object.described() {
+                let id = entry.parameter.as_ref().map(|parameter| &*parameter.unique_id);
+                if let Some(id) = id.filter(|id| !id.is_empty()) {
+                    places.entry(id).or_insert((index, sub));
+                }
+            }
+        }
+        Self(places)
+    }
+
+    fn member(&self, context: &Context<'a>, id: &str) -> Member {
+        let place = self.0.get(id).copied().or_else(|| implied(id));
+        let found = place.and_then(|(index, sub)| {
+            let object = context.device.object(index)?;
+            let main = || Some(&object.main).filter(|_| sub.is_none());
+            Some((Anchor { index, sub }, sub.and_then(|sub| object.subs.get(sub)).or_else(main)?))
+        });
+        match found {
+            Some((anchor, entry)) => Member { anchor: Some(anchor), name: context.name(entry).to_owned() },
+            None => Member { anchor: None, name: id.to_owned() },
+        }
+    }
+}
+
+/// The place that an id names which a parameter without one is given; see [`Parameter::usual_id`].
+fn implied(id: &str) -> Option<(u16, Option<u8>)> {
+    let (digits, has_sub) = match id.strip_prefix("UID_OBJ_") {
+        Some(digits) => (digits, false),
+        None => (id.strip_prefix("UID_SUB_")?, true),
+    };
+    let number = u32::from_str_radix(digits, 16).ok()?;
+    let place = match has_sub {
+        false => (u16::try_from(number).ok()?, None),
+        true => (u16::try_from(number >> 8).ok()?, Some((number & 0xFF) as u8)),
+    };
+    (Parameter::usual_id(place.0, place.1) == id).then_some(place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::implied;
+
+    #[test]
+    fn usual_ids_name_their_places() {
+        assert_eq!(implied("UID_OBJ_1018"), Some((0x1018, None)));
+        assert_eq!(implied("UID_SUB_10180A"), Some((0x1018, Some(10))));
+        for other in ["UID_OBJ_", "UID_OBJ_+018", "UID_SUB_1018", "UID_PARAM_1018", ""] {
+            assert_eq!(implied(other), None, "{other}");
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Objects and the areas of the dictionary that they lie in.
+
+use std::borrow::Cow;
+use std::ops::RangeInclusive;
+
+use super::anchor::Anchor;
+use super::details::{self, Details};
+use super::entry::EntryView;
+use super::page::Context;
+use super::texts::Texts;
+use crate::model::{Device, Object, ObjectType};
+
+/// A part of the dictionary (CiA 301 §7.4.1).
+#[derive(Debug)]
+pub(crate) struct Area<'a> {
+    /// What an address in the page is made of.
+    pub(crate) id: &'static str,
+    pub(crate) title: String,
+    /// Its indexes: `1000h–1FFFh`.
+    pub(crate) range: String,
+    /// At least one.
+    pub(crate) objects: Vec<ObjectView<'a>>,
+}
+
+/// What a page says of an index.
+#[derive(Debug)]
+pub(crate) struct ObjectView<'a> {
+    pub(crate) index: u16,
+    /// The name in the language of the page, where the description has one, else that in the file.
+    pub(crate) name: Cow<'a, str>,
+    /// The name in the file, where another one is shown.
+    pub(crate) own_name: Option<Cow<'a, str>>,
+    /// `ARRAY`; empty where only sub-indexes are described.
+    pub(crate) object_type: String,
+    /// Whether it has one value and no sub-indexes.
+    pub(crate) is_single: bool,
+    /// Whether its entries are alike, so that a reader mostly wants none of them.
+    pub(crate) is_array: bool,
+    /// Its entries; of an object with one value that one.
+    pub(crate) entries: Vec<EntryView<'a>>,
+    /// What is said of the object as a whole; nothing where it has one value, which says it.
+    pub(crate) details: Details<'a>,
+    /// The objects that it names.
+    pub(crate) links: Vec<Anchor>,
+}
+
+impl<'a> ObjectView<'a> {
+    fn new(context: &Context<'a>, index: u16, object: &'a Object) -> Self {
+        let object_type = object.object_type();
+        let is_single = !object_type.has_subs() && object.subs.is_empty() && object.compact.is_none();
+        let (name, own_name) = match object.orphan {
+            true => (Cow::Borrowed(context.texts.not_described), None),
+            false => context.names(Cow::Borrowed(&object.main)),
+        };
+        let details = match is_single {
+            true => Details::default(),
+            false => details::of_object(context, &object.main),
+        };
+        Self {
+            index,
+            name,
+            own_name,
+            object_type: if object.orphan { String::new() } else { object_type.to_string() },
+            is_single,
+            is_array: object_type == ObjectType::Array,
+            entries: object
+                .entries()
+                .map(|(sub, entry)| EntryView::new(context, index, sub, entry))
+                .collect(),
+            details,
+            links: object.links.iter().copied().map(Anchor::object).collect(),
+        }
+    }
+
+    /// The entry that an object with one value has.
+    pub(crate) fn single(&self) -> Option<&EntryView<'a>> {
+        self.entries.first().filter(|_| self.is_single)
+    }
+
+    /// Where it is in the page.
+    pub(crate) fn anchor(&self) -> Anchor {
+        Anchor::object(self.index)
+    }
+
+    /// The data type that all entries but sub-index 0 have; empty where they differ.
+    pub(crate) fn common_type(&self) -> &str {
+        let mut types = self.entries.iter().filter(|entry| entry.sub != 0).map(|entry| &*entry.data_type);
+        let Some(first) = types.next() else { return "" };
+        if types.all(|other| other == first) { first } else { "" }
+    }
+}
+
+/// The areas that the device has objects in.
+pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Area<'a>> {
+    let areas = AREAS.iter().map(|(id, title, range)| {
+        let objects = context.device.objects.range(range.clone());
+        Area {
+            id,
+            title: title(context.texts, context.device, *range.start()),
+            range: format!("{:04X}h–{:04X}h", range.start(), range.end()),
+            objects: objects.map(|(&index, object)| ObjectView::new(context, index, object)).collect(),
+        }
+    });
+    areas.filter(|area| !area.objects.is_empty()).collect()
+}
+
+type Title = fn(&Texts, &Device, u16) -> String;
+
+/// CiA 301 table 31, the standardised device profiles one by one.
+const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
+    ("types", |texts, _, _| texts.data_types.to_owned(), 0..=0x0FFF),
+    ("communication-area", |texts, _, _| texts.communication_area.to_owned(), 0x1000..=0x1FFF),
+    ("manufacturer", |texts, _, _| texts.manufacturer_area.to_owned(), 0x2000..=0x5FFF),
+    ("profile-1", profile_title, 0x6000..=0x67FF),
+    ("profile-2", profile_title, 0x6800..=0x6FFF),
+    ("profile-3", profile_title, 0x7000..=0x77FF),
+    ("profile-4", profile_title, 0x7800..=0x7FFF),
+    ("profile-5", profile_title, 0x8000..=0x87FF),
+    ("profile-6", profile_title, 0x8800..=0x8FFF),
+    ("profile-7", profile_title, 0x9000..=0x97FF),
+    ("profile-8", profile_title, 0x9800..=0x9FFF),
+    ("network-variables", |texts, _, _| texts.network_area.to_owned(), 0xA000..=0xAFFF),
+    ("system-variables", |texts, _, _| texts.system_area.to_owned(), 0xB000..=0xBFFF),
+    ("reserved", |texts, _, _| texts.reserved_area.to_owned(), 0xC000..=0xFFFF),
+];
+
+/// `Device profile CiA 402`, of a device with several of them with its number.
+fn profile_title(texts: &Texts, device: &Device, first: u16) -> String {
+    let block = u8::try_from((first - 0x6000) / 0x800).unwrap_or_default();
+    let has_several = device.objects.range(0x6800..=0x9FFF).next().is_some();
+    let number = crate::profile::number_of(device, block).filter(|number| !matches!(number, 0 | 0xFFFF));
+    let mut title = texts.profile_area.to_owned();
+    if let Some(number) = number {
+        title.push_str(&format!(" CiA {number}"));
+    }
+    if has_several {
+        title.push_str(&format!(", {} {}", texts.logical_device, block + 1));
+    }
+    title
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_index_lies_in_one_area() {
+        let mut next = 0u32;
+        for (id, _, range) in AREAS {
+            assert_eq!(u32::from(*range.start()), next, "{id}");
+            next = u32::from(*range.end()) + 1;
+        }
+        assert_eq!(next, 0x1_0000);
+    }
+}

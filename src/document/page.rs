@@ -1,0 +1,151 @@
+//! All that is to be said of a device, in the order in which it is said.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use super::card::Card;
+use super::groups::{self, Group};
+use super::object::{self, Area};
+use super::texts::Texts;
+use super::{Finding, Options, Subject};
+use crate::Language;
+use crate::decoded::Decoder;
+use crate::model::{Device, Entry, Meanings};
+
+/// The documentation of a device, in words.
+#[derive(Debug)]
+pub(crate) struct Page<'a> {
+    pub(crate) language: Language,
+    pub(crate) texts: &'static Texts,
+    pub(crate) title: String,
+    pub(crate) card: Card,
+    /// What `check` found, the gravest first; `None` where nobody checked.
+    pub(crate) findings: Option<Vec<&'a Finding>>,
+    pub(crate) areas: Vec<Area<'a>>,
+    pub(crate) groups: Vec<Group<'a>>,
+    /// Whether an entry has a value beside its default.
+    pub(crate) is_configured: bool,
+}
+
+impl<'a> Page<'a> {
+    pub(crate) fn new(subject: &Subject<'a>, options: &'a Options) -> Self {
+        let context = Context::new(subject.device, options);
+        let areas = object::areas(&context);
+        let card = Card::new(subject, &context);
+        let is_configured = areas
+            .iter()
+            .flat_map(|area| &area.objects)
+            .flat_map(|object| &object.entries)
+            .any(|entry| entry.value.is_some());
+        let findings = subject.findings.map(|findings| {
+            let mut findings: Vec<&Finding> = findings.iter().collect();
+            findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+            findings
+        });
+        Self {
+            language: context.language,
+            texts: context.texts,
+            title: options.title.clone().unwrap_or_else(|| card.title.clone()),
+            card,
+            findings,
+            groups: groups::groups(&context),
+            areas,
+            is_configured,
+        }
+    }
+
+    /// How many objects there are.
+    pub(crate) fn object_count(&self) -> usize {
+        self.areas.iter().map(|area| area.objects.len()).sum()
+    }
+
+    /// How many entries they have.
+    pub(crate) fn entry_count(&self) -> usize {
+        self.areas.iter().flat_map(|area| &area.objects).map(|object| object.entries.len()).sum()
+    }
+}
+
+/// What the parts of a page are made of.
+#[derive(Debug)]
+pub(crate) struct Context<'a> {
+    pub(crate) device: &'a Device,
+    /// The node that formulas are worked out for.
+    pub(crate) node_id: Option<u8>,
+    /// Says what values mean.
+    pub(crate) decoder: Decoder<'a>,
+    pub(crate) language: Language,
+    pub(crate) texts: &'static Texts,
+    /// The language of texts of the description.
+    pub(crate) tag: &'a str,
+    /// What values mean; `None` where the description says that of none.
+    pub(crate) meanings: Option<Meanings<'a>>,
+    /// The PDOs that carry an entry, in words.
+    carriers: BTreeMap<(u16, u8), String>,
+}
+
+impl<'a> Context<'a> {
+    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
+        let language = options.own_language();
+        let says_meanings = !device.application.is_empty()
+            || device.objects.values().any(|object| object.described().any(|(_, of)| of.parameter.is_some()));
+        let node_id = options.node_id.filter(|id| (1..=127).contains(id)).or(device.node_id());
+        Self {
+            device,
+            node_id,
+            decoder: Decoder { device, node_id, language },
+            language,
+            texts: Texts::of(language),
+            tag: options.tag(),
+            meanings: says_meanings.then(|| device.meanings_in(options.tag())),
+            carriers: carriers(device),
+        }
+    }
+
+    /// The PDOs that carry an entry.
+    pub(super) fn carriers(&self, index: u16, sub: u8) -> Option<String> {
+        self.carriers.get(&(index, sub)).cloned()
+    }
+
+    /// The name of an entry in the language of the page, and the name in the file where that is another one.
+    pub(super) fn names(&self, entry: Cow<'a, Entry>) -> (Cow<'a, str>, Option<Cow<'a, str>>) {
+        match entry {
+            Cow::Borrowed(entry) => {
+                let name = self.name(entry);
+                (name.into(), Some(&*entry.name).filter(|own| *own != name && !own.is_empty()).map(Into::into))
+            }
+            Cow::Owned(entry) => {
+                let name = self.name(&entry).to_owned();
+                let own_name = Some(entry.name.into_string()).filter(|own| *own != name && !own.is_empty());
+                (name.into(), own_name.map(Into::into))
+            }
+        }
+    }
+
+    /// The name of an entry in the language of the page, else in the file, else words for none.
+    pub(super) fn name<'e>(&self, entry: &'e Entry) -> &'e str {
+        let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(self.tag));
+        match label.map(str::trim).filter(|label| !label.is_empty()) {
+            Some(label) => label,
+            None if entry.name.is_empty() => self.texts.no_name,
+            None => &entry.name,
+        }
+    }
+}
+
+/// What each entry is carried by.
+fn carriers(device: &Device) -> BTreeMap<(u16, u8), String> {
+    let mut carriers: BTreeMap<(u16, u8), String> = BTreeMap::new();
+    for pdo in device.pdos() {
+        for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
+            let names = carriers.entry((mapped.index, mapped.sub)).or_default();
+            let name = pdo.to_string();
+            if !names.split(", ").any(|known| known == name) {
+                if !names.is_empty() {
+                    names.push_str(", ");
+                }
+                names.push_str(&name);
+            }
+        }
+    }
+    carriers
+}
