@@ -56,11 +56,8 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
             }
         }
     }
-    let options = Options {
-        title: args.title.clone(),
-        node_id: args.settings.node_id(),
-        language: args.lang.clone(),
-    };
+    let options =
+        Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
     let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(args);
     match (is_one, devices.as_slice()) {
         (_, []) => {}
@@ -83,8 +80,7 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
     match args.out.extension().filter(|_| !is_folder(args)) {
         None => Ok(Form::Html),
         Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
-            let message =
-                format!("the name `{}` does not say which format to write", args.out.display());
+            let message = format!("the name `{}` does not say which format to write", args.out.display());
             Failure::new(message).help("`.html`, `.md` and `.csv` are known; or say it with `--format`")
         }),
     }
@@ -123,10 +119,16 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
         Input::Device(device) => {
             let findings = options.severities.apply(lint::check(&device, &options));
             let device = args.expand.device(&device).into_owned();
-            Ok(vec![Documented { file: name, format: "JSON", device, findings: told(&findings, Finding::new) }])
+            Ok(vec![Documented {
+                file: name,
+                format: "JSON",
+                device,
+                findings: told(&findings, Finding::new),
+            }])
         }
         Input::NodeList(_) | Input::Concise(_) => {
-            let message = format!("`{}` is read as {} and describes no device", name_of(&file.path), kind.name());
+            let message =
+                format!("`{}` is read as {} and describes no device", name_of(&file.path), kind.name());
             Err(Failure::new(message).help("name the descriptions of the devices"))
         }
     }

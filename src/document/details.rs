@@ -42,7 +42,11 @@ pub(crate) struct Part<'a> {
 impl Part<'_> {
     /// `3` or `4–7`.
     pub(crate) fn range(&self) -> String {
-        if self.first == self.last { self.first.to_string() } else { format!("{}–{}", self.first, self.last) }
+        if self.first == self.last {
+            self.first.to_string()
+        } else {
+            format!("{}–{}", self.first, self.last)
+        }
     }
 }
 
@@ -138,9 +142,7 @@ fn of_parameter<'a>(
             let parameter = entry.parameter.as_ref();
             parameter.and_then(|of| of.labels.description_in(context.tag)).map(Cow::Borrowed)
         }
-        Cow::Owned(_) => {
-            parameter.labels.description_in(context.tag).map(|text| Cow::Owned(text.to_owned()))
-        }
+        Cow::Owned(_) => parameter.labels.description_in(context.tag).map(|text| Cow::Owned(text.to_owned())),
     };
     details.description = text.filter(|text| !text.trim().is_empty());
     details.unit = scaled_unit(context, parameter);
@@ -166,9 +168,7 @@ fn of_parameter<'a>(
         fact(language.pick("allowed", "erlaubt"), text);
     }
     let properties = parameter.properties.iter();
-    details
-        .keys
-        .extend(properties.map(|property| (property.name.to_string(), property.value.to_string())));
+    details.keys.extend(properties.map(|property| (property.name.to_string(), property.value.to_string())));
 }
 
 /// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how its value comes of the number in the entry.
@@ -178,9 +178,12 @@ fn scaled_unit(context: &Context<'_>, parameter: &Parameter) -> Option<String> {
         let text = field(parameter).or_else(|| field(template?)).map(str::trim);
         text.filter(|text| !text.is_empty())
     };
-    let unit: Option<&Unit> = parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref()));
-    let mut text = unit.and_then(|unit| unit.labels.name_in(context.tag)).unwrap_or_default().trim().to_owned();
-    if let Some(base) = unit.map(|unit| unit.multiplier.trim()).filter(|factor| !matches!(*factor, "" | "1")) {
+    let unit: Option<&Unit> =
+        parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref()));
+    let mut text =
+        unit.and_then(|unit| unit.labels.name_in(context.tag)).unwrap_or_default().trim().to_owned();
+    if let Some(base) = unit.map(|unit| unit.multiplier.trim()).filter(|factor| !matches!(*factor, "" | "1"))
+    {
         text.push_str(&format!(" (× {base})"));
     }
     let factor = text_of(|of| of.multiplier.as_deref()).filter(|factor| *factor != "1");

@@ -111,7 +111,10 @@ impl<'a> Context<'a> {
         match entry {
             Cow::Borrowed(entry) => {
                 let name = self.name(entry);
-                (name.into(), Some(&*entry.name).filter(|own| *own != name && !own.is_empty()).map(Into::into))
+                (
+                    name.into(),
+                    Some(&*entry.name).filter(|own| *own != name && !own.is_empty()).map(Into::into),
+                )
             }
             Cow::Owned(entry) => {
                 let name = self.name(&entry).to_owned();
