@@ -2,9 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use objdict::download::{ConciseDcf, Download, PlanError, PlanOptions, ProblemKind, Scope, SkipReason, Step};
+use objdict::download::{
+    ConciseDcf, Download, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Step,
+};
 use objdict::model::{
-    Access, Commissioning, DataType, Device, Entry, Field, ObjFlags, Object, ObjectType, Place, Reason, Value,
+    Access, Commissioning, Compact, DataType, Device, Entry, Field, ObjFlags, Object, ObjectType, Place,
+    Reason, Value,
 };
 
 const U8: DataType = DataType::UNSIGNED8;
@@ -386,6 +389,29 @@ fn a_full_download_writes_every_value_but_counts() {
     // a count that is configured is written: somebody wants it
     let node = node.sub(0x2000, 0, entry(U8, unsigned(2), unsigned(1)));
     assert_eq!(node.downloads()[0], download(0x2000, 0, &[1]));
+}
+
+#[test]
+fn compactly_stored_entries_are_planned_like_described_ones() {
+    let compact = Compact { count: 3, values: vec![(2, Value::Unsigned(9))], ..Compact::default() };
+    let mut object = Object { main: entry(U8, unsigned(7), None), ..Object::default() };
+    object.main.object_type = Some(ObjectType::Array);
+    object.compact = Some(Box::new(compact));
+    let mut node = Node::new(1).var(0x2001, entry(U8, unsigned(8), unsigned(8)));
+    node.0.objects.insert(0x2000, object);
+    let all = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
+    let elements = [(1, 7), (2, 9), (3, 7)].map(|(sub, value)| download(0x2000, sub, &[value]));
+    assert_eq!(node.configuration(all).0, [&elements[..], &[download(0x2001, 0, &[8])]].concat());
+    assert_eq!(node.downloads(), elements[1..2]);
+
+    // a text that is no value is named, whoever it belongs to
+    let compact = node.0.objects.get_mut(&0x2000).and_then(|object| object.compact.as_mut()).unwrap();
+    compact.values.clear();
+    compact.misfits.push(Field::Item(3), "many", Reason::NotANumber);
+    let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
+    assert_eq!(error, ConciseDcf::plan(&node.0.expanded(), &PlanOptions::default()).unwrap_err());
+    let kind = ProblemKind::Unreadable("many".into());
+    assert_eq!(error, PlanError::Problems(vec![Problem { place: Place::entry(0x2000, 3), kind }]));
 }
 
 #[test]

@@ -6,10 +6,10 @@
 
 mod pdo;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::settings::{Key, Settings};
-use super::{Download, NeededFile, Step};
+use super::{Download, Step};
 
 /// Parts of a configuration in the order in which a node gets them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,29 +45,32 @@ const IDENTIFIER: u32 = 0x3FFF_FFFF;
 
 /// The steps that bring every wanted entry to its value.
 pub(super) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
-    let mut groups: BTreeMap<(Stage, u16), Vec<Key>> = BTreeMap::new();
-    for key in settings.wanted() {
-        groups.entry(group(key.0)).or_default().push(key);
-    }
-    let mut arranger = Arranger { settings, stages: BTreeMap::new() };
-    let pdos: Vec<u16> =
-        groups.keys().filter(|(stage, _)| *stage == Stage::Pdo).map(|&(_, pdo)| pdo).collect();
+    let mut wanted = settings.wanted();
+    wanted.sort_by_key(|key| group(key.0));
+    let groups = wanted.iter().map(|key| group(key.0));
+    let mut pdos: Vec<u16> =
+        groups.filter(|(stage, _)| *stage == Stage::Pdo).map(|(_, communication)| communication).collect();
+    pdos.dedup();
+    let mut arranger = Arranger { settings, steps: Vec::new() };
     let start_sync = if pdos.is_empty() { Stage::Communication } else { Stage::StartSync };
-    for ((stage, first), keys) in groups {
+    for keys in wanted.chunk_by(|a, b| group(a.0) == group(b.0)) {
+        let (stage, first) = group(keys[0].0);
         match first {
             0x1005 => arranger.sync(start_sync),
             0x100C => arranger.error_control(),
-            0x1012 => arranger.identifiers(&keys, |id| id & !USES_TIME),
-            0x1014 | 0x1028 => arranger.identifiers(&keys, |id| id | INVALID),
-            0x1016 => arranger.heartbeat_consumers(&keys),
-            0x1200..=0x12FF => arranger.sdo(&keys),
-            0x1301 => arranger.srdos(&keys),
+            0x1012 => arranger.identifiers(keys, |id| id & !USES_TIME),
+            0x1014 | 0x1028 => arranger.identifiers(keys, |id| id | INVALID),
+            0x1016 => arranger.heartbeat_consumers(keys),
+            0x1200..=0x12FF => arranger.sdo(keys),
+            0x1301 => arranger.srdos(keys),
             _ if stage == Stage::Pdo => {}
-            _ => keys.into_iter().for_each(|key| arranger.write(stage, key)),
+            _ => keys.iter().for_each(|&key| arranger.write(stage, key)),
         }
     }
     arranger.pdos(&pdos);
-    arranger.stages.into_values().flatten().collect()
+    let mut steps = arranger.steps;
+    steps.sort_by_key(|(stage, _)| *stage);
+    steps.into_iter().map(|(_, step)| step).collect()
 }
 
 /// Objects that must be changed together: their stage and the first index of the group.
@@ -87,13 +90,13 @@ const fn group(index: u16) -> (Stage, u16) {
 
 struct Arranger<'s, 'a> {
     settings: &'s mut Settings<'a>,
-    stages: BTreeMap<Stage, Vec<Step>>,
+    steps: Vec<(Stage, Step)>,
 }
 
 impl Arranger<'_, '_> {
     /// Writes these bytes.
     fn put(&mut self, stage: Stage, (index, sub): Key, data: impl Into<Vec<u8>>) {
-        self.stages.entry(stage).or_default().push(Step::Write(Download::new(index, sub, data)));
+        self.steps.push((stage, Step::Write(Download::new(index, sub, data))));
     }
 
     /// Writes this number of 32 bits.
@@ -103,12 +106,7 @@ impl Arranger<'_, '_> {
 
     /// Writes the value that the entry shall have, where it has one.
     fn write(&mut self, stage: Stage, key: Key) {
-        if let Some(name) = self.settings.file(key) {
-            let file = NeededFile { index: key.0, sub: key.1, name };
-            self.stages.entry(stage).or_default().push(Step::File(file));
-        } else if let Some(data) = self.settings.target(key) {
-            self.put(stage, key, data);
-        }
+        self.steps.extend(self.settings.step(key).map(|step| (stage, step)));
     }
 
     /// 1005h, 1006h, 1019h: the identifier may change only while the node does not produce SYNC, the counter overflow

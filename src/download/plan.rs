@@ -96,7 +96,9 @@ impl ConciseDcf {
         if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
             return Err(PlanError::NodeId(node_id));
         }
-        let mut settings = Settings::collect(device, options);
+        let compact = device.objects.iter().filter(|(_, object)| object.compact.is_some());
+        let expanded = compact.map(|(&index, object)| (index, object.expanded().into_owned())).collect();
+        let mut settings = Settings::collect(device, &expanded, options);
         let steps = arrange(&mut settings);
         settings.finish(steps)
     }

@@ -1,20 +1,23 @@
 //! What a description wants each entry to be: collected, resolved for the node, checked.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::transfer::{Beyond, EntryType, beyond};
-use super::{Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped, Step};
-use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place, Value};
+use super::{
+    Download, NeededFile, Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped,
+    Step,
+};
+use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 
 /// Index and sub-index.
 pub(super) type Key = (u16, u8);
 
 /// The entries of a device that a download may write.
 pub(super) struct Settings<'a> {
-    node_id: Option<u8>,
-    scope: Scope,
-    /// In ascending order, in which the dictionary gives them: many are looked up, and moving them about costs most.
+    device: &'a Device,
+    /// With the node-ID that formulas are evaluated for.
+    options: PlanOptions,
+    /// In ascending order, in which the dictionary gives them: many are looked up.
     entries: Vec<(Key, Setting<'a>)>,
     problems: BTreeMap<Key, Problem>,
     skipped: BTreeMap<Key, Skipped>,
@@ -22,13 +25,11 @@ pub(super) struct Settings<'a> {
 
 /// An entry that a download may write.
 struct Setting<'a> {
-    entry: Cow<'a, Entry>,
-    place: Place,
+    object: &'a Object,
+    entry: &'a Entry,
     entry_type: EntryType,
     /// Whether the plan has to bring it to its value.
     wanted: bool,
-    /// The text of a value that is not one of the data type.
-    unreadable: Option<Box<str>>,
 }
 
 /// The objects that do something when they are written: store and restore (1010h, 1011h), OS commands (1023h-1026h),
@@ -43,48 +44,41 @@ const fn is_mapping(index: u16) -> bool {
 }
 
 impl<'a> Settings<'a> {
-    /// The entries of `device`; those that cannot be written but have a configured value are noted as skipped.
-    pub(super) fn collect(device: &'a Device, options: &PlanOptions) -> Self {
-        let mut settings = Self {
-            node_id: options.node_id.or_else(|| device.node_id()),
-            scope: options.scope,
-            entries: Vec::new(),
-            problems: BTreeMap::new(),
-            skipped: BTreeMap::new(),
-        };
-        for (&index, object) in &device.objects {
-            for (sub, entry) in object.entries() {
-                settings.add(device, options, (index, object), (sub, entry));
+    /// The entries of `device`; those that cannot be written but have a configured value are noted as skipped. What is
+    /// stored compactly is read from `expanded`, where every entry is described by itself.
+    pub(super) fn collect(
+        device: &'a Device,
+        expanded: &'a BTreeMap<u16, Object>,
+        options: &PlanOptions,
+    ) -> Self {
+        let options = PlanOptions { node_id: options.node_id.or_else(|| device.node_id()), ..*options };
+        let (entries, problems, skipped) = Default::default();
+        let mut settings = Self { device, options, entries, problems, skipped };
+        for (index, object) in &device.objects {
+            let object = expanded.get(index).unwrap_or(object);
+            for (sub, entry) in object.stated() {
+                settings.add((*index, sub), object, entry);
             }
         }
         settings
     }
 
-    fn add(
-        &mut self,
-        device: &Device,
-        options: &PlanOptions,
-        (index, object): (u16, &Object),
-        (sub, entry): (u8, Cow<'a, Entry>),
-    ) {
-        let has_subs = object.object_type().has_subs();
-        let place = if has_subs { Place::entry(index, sub) } else { Place::object(index) };
-        let unreadable = unreadable_value(object, sub, &entry);
-        let configured = entry.configured.as_ref();
-        let from_file = configured.is_some_and(|configured| configured.download_file.is_some());
-        let configured = from_file || configured_text(object, sub, &entry);
-        let differs = configured && (from_file || unreadable.is_some() || entry.is_changed(self.node_id));
-        if let Some(reason) = skip_reason(index, object, &entry, options) {
+    fn add(&mut self, (index, sub): Key, object: &'a Object, entry: &'a Entry) {
+        let unreadable = unreadable_value(entry).is_some();
+        let from_file = download_file(entry).is_some();
+        let differs =
+            from_file || is_configured(entry) && (unreadable || entry.is_changed(self.options.node_id));
+        if let Some(reason) = skip_reason(index, object, entry, &self.options) {
             if differs {
-                self.skipped.insert((index, sub), Skipped { place, reason });
+                self.skipped.insert((index, sub), Skipped { place: place((index, sub), object), reason });
             }
             return;
         }
-        let count = sub == 0 && has_subs && !is_mapping(index);
-        let has_value = entry.value().is_some() || unreadable.is_some() || from_file;
-        let wanted = differs || self.scope == Scope::All && has_value && !count;
-        let entry_type = EntryType::of(device, object, sub, &entry);
-        self.entries.push(((index, sub), Setting { entry, place, entry_type, wanted, unreadable }));
+        let count = sub == 0 && object.object_type().has_subs() && !is_mapping(index);
+        let has_value = entry.value().is_some() || unreadable || from_file;
+        let wanted = differs || self.writes_all() && has_value && !count;
+        let entry_type = EntryType::of(self.device, object, sub, entry);
+        self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
     }
 
     fn find(&self, key: Key) -> Option<&Setting<'a>> {
@@ -116,22 +110,22 @@ impl<'a> Settings<'a> {
 
     /// Whether all values are written, whatever the node may have now.
     pub(super) fn writes_all(&self) -> bool {
-        self.scope == Scope::All
+        self.options.scope == Scope::All
     }
 
-    /// The name of the file with the data of an entry.
-    pub(super) fn file(&self, key: Key) -> Option<Box<str>> {
-        self.find(key)?.entry.configured.as_ref()?.download_file.clone()
+    /// The download that brings the entry to the value that it shall have, where it has one.
+    pub(super) fn step(&mut self, key @ (index, sub): Key) -> Option<Step> {
+        let setting = self.find(key)?;
+        if let Some(name) = download_file(setting.entry) {
+            return Some(Step::File(NeededFile { index, sub, name: name.into() }));
+        }
+        let bytes = setting.bytes(self.options.node_id)?;
+        self.noted(key, bytes).map(|data| Step::Write(Download { index, sub, data }))
     }
 
     /// The bytes that the entry shall have; `None` where there is no value, or, with a problem noted, no legal one.
     pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
-        let setting = self.find(key)?;
-        let bytes = match (&setting.unreadable, setting.entry.value()) {
-            (Some(text), _) => Err(ProblemKind::Unreadable(text.clone())),
-            (None, Some(value)) => setting.checked_bytes(value, self.node_id),
-            (None, None) => return None,
-        };
+        let bytes = self.find(key)?.bytes(self.options.node_id)?;
         self.noted(key, bytes)
     }
 
@@ -143,7 +137,7 @@ impl<'a> Settings<'a> {
     /// The number that an entry of 32 bits has by default; `None` where the description does not say.
     pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
         let setting = self.find(key)?;
-        let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.node_id) {
+        let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.options.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
             // a default that is none is as good as an unknown one
             bytes => bytes.ok(),
@@ -159,7 +153,7 @@ impl<'a> Settings<'a> {
     /// Notes that an unused entry of a PDO mapping is left out.
     pub(super) fn unused(&mut self, key: Key) {
         if let Some(setting) = self.find(key).filter(|setting| setting.entry.configured_value().is_some()) {
-            let skipped = Skipped { place: setting.place.clone(), reason: SkipReason::Unused };
+            let skipped = Skipped { place: place(key, setting.object), reason: SkipReason::Unused };
             self.skipped.insert(key, skipped);
         }
     }
@@ -169,7 +163,7 @@ impl<'a> Settings<'a> {
             Ok(value) => Some(value),
             Err(kind) => {
                 if let Some(setting) = self.find(key) {
-                    let place = setting.place.clone();
+                    let place = place(key, setting.object);
                     self.problems.entry(key).or_insert(Problem { place, kind });
                 }
                 None
@@ -187,15 +181,24 @@ impl<'a> Settings<'a> {
 }
 
 impl Setting<'_> {
-    /// The bytes of a value that shall be written: it must be within the limits.
-    fn checked_bytes(&self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
-        let bytes = self.entry_type.bytes(value, node_id)?;
-        match beyond(&self.entry, value, node_id) {
+    /// The bytes that the entry shall have: they must be within the limits. `None` where there is no value.
+    fn bytes(&self, node_id: Option<u8>) -> Option<Result<Vec<u8>, ProblemKind>> {
+        if let Some(text) = unreadable_value(self.entry) {
+            return Some(Err(ProblemKind::Unreadable(text.into())));
+        }
+        let value = self.entry.value()?;
+        let bytes = self.entry_type.bytes(value, node_id);
+        Some(bytes.and_then(|bytes| match beyond(self.entry, value, node_id) {
             Some(Beyond::Low(limit)) => Err(ProblemKind::BelowLimit { value: value.clone(), limit }),
             Some(Beyond::High(limit)) => Err(ProblemKind::AboveLimit { value: value.clone(), limit }),
             None => Ok(bytes),
-        }
+        }))
     }
+}
+
+/// Where an entry stands in the description.
+fn place((index, sub): Key, object: &Object) -> Place {
+    if object.object_type().has_subs() { Place::entry(index, sub) } else { Place::object(index) }
 }
 
 /// Why a download does not write the entry.
@@ -222,29 +225,20 @@ fn skip_reason(index: u16, object: &Object, entry: &Entry, options: &PlanOptions
 }
 
 /// Whether the description says what the entry shall be, whether it is legal or not.
-fn configured_text(object: &Object, sub: u8, entry: &Entry) -> bool {
-    entry.configured_value().is_some()
-        || entry.misfits.get(&Field::ParameterValue).is_some()
-        || compact_misfit(object, sub).is_some()
+fn is_configured(entry: &Entry) -> bool {
+    entry.configured_value().is_some() || entry.misfits.get(&Field::ParameterValue).is_some()
 }
 
 /// The text of the value that the entry shall have, where it is not one of its data type.
-fn unreadable_value(object: &Object, sub: u8, entry: &Entry) -> Option<Box<str>> {
+fn unreadable_value(entry: &Entry) -> Option<&str> {
     if entry.configured_value().is_some() {
         return None;
     }
-    let misfit = entry.misfits.get(&Field::ParameterValue);
-    if let Some(misfit) = misfit {
-        return Some(misfit.text.clone());
-    }
-    if let Some(text) = compact_misfit(object, sub) {
-        return Some(text);
-    }
-    entry.misfits.get(&Field::DefaultValue).map(|misfit| misfit.text.clone())
+    let misfit = |field| entry.misfits.get(&field).map(|misfit| &*misfit.text);
+    misfit(Field::ParameterValue).or_else(|| misfit(Field::DefaultValue))
 }
 
-/// The text of a value of a compactly stored object that is not one of its data type.
-fn compact_misfit(object: &Object, sub: u8) -> Option<Box<str>> {
-    let compact = object.compact.as_ref()?;
-    compact.misfits.get(&Field::Item(sub.into())).map(|misfit| misfit.text.clone())
+/// The name of the file with the data of the entry.
+fn download_file(entry: &Entry) -> Option<&str> {
+    entry.configured.as_ref()?.download_file.as_deref()
 }

@@ -195,15 +195,23 @@ impl Object {
     /// All entries that the device has, in ascending order of their sub-indexes.
     pub fn entries(&self) -> impl Iterator<Item = (u8, Cow<'_, Entry>)> {
         let compact = self.compact.as_ref().map(|compact| compact.count);
-        let implied = compact.map(|count| 0..=count).into_iter().flatten();
-        let single =
-            compact.is_none() && !self.orphan && !self.object_type().has_subs() && self.subs.get(0).is_none();
-        let single = single.then_some((0, Cow::Borrowed(&self.main))).into_iter();
-        let implied = implied
+        let implied = compact
+            .map(|count| 0..=count)
+            .into_iter()
+            .flatten()
             .filter(|&sub| self.subs.get(sub).is_none())
             .filter_map(|sub| self.entry(sub).map(|entry| (sub, entry)));
-        let described = self.subs.iter().map(|(sub, entry)| (sub, Cow::Borrowed(entry)));
-        merge_by_sub(single.chain(implied), described)
+        merge_by_sub(implied, self.stated().map(|(sub, entry)| (sub, Cow::Borrowed(entry))))
+    }
+
+    /// The entries that stand in the description as they are: all of [`Object::entries`] but those that are stored
+    /// compactly.
+    pub fn stated(&self) -> impl Iterator<Item = (u8, &Entry)> {
+        let is_single = self.compact.is_none()
+            && !self.orphan
+            && !self.object_type().has_subs()
+            && self.subs.get(0).is_none();
+        is_single.then_some((0, &self.main)).into_iter().chain(self.subs.iter())
     }
 
     /// What the description states: the object's own section, where it has one, then each described sub-index. A rule
