@@ -1,0 +1,168 @@
+//! One line for each entry, for spreadsheets and scripts.
+//!
+//! The columns are called the same in every language, and new ones come behind the others.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fmt::Write;
+
+use super::anchor::Anchor;
+use super::details::Details;
+use super::entry::EntryView;
+use super::escape;
+use super::object::ObjectView;
+use super::page::Page;
+use crate::model::{Device, Entry, Value};
+
+/// What a line is about; an object without entries has a line, too.
+struct Row<'a> {
+    node_id: Option<u8>,
+    object: &'a ObjectView<'a>,
+    view: Option<&'a EntryView<'a>>,
+    entry: Option<Cow<'a, Entry>>,
+    /// The groups that the entry lies in: `Drive / Limits`.
+    groups: &'a str,
+}
+
+type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
+
+/// The columns in their order. It is a promise: a column is never renamed, moved or dropped.
+const COLUMNS: [Column; 28] = [
+    ("index", |row| format!("0x{:04X}", row.object.index).into()),
+    ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
+    ("object_name", |row| row.object.name.as_ref().into()),
+    ("name", |row| row.of(|view| &view.name)),
+    ("object_type", |row| row.object.object_type.as_str().into()),
+    ("data_type", |row| row.of(|view| &view.data_type)),
+    ("bits", |row| row.view.and_then(|view| view.bits).map_or("".into(), |bits| bits.to_string().into())),
+    ("access", |row| row.of(|view| view.access)),
+    ("pdo", |row| row.of(|view| view.pdo)),
+    ("default", |row| row.value(|entry| entry.default.as_ref(), |view| &view.default)),
+    ("value", |row| row.value(Entry::configured_value, |view| view.value.as_deref().unwrap_or_default())),
+    ("changed", |row| row.changed().into()),
+    ("low_limit", |row| row.value(|entry| entry.low_limit.as_ref(), |view| &view.low)),
+    ("high_limit", |row| row.value(|entry| entry.high_limit.as_ref(), |view| &view.high)),
+    ("unit", |row| row.of(|view| view.details.unit.as_deref().unwrap_or_default())),
+    ("meaning", |row| row.of(|view| view.meaning.as_deref().unwrap_or_default())),
+    ("denotation", |row| row.of(|view| view.details.denotation.as_deref().unwrap_or_default())),
+    ("description", |row| row.of(|view| view.details.description.as_deref().unwrap_or_default())),
+    ("object_description", |row| row.object.details.description.as_deref().unwrap_or_default().into()),
+    ("name_in_file", |row| row.of(|view| view.own_name.as_deref().unwrap_or_default())),
+    ("default_formula", |row| row.formula(|entry| entry.default.as_ref())),
+    ("value_formula", |row| row.formula(Entry::configured_value)),
+    ("mapped_in", |row| row.of(|view| view.details.carried_by.as_deref().unwrap_or_default())),
+    ("named_values", |row| row.details(|details| named(&details.values))),
+    ("bit_fields", |row| row.details(bit_fields)),
+    ("groups", |row| row.groups.into()),
+    ("facts", |row| row.details(|details| pairs(&details.facts))),
+    ("keys", |row| row.details(|details| pairs(&details.keys))),
+];
+
+impl<'a> Row<'a> {
+    fn of(&self, text: impl FnOnce(&'a EntryView<'a>) -> &'a str) -> Cow<'a, str> {
+        self.view.map(text).unwrap_or_default().into()
+    }
+
+    /// A value as a spreadsheet takes it; where there is none, what a page says, which may quote a text that is none.
+    fn value<'b>(&'b self, value: impl FnOnce(&Entry) -> Option<&Value>, shown: impl FnOnce(&'a EntryView<'a>) -> &'a str) -> Cow<'b, str> {
+        let Some(entry) = &self.entry else { return "".into() };
+        let Some(value) = value(entry) else { return self.of(shown) };
+        let resolved = self.node_id.zip(entry.data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
+        plain(resolved.as_ref().unwrap_or(value)).into()
+    }
+
+    /// How a value is written that depends on the node.
+    fn formula(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
+        let value = self.entry.as_ref().and_then(|entry| value(entry));
+        value.filter(|value| matches!(value, Value::NodeId(_))).map_or("".into(), |value| value.to_string().into())
+    }
+
+    fn changed(&self) -> &'static str {
+        match self.view {
+            Some(view) if view.value.is_some() => if view.is_changed { "yes" } else { "no" },
+            _ => "",
+        }
+    }
+
+    fn details(&self, text: impl FnOnce(&Details<'_>) -> String) -> Cow<'_, str> {
+        self.view.map(|view| text(&view.details)).unwrap_or_default().into()
+    }
+}
+
+/// A value with digits of a decimal number where it is one, and without quotes.
+fn plain(value: &Value) -> String {
+    match value {
+        Value::Text(text) => text.to_string(),
+        _ => value.as_integer().map_or_else(|| value.to_string(), |number| number.to_string()),
+    }
+}
+
+/// `0 = off; 1 = on`.
+fn named(values: &[(i128, &str)]) -> String {
+    values.iter().map(|(number, name)| format!("{number} = {name}")).collect::<Vec<_>>().join("; ")
+}
+
+/// `0: ready; 4–7: mode (0 = off, 1 = on)`.
+fn bit_fields(details: &Details<'_>) -> String {
+    let fields = details.parts.iter().map(|part| {
+        let values = if part.values.is_empty() { String::new() } else { format!(" ({})", named(&part.values).replace("; ", ", ")) };
+        format!("{}: {}{values}", part.range(), part.name)
+    });
+    fields.collect::<Vec<_>>().join("; ")
+}
+
+/// `Key = text; Key = text`.
+fn pairs(pairs: &[(impl AsRef<str>, String)]) -> String {
+    pairs.iter().map(|(key, text)| format!("{} = {text}", key.as_ref())).collect::<Vec<_>>().join("; ")
+}
+
+/// The dictionary as CSV after RFC 4180, with a byte order mark, without which spreadsheets guess the encoding.
+pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
+    let groups = groups(page);
+    let mut text = String::with_capacity(1000 + 150 * page.entry_count());
+    text.push('\u{FEFF}');
+    line(&mut text, COLUMNS.iter().map(|(name, _)| Cow::Borrowed(*name)));
+    for object in page.areas.iter().flat_map(|area| &area.objects) {
+        let mut row = Row { node_id: page.node_id, object, view: None, entry: None, groups: "" };
+        let in_group = |anchor: Anchor| groups.get(&(anchor.index, anchor.sub)).map(String::as_str);
+        let of_object = in_group(object.anchor()).unwrap_or_default();
+        if object.entries.is_empty() {
+            row.groups = of_object;
+            line(&mut text, COLUMNS.iter().map(|(_, field)| field(&row)));
+        }
+        let entries = device.object(object.index).into_iter().flat_map(|object| object.entries());
+        for (view, (_, entry)) in object.entries.iter().zip(entries) {
+            row = Row { view: Some(view), entry: Some(entry), groups: in_group(view.anchor()).unwrap_or(of_object), ..row };
+            line(&mut text, COLUMNS.iter().map(|(_, field)| field(&row)));
+        }
+    }
+    text
+}
+
+/// A line of fields.
+pub(super) fn line<'a>(text: &mut String, fields: impl IntoIterator<Item = Cow<'a, str>>) {
+    for (number, field) in fields.into_iter().enumerate() {
+        let between = if number > 0 { "," } else { "" };
+        let _ = write!(text, "{between}{}", escape::field(&field)); // a String takes every text
+    }
+    text.push_str("\r\n");
+}
+
+/// The groups that an object or entry lies in, each with those around it.
+fn groups(page: &Page<'_>) -> HashMap<(u16, Option<u8>), String> {
+    let mut found: HashMap<_, String> = HashMap::new();
+    let mut path: Vec<&str> = Vec::new();
+    for group in &page.groups {
+        path.truncate(group.depth);
+        path.push(group.name);
+        let name = path.iter().copied().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(" / ");
+        for anchor in group.members.iter().filter_map(|member| member.anchor) {
+            let names = found.entry((anchor.index, anchor.sub)).or_default();
+            if !names.is_empty() {
+                names.push_str("; ");
+            }
+            names.push_str(&name);
+        }
+    }
+    found
+}

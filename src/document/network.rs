@@ -1,0 +1,210 @@
+//! Which PDOs the configured nodes of a network send each other: CAN-IDs of TPDOs beside those of RPDOs.
+
+use std::collections::BTreeMap;
+
+use super::page::Context;
+use crate::model::{Commissioning, MappedObject, Pdo, PdoKind};
+
+/// A configured node, as others see it.
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    /// 1 to 127.
+    pub(crate) id: u8,
+    /// Its name in the network, else that of the device.
+    pub(crate) name: String,
+    /// The address of its page.
+    pub(crate) link: String,
+    /// What tells networks apart.
+    network: (Option<u32>, String),
+    pdos: Vec<End>,
+}
+
+/// A PDO that exists, on its node.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct End {
+    kind: PdoKind,
+    number: u16,
+    /// The CAN-ID, and whether it has 29 bits.
+    can_id: (bool, u32),
+    bits: u32,
+    /// The names of what it carries.
+    carried: Vec<String>,
+}
+
+impl Node {
+    /// The node that a device is configured for; `None` for a type of device.
+    pub(super) fn new(context: &Context<'_>, device_name: &str, link: &str) -> Option<Self> {
+        let device = context.device;
+        let commissioning = device.commissioning.as_ref()?;
+        let id = context.node_id?;
+        let stated = |text: &Option<String>| text.as_deref().map(str::trim).filter(|text| !text.is_empty()).map(str::to_owned);
+        Some(Self {
+            id,
+            name: stated(&commissioning.node_name).unwrap_or_else(|| device_name.to_owned()),
+            link: link.to_owned(),
+            network: network_of(commissioning),
+            pdos: device.pdos().filter_map(|pdo| End::new(context, &pdo, id)).collect(),
+        })
+    }
+}
+
+fn network_of(commissioning: &Commissioning) -> (Option<u32>, String) {
+    (commissioning.net_number, commissioning.network_name.as_deref().unwrap_or_default().trim().to_owned())
+}
+
+impl End {
+    fn new(context: &Context<'_>, pdo: &Pdo<'_>, node_id: u8) -> Option<Self> {
+        let cob_id = pdo.cob_id.filter(|cob_id| cob_id.is_valid())?;
+        let name = |mapped: MappedObject| {
+            let entry = context.device.entry(mapped.index, mapped.sub).filter(|_| !mapped.is_dummy());
+            entry.map_or_else(|| mapped.to_string(), |entry| context.name(&entry).to_owned())
+        };
+        Some(Self {
+            kind: pdo.kind,
+            number: pdo.number,
+            can_id: (cob_id.is_extended(), cob_id.can_id(node_id)),
+            bits: pdo.bit_length(),
+            carried: pdo.mapped().map(name).collect(),
+        })
+    }
+}
+
+/// The nodes with the same network number and name.
+#[derive(Debug)]
+pub(crate) struct Network<'a> {
+    /// `2 line`; empty where no file names it.
+    pub(crate) name: String,
+    /// By node-ID.
+    pub(crate) nodes: Vec<&'a Node>,
+    /// By CAN-ID, base frames first.
+    pub(crate) frames: Vec<Frame<'a>>,
+}
+
+/// A CAN-ID that PDOs are sent or received with.
+#[derive(Debug)]
+pub(crate) struct Frame<'a> {
+    can_id: (bool, u32),
+    pub(crate) senders: Vec<Port<'a>>,
+    pub(crate) receivers: Vec<Port<'a>>,
+}
+
+/// A PDO with its node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Port<'a> {
+    pub(crate) node: &'a Node,
+    end: &'a End,
+}
+
+impl<'a> Port<'a> {
+    /// `TPDO 1`.
+    pub(crate) fn pdo(&self) -> String {
+        format!("{} {}", self.end.kind, self.end.number)
+    }
+
+    /// Number of bits.
+    pub(crate) fn bits(&self) -> u32 {
+        self.end.bits
+    }
+
+    /// The names of what the PDO carries.
+    pub(crate) fn carried(&self) -> &'a [String] {
+        &self.end.carried
+    }
+}
+
+impl Frame<'_> {
+    /// `0x185`; of an extended frame with eight digits.
+    pub(crate) fn shown_can_id(&self) -> String {
+        match self.can_id {
+            (false, id) => format!("0x{id:03X}"),
+            (true, id) => format!("0x{id:08X}"),
+        }
+    }
+
+    /// Whether several nodes send with it, which no bus allows.
+    pub(crate) fn is_sent_twice(&self) -> bool {
+        self.senders.len() > 1
+    }
+
+    /// Whether somebody waits for more bits than are sent, and so takes nothing.
+    pub(crate) fn is_too_short(&self, receiver: &Port<'_>) -> bool {
+        self.senders.iter().any(|sender| sender.end.bits < receiver.end.bits)
+    }
+}
+
+/// The networks that have several of the nodes.
+pub(crate) fn networks(nodes: &[Node]) -> Vec<Network<'_>> {
+    let mut by_network: BTreeMap<&(Option<u32>, String), Vec<&Node>> = BTreeMap::new();
+    for node in nodes {
+        by_network.entry(&node.network).or_default().push(node);
+    }
+    let several = by_network.into_iter().filter(|(_, nodes)| nodes.len() > 1);
+    several
+        .map(|((number, name), mut nodes)| {
+            nodes.sort_by_key(|node| node.id);
+            let name = number.map(|number| number.to_string()).into_iter().chain([name.clone()]);
+            let name: Vec<String> = name.filter(|part| !part.is_empty()).collect();
+            Network { name: name.join(" "), frames: frames(&nodes), nodes }
+        })
+        .collect()
+}
+
+fn frames<'a>(nodes: &[&'a Node]) -> Vec<Frame<'a>> {
+    let mut frames: BTreeMap<(bool, u32), Frame<'a>> = BTreeMap::new();
+    for &node in nodes {
+        for end in &node.pdos {
+            let frame = frames.entry(end.can_id).or_insert_with(|| Frame {
+                can_id: end.can_id,
+                senders: Vec::new(),
+                receivers: Vec::new(),
+            });
+            let ports = match end.kind {
+                PdoKind::Tpdo => &mut frame.senders,
+                PdoKind::Rpdo => &mut frame.receivers,
+            };
+            ports.push(Port { node, end });
+        }
+    }
+    frames.into_values().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn node(id: u8, pdos: &[(PdoKind, u32, u32)]) -> Node {
+        let end = |(number, &(kind, can_id, bits)): (u16, &(PdoKind, u32, u32))| End {
+            kind,
+            number,
+            can_id: (false, can_id),
+            bits,
+            carried: Vec::new(),
+        };
+        Node {
+            id,
+            name: format!("node {id}"),
+            link: String::new(),
+            network: (Some(1), "line".to_owned()),
+            pdos: (1..).zip(pdos).map(end).collect(),
+        }
+    }
+
+    #[test]
+    fn senders_meet_receivers() {
+        use PdoKind::{Rpdo, Tpdo};
+        let nodes = [
+            node(5, &[(Tpdo, 0x185, 16), (Rpdo, 0x205, 8)]),
+            node(1, &[(Rpdo, 0x185, 24), (Tpdo, 0x205, 8)]),
+            node(9, &[(Tpdo, 0x205, 8)]),
+        ];
+        let networks = networks(&nodes);
+        let [network] = networks.as_slice() else { panic!("{networks:?}") };
+        assert_eq!(network.name, "1 line");
+        assert_eq!(network.nodes.iter().map(|node| node.id).collect::<Vec<_>>(), [1, 5, 9]);
+        let [first, second] = network.frames.as_slice() else { panic!("{:?}", network.frames) };
+        assert_eq!((first.shown_can_id(), first.senders[0].node.id), ("0x185".to_owned(), 5));
+        assert!(first.is_too_short(&first.receivers[0]) && !first.is_sent_twice());
+        assert!(second.is_sent_twice() && !second.is_too_short(&second.receivers[0]));
+        assert_eq!(super::networks(&nodes[..1]).len(), 0);
+    }
+}
