@@ -1,8 +1,7 @@
 //! `objdict docs`.
 
-use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::args::DocsArgs;
 use super::files::{self, File};
@@ -12,7 +11,7 @@ use super::save::{Saved, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::document::{self, Finding, Form, Options, Subject};
+use crate::document::{self, Finding, Form, Options, Site, Subject};
 use crate::format::Description;
 use crate::lint;
 use crate::model::Device;
@@ -170,23 +169,11 @@ fn write_site(
     if args.out == Path::new("-") {
         return Err(Failure::new("several pages do not fit into the standard output").help("name a folder"));
     }
-    // the title is that of the site
-    let options = Options { title: None, ..options.clone() };
-    for (device, name) in devices.iter().zip(page_names(devices, form)) {
-        tell_saved(&args.out.join(name), &document::write(&device.subject(), form, &options), out)?;
+    let mut site = Site::new(form, options);
+    for device in devices {
+        let page = site.add(&device.subject());
+        tell_saved(&args.out.join(page.name), &page.text, out)?;
     }
-    Ok(())
-}
-
-/// A name for each page: that of the file, with a number where several files are called so.
-fn page_names(devices: &[Documented], form: Form) -> Vec<PathBuf> {
-    let mut taken: BTreeMap<String, usize> = BTreeMap::from([("index".to_owned(), 1)]);
-    let name = |device: &Documented| {
-        let stem = Path::new(&device.file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let count = taken.entry(stem.to_lowercase()).or_default();
-        *count += 1;
-        let stem = if *count == 1 { stem } else { format!("{stem}-{count}") };
-        PathBuf::from(format!("{stem}.{}", form.extension()))
-    };
-    devices.iter().map(name).collect()
+    let index = site.index();
+    tell_saved(&args.out.join(index.name), &index.text, out)
 }

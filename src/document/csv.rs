@@ -64,22 +64,35 @@ impl<'a> Row<'a> {
     }
 
     /// A value as a spreadsheet takes it; where there is none, what a page says, which may quote a text that is none.
-    fn value<'b>(&'b self, value: impl FnOnce(&Entry) -> Option<&Value>, shown: impl FnOnce(&'a EntryView<'a>) -> &'a str) -> Cow<'b, str> {
+    fn value<'b>(
+        &'b self,
+        value: impl FnOnce(&Entry) -> Option<&Value>,
+        shown: impl FnOnce(&'a EntryView<'a>) -> &'a str,
+    ) -> Cow<'b, str> {
         let Some(entry) = &self.entry else { return "".into() };
         let Some(value) = value(entry) else { return self.of(shown) };
-        let resolved = self.node_id.zip(entry.data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
+        let resolved =
+            self.node_id.zip(entry.data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
         plain(resolved.as_ref().unwrap_or(value)).into()
     }
 
     /// How a value is written that depends on the node.
     fn formula(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
         let value = self.entry.as_ref().and_then(|entry| value(entry));
-        value.filter(|value| matches!(value, Value::NodeId(_))).map_or("".into(), |value| value.to_string().into())
+        value
+            .filter(|value| matches!(value, Value::NodeId(_)))
+            .map_or("".into(), |value| value.to_string().into())
     }
 
     fn changed(&self) -> &'static str {
         match self.view {
-            Some(view) if view.value.is_some() => if view.is_changed { "yes" } else { "no" },
+            Some(view) if view.value.is_some() => {
+                if view.is_changed {
+                    "yes"
+                } else {
+                    "no"
+                }
+            }
             _ => "",
         }
     }
@@ -105,7 +118,11 @@ fn named(values: &[(i128, &str)]) -> String {
 /// `0: ready; 4–7: mode (0 = off, 1 = on)`.
 fn bit_fields(details: &Details<'_>) -> String {
     let fields = details.parts.iter().map(|part| {
-        let values = if part.values.is_empty() { String::new() } else { format!(" ({})", named(&part.values).replace("; ", ", ")) };
+        let values = if part.values.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", named(&part.values).replace("; ", ", "))
+        };
         format!("{}: {}{values}", part.range(), part.name)
     });
     fields.collect::<Vec<_>>().join("; ")
@@ -132,7 +149,12 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
         }
         let entries = device.object(object.index).into_iter().flat_map(|object| object.entries());
         for (view, (_, entry)) in object.entries.iter().zip(entries) {
-            row = Row { view: Some(view), entry: Some(entry), groups: in_group(view.anchor()).unwrap_or(of_object), ..row };
+            row = Row {
+                view: Some(view),
+                entry: Some(entry),
+                groups: in_group(view.anchor()).unwrap_or(of_object),
+                ..row
+            };
             line(&mut text, COLUMNS.iter().map(|(_, field)| field(&row)));
         }
     }

@@ -5,18 +5,23 @@
 
 mod anchor;
 mod card;
+mod csv;
 mod details;
 mod entry;
 mod escape;
 mod finding;
 mod groups;
 mod html;
+mod markdown;
+mod network;
 mod object;
 mod page;
+mod site;
 mod texts;
 
 pub use self::finding::Finding;
-pub(crate) use self::page::Page;
+use self::page::Page;
+pub use self::site::{Site, SiteFile};
 use crate::Language;
 use crate::model::Device;
 
@@ -38,18 +43,27 @@ pub struct Subject<'a> {
 pub enum Form {
     /// One page that needs nothing beside it: no network, no other file.
     Html,
+    /// One file of tables, as forges render them.
+    Markdown,
+    /// One line for each entry.
+    Csv,
 }
 
 impl Form {
+    /// All forms.
+    pub const ALL: [Self; 3] = [Self::Html, Self::Markdown, Self::Csv];
+
     /// What the ending of a file, without its point, stands for.
     pub fn of_extension(extension: &str) -> Option<Self> {
-        [Self::Html].into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
+        Self::ALL.into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
     }
 
     /// The ending of a file.
     pub const fn extension(self) -> &'static str {
         match self {
             Self::Html => "html",
+            Self::Markdown => "md",
+            Self::Csv => "csv",
         }
     }
 }
@@ -92,8 +106,13 @@ impl Options {
 /// # Ok::<(), objdict::format::ReadError>(())
 /// ```
 pub fn write(subject: &Subject<'_>, form: Form, options: &Options) -> String {
-    let page = Page::new(subject, options);
+    write_page(&Page::new(subject, options), subject.device, form)
+}
+
+fn write_page(page: &Page<'_>, device: &Device, form: Form) -> String {
     match form {
-        Form::Html => html::write(&page),
+        Form::Html => html::write(page),
+        Form::Markdown => markdown::write(page),
+        Form::Csv => csv::write(page, device),
     }
 }

@@ -37,7 +37,9 @@ impl Node {
         let device = context.device;
         let commissioning = device.commissioning.as_ref()?;
         let id = context.node_id?;
-        let stated = |text: &Option<String>| text.as_deref().map(str::trim).filter(|text| !text.is_empty()).map(str::to_owned);
+        let stated = |text: &Option<String>| {
+            text.as_deref().map(str::trim).filter(|text| !text.is_empty()).map(str::to_owned)
+        };
         Some(Self {
             id,
             name: stated(&commissioning.node_name).unwrap_or_else(|| device_name.to_owned()),
@@ -119,6 +121,11 @@ impl Frame<'_> {
             (false, id) => format!("0x{id:03X}"),
             (true, id) => format!("0x{id:08X}"),
         }
+    }
+
+    /// The PDOs whose contents are told: those that are sent, else those that somebody waits for.
+    pub(crate) fn content(&self) -> &[Port<'_>] {
+        if self.senders.is_empty() { &self.receivers } else { &self.senders }
     }
 
     /// Whether several nodes send with it, which no bus allows.

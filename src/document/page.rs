@@ -18,6 +18,8 @@ pub(crate) struct Page<'a> {
     pub(crate) language: Language,
     pub(crate) texts: &'static Texts,
     pub(crate) title: String,
+    /// The node that formulas are worked out for.
+    pub(crate) node_id: Option<u8>,
     pub(crate) card: Card,
     /// What `check` found, the gravest first; `None` where nobody checked.
     pub(crate) findings: Option<Vec<&'a Finding>>,
@@ -46,6 +48,7 @@ impl<'a> Page<'a> {
             language: context.language,
             texts: context.texts,
             title: options.title.clone().unwrap_or_else(|| card.title.clone()),
+            node_id: context.node_id,
             card,
             findings,
             groups: groups::groups(&context),

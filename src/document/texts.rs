@@ -103,4 +103,18 @@ texts! {
     warning: "warning", "Warnung";
     note: "note", "Hinweis";
     line: "line", "Zeile";
+    // several devices
+    devices: "Devices", "Geräte";
+    nodes: "nodes", "Knoten";
+    entries: "Entries", "Einträge";
+    counted_objects: "objects", "Objekte";
+    counted_entries: "entries", "Einträge";
+    errors: "Errors", "Fehler";
+    warnings: "Warnings", "Warnungen";
+    notes: "Notes", "Hinweise";
+    sent_by: "Sent by", "Gesendet von";
+    carries: "Carries", "Inhalt";
+    received_by: "Received by", "Empfangen von";
+    sent_twice: "sent by several", "mehrfach gesendet";
+    too_short: "waits for more", "erwartet mehr";
 }

@@ -43,12 +43,18 @@ pub(in crate::cli) struct DocsArgs {
 pub(in crate::cli) enum DocsFormat {
     /// One page that needs nothing beside it
     Html,
+    /// One file of tables, as forges render them
+    Markdown,
+    /// One line for each entry, for spreadsheets
+    Csv,
 }
 
 impl From<DocsFormat> for Form {
     fn from(format: DocsFormat) -> Self {
         match format {
             DocsFormat::Html => Self::Html,
+            DocsFormat::Markdown => Self::Markdown,
+            DocsFormat::Csv => Self::Csv,
         }
     }
 }

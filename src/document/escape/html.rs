@@ -37,6 +37,13 @@ impl Escaper for Html {
     }
 }
 
+/// A text as HTML without line ends.
+pub(super) fn one_line(text: &str) -> String {
+    let mut written = String::with_capacity(text.len() + 8);
+    let _ = Html.write_escaped_str(&mut written, text); // a String takes every text
+    written.replace('\n', "<br>")
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;

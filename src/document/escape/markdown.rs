@@ -33,6 +33,41 @@ impl Escaper for Markdown {
     }
 }
 
+/// A text as `.md` templates write it.
+pub(super) fn escaped(text: &str) -> String {
+    let mut written = String::with_capacity(text.len() + 8);
+    let _ = Markdown.write_escaped_str(&mut written, text); // a String takes every text
+    written
+}
+
+/// A sentence with formulas such as `$NODEID+0x180`, which are code.
+pub(super) fn worded(text: &str) -> String {
+    const NODE_ID: &str = "$NODEID";
+    let mut written = String::with_capacity(text.len() + 8);
+    let mut rest = text;
+    while let Some(start) = rest.find(NODE_ID) {
+        let is_sum = |character: char| character.is_ascii_alphanumeric() || character == '+';
+        let end =
+            rest[start + 1..].find(|character| !is_sum(character)).map_or(rest.len(), |end| start + 1 + end);
+        written.push_str(&beside_code(&rest[..start], !written.is_empty(), true));
+        written.push_str(&code(&rest[start..end]));
+        rest = &rest[end..];
+    }
+    let has_before = !written.is_empty();
+    written + &beside_code(rest, has_before, false)
+}
+
+/// A part of a sentence, with blanks as they are where code stands beside them.
+fn beside_code(part: &str, has_before: bool, has_after: bool) -> String {
+    let start = if has_before { part.len() - part.trim_start_matches(' ').len() } else { 0 };
+    let end = if has_after { part.trim_end_matches(' ').len() } else { part.len() };
+    match part.get(start..end) {
+        Some(inner) if !inner.is_empty() => format!("{}{}{}", &part[..start], escaped(inner), &part[end..]),
+        _ if has_before && has_after => part.to_owned(),
+        _ => escaped(part),
+    }
+}
+
 /// A text as code: between backticks, where nothing but a backtick ends it. A cell ends at `|` even there, and generators of sites
 /// expand `{{` everywhere, so what has one of these is an element with an escaped text.
 pub(crate) fn code(text: &str) -> String {
@@ -44,9 +79,7 @@ pub(crate) fn code(text: &str) -> String {
     if !blank && !text.contains(awkward) && !text.contains('\n') {
         return format!("`{text}`");
     }
-    let mut element = "<code>".to_owned();
-    let _ = Markdown.write_escaped_str(&mut element, text); // a String takes every text
-    element + "</code>"
+    format!("<code>{}</code>", escaped(text))
 }
 
 enum Spelling {
@@ -117,12 +150,6 @@ mod tests {
     use super::super::tests::text_of;
     use super::*;
 
-    fn escaped(text: &str) -> String {
-        let mut written = String::new();
-        Markdown.write_escaped_str(&mut written, text).unwrap();
-        written
-    }
-
     #[test]
     fn what_is_no_markup_stays_as_it_is() {
         for text in [
@@ -181,6 +208,12 @@ mod tests {
         assert_eq!(code("a|b"), "<code>a&#124;b</code>");
         assert_eq!(code("{{ x }}"), "<code>&#123;&#123; x }}</code>");
         assert_eq!(code(" "), "<code>&#32;</code>");
+    }
+
+    #[test]
+    fn formulas_in_sentences_are_code() {
+        assert_eq!(worded("CAN-ID $NODEID+0x80, 11 bits"), "CAN-ID `$NODEID+0x80`, 11 bits");
+        assert_eq!(worded("a*b $x"), "a\\*b <span>&#36;</span>x");
     }
 
     /// The text that a reader of Markdown sees, and what it is in: the tags without texts.
@@ -299,6 +332,12 @@ mod tests {
         #[test]
         fn markup_comes_back(text in hostile()) {
             stays_text(&text, &escaped(&text))?;
+        }
+
+        #[test]
+        fn sentences_come_back(text in hostile(), other in hostile()) {
+            let text = format!("{text}$NODEID+0x180{other}");
+            stays_text(&text, &worded(&text))?;
         }
 
         #[test]

@@ -35,6 +35,25 @@ pub(crate) mod filters {
     pub(crate) fn code(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::code(text.as_ref())))
     }
+
+    /// A value in Markdown: formulas as code, which everything else needs only where it is markup.
+    #[askama::filter_fn]
+    pub(crate) fn shown_value(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
+        let text = text.as_ref();
+        Ok(Safe(if text.contains('$') { super::code(text) } else { super::markdown::escaped(text) }))
+    }
+
+    /// A sentence in Markdown, with the formulas in it as code.
+    #[askama::filter_fn]
+    pub(crate) fn worded(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
+        Ok(Safe(super::markdown::worded(text.as_ref())))
+    }
+
+    /// A text in an element of Markdown that is HTML with all that it has in it.
+    #[askama::filter_fn]
+    pub(crate) fn html(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
+        Ok(Safe(super::html::one_line(text.as_ref())))
+    }
 }
 
 #[cfg(test)]
