@@ -81,7 +81,7 @@ impl Decoder<'_> {
         }
     }
 
-    pub(super) fn sync_counter(&self, highest: u32) -> String {
+    pub(crate) fn sync_counter(&self, highest: u32) -> String {
         match (highest, self.language) {
             (0, Language::English) => "SYNC has no counter".to_owned(),
             (0, Language::German) => "SYNC ohne Zähler".to_owned(),
@@ -98,7 +98,7 @@ impl Decoder<'_> {
         time::date(days).unwrap_or_else(|| format!("1984-01-01 + {days} d"))
     }
 
-    pub(super) fn other_node(&self, index: u16, node: u32) -> Option<String> {
+    pub(crate) fn other_node(&self, index: u16, node: u32) -> Option<String> {
         let (english, german) = match index {
             0x1200..=0x127F => ("the client is node", "der Client ist Knoten"),
             _ => ("the server is node", "der Server ist Knoten"),

@@ -7,6 +7,7 @@ mod pdo;
 pub(crate) mod time;
 mod value;
 
+pub(crate) use self::cob_id::can_id;
 pub(crate) use self::value::Reader;
 use crate::Language;
 use crate::model::{Device, Value};
@@ -77,7 +78,7 @@ impl<'a> Decoder<'a> {
     }
 
     /// The value of an entry as a number, on the node.
-    fn number(&self, index: u16, sub: u8) -> Option<u32> {
+    pub(crate) fn number(&self, index: u16, sub: u8) -> Option<u32> {
         let entry = self.device.entry(index, sub)?;
         u32::try_from(entry.value()?.as_integer()?).ok()
     }

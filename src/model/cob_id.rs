@@ -98,6 +98,12 @@ impl CobId {
         Self { number: self.number | Self::BIT_31, ..self }
     }
 
+    /// The same with bit 31 clear.
+    #[must_use]
+    pub const fn enabled(self) -> Self {
+        Self { number: self.number & !Self::BIT_31, ..self }
+    }
+
     /// The bits of the CAN-ID.
     pub(crate) const fn can_id_mask(self) -> u32 {
         if self.is_extended() { 0x1FFF_FFFF } else { 0x7FF }

@@ -1,0 +1,272 @@
+//! The frame of a PDO as a drawing: a row for each byte, bit 7 on the left, as data sheets draw it.
+
+use super::anchor::Anchor;
+use super::layout::{Field, Kind, Layout, Span};
+use super::text_width::{fit, wrap};
+use crate::Language;
+
+/// Where the bits begin; the numbers of bytes are on their left, those of bits above.
+const LEFT: u32 = 22;
+const TOP: u32 = 16;
+
+/// A bit.
+const WIDTH: u32 = 62;
+const HEIGHT: u32 = 30;
+
+/// Where the bits end on the right.
+const RIGHT: u32 = LEFT + 8 * WIDTH;
+
+/// Sizes of text; `_communication.css` says the same.
+const NAME_SIZE: f64 = 11.5;
+const PLACE_SIZE: f64 = 8.5;
+
+/// So many colours follow each other. Not a divisor of 8, so that also the field below has another one.
+const HUES: usize = 6;
+
+/// A drawing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Diagram {
+    /// The layout in words.
+    pub(crate) label: String,
+    pub(crate) shapes: Vec<Shape>,
+    /// The outline of the bits that carry nothing; empty where all do.
+    pub(crate) rest: String,
+}
+
+/// A field in the drawing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Shape {
+    /// Its outline.
+    pub(crate) path: String,
+    /// `f0` to `f5`, `dummy`, `missing`.
+    pub(crate) class: String,
+    /// The entry that it carries.
+    pub(crate) anchor: Option<Anchor>,
+    /// All that is to be said of it.
+    pub(crate) title: String,
+    pub(crate) texts: Vec<Text>,
+}
+
+/// What all drawings have: the numbers of bytes and bits, and marks between the bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Grid {
+    pub(crate) numbers: Vec<Text>,
+    /// From the top to the bottom; where they are seen is a matter of style.
+    pub(crate) lines: String,
+}
+
+impl Grid {
+    pub(crate) fn new() -> Self {
+        let number = |x, y, number: u32| Text { x, y, is_place: false, text: number.to_string() };
+        let bits = (0..8).map(|bit| number(LEFT + (7 - bit) * WIDTH + WIDTH / 2, TOP - 5, bit));
+        let bytes = (0..8).map(|byte| number(LEFT / 2, top(byte) + HEIGHT / 2 + 4, byte));
+        let lines = (1..8).map(|bit| format!("M{} {TOP}V{}", LEFT + bit * WIDTH, top(8)));
+        Self { numbers: bits.chain(bytes).collect(), lines: lines.collect() }
+    }
+}
+
+/// A text in the drawing, centred.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Text {
+    pub(crate) x: u32,
+    pub(crate) y: u32,
+    /// Whether it is an index and a sub-index, in small letters.
+    pub(crate) is_place: bool,
+    pub(crate) text: String,
+}
+
+impl Diagram {
+    /// The drawing of a layout; `None` where there is nothing to be drawn.
+    pub(crate) fn new(title: &str, layout: &Layout, language: Language) -> Option<Self> {
+        let mut hue = 0;
+        let mut shapes = Vec::new();
+        for (field, span) in layout.shown() {
+            let class = match field.kind {
+                Kind::Dummy | Kind::Gap => "dummy".to_owned(),
+                Kind::Missing => "missing".to_owned(),
+                Kind::Object => format!("f{}", hue % HUES),
+            };
+            hue += 1;
+            shapes.push(Shape {
+                path: outline(span),
+                class,
+                anchor: field.anchor(),
+                title: in_words(field, span, language),
+                texts: texts(field, span),
+            });
+        }
+        if shapes.is_empty() {
+            return None;
+        }
+        let mut label = format!("{title}: ");
+        for (at, (field, span)) in layout.shown().enumerate() {
+            label += if at == 0 { "" } else { "; " };
+            label += &format!("{} {}", span, name(field));
+        }
+        Some(Self { label, shapes, rest: layout.rest().map(outline).unwrap_or_default() })
+    }
+}
+
+/// What a field is called in the drawing.
+fn name(field: &Field) -> String {
+    match (field.kind, field.object) {
+        (Kind::Object, _) if !field.name.is_empty() => field.name.clone(),
+        (Kind::Dummy, _) => field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
+        (_, Some(object)) => Anchor::entry(object.index, object.sub).spoken(),
+        (_, None) => "?".to_owned(),
+    }
+}
+
+fn in_words(field: &Field, span: Span, language: Language) -> String {
+    let mut words = vec![name(field)];
+    match field.kind {
+        Kind::Object => {
+            words.extend(field.anchor().map(Anchor::spoken));
+            words.extend(field.data_type.map(|data_type| data_type.to_string()));
+        }
+        Kind::Dummy => words.push("Dummy".to_owned()),
+        Kind::Missing | Kind::Gap => {
+            words.push(language.pick("not in the description", "nicht in der Beschreibung").to_owned());
+        }
+    }
+    let unit = if field.bits == 1 { language.pick("bit", "Bit") } else { language.pick("bits", "Bit") };
+    words.push(format!("{} {unit}", field.bits));
+    words.push(span.to_string());
+    words.join(" · ")
+}
+
+/// The left and the right edge of bits, the highest of which is the leftmost.
+const fn edges(low: u32, end: u32) -> (u32, u32) {
+    (LEFT + (8 - end) * WIDTH, LEFT + (8 - low) * WIDTH)
+}
+
+const fn top(byte: u32) -> u32 {
+    TOP + byte * HEIGHT
+}
+
+/// The outline of bits: one shape over all rows, two where those of two rows do not touch.
+fn outline(span: Span) -> String {
+    let rows: Vec<(u32, u32, u32)> = span.rows().collect();
+    let (Some(&(first, low, _)), Some(&(last, _, end))) = (rows.first(), rows.last()) else {
+        return String::new();
+    };
+    // the first byte has the bits from `low` on, the last one those below `end`
+    let (_, right) = edges(low, 8);
+    let (left, _) = edges(0, end);
+    let (y, bottom) = (top(first), top(last + 1));
+    if first == last {
+        let (left, right) = edges(low, end);
+        return format!("M{left} {y}H{right}V{bottom}H{left}z");
+    }
+    let (second, before_last) = (top(first + 1), top(last));
+    if last == first + 1 && left >= right {
+        return format!("M{LEFT} {y}H{right}V{second}H{LEFT}zM{left} {second}H{RIGHT}V{bottom}H{left}z");
+    }
+    let mut path = format!("M{LEFT} {y}H{right}");
+    if right != RIGHT {
+        path += &format!("V{second}H{RIGHT}");
+    }
+    path += &format!("V{bottom}H{left}");
+    if left != LEFT {
+        path += &format!("V{before_last}H{LEFT}");
+    }
+    path + "z"
+}
+
+/// A rectangle that has room for a text.
+#[derive(Clone, Copy)]
+struct Room {
+    left: u32,
+    right: u32,
+    top: u32,
+    bottom: u32,
+}
+
+/// The texts of a field: its name, and where there is room its index and sub-index.
+fn texts(field: &Field, span: Span) -> Vec<Text> {
+    rooms(span).into_iter().flat_map(|room| texts_in(field, room)).collect()
+}
+
+/// Where the texts of a field go: the rows that it has for itself, else the longest part; both parts of one that is torn.
+fn rooms(span: Span) -> Vec<Room> {
+    let room = |(byte, low, end): (u32, u32, u32)| {
+        let (left, right) = edges(low, end);
+        Room { left, right, top: top(byte), bottom: top(byte + 1) }
+    };
+    let rows: Vec<(u32, u32, u32)> = span.rows().collect();
+    let whole = rows.iter().filter(|(_, low, end)| end - low == 8).map(|&row| room(row));
+    if let Some(room) = whole.reduce(|all, room| Room { bottom: room.bottom, ..all }) {
+        return vec![room];
+    }
+    let rooms: Vec<Room> = rows.into_iter().map(room).collect();
+    match rooms.as_slice() {
+        [first, second] if second.left < first.right => {
+            let longest = if first.right - first.left > second.right - second.left { first } else { second };
+            vec![*longest]
+        }
+        _ => rooms,
+    }
+}
+
+fn texts_in(field: &Field, room: Room) -> Vec<Text> {
+    let width = f64::from(room.right - room.left) - 5.0;
+    let (x, middle) = (room.left.midpoint(room.right), room.top.midpoint(room.bottom));
+    let text = |y, text| Text { x, y, is_place: false, text };
+    let name = name(field);
+    let place = field.object.filter(|_| field.kind == Kind::Object).map(|object| {
+        let place = Anchor::entry(object.index, object.sub).spoken();
+        fit(&place, width, PLACE_SIZE)
+    });
+    let lines = wrap(&name, width, NAME_SIZE);
+    let is_high = room.bottom - room.top > HEIGHT;
+    let y_of_place = |y| place.clone().map(|text| Text { x, y, is_place: true, text });
+    match (lines, place.is_some()) {
+        (Some((first, Some(second))), _) => {
+            let (above, below) = if is_high { (middle - 8, middle + 5) } else { (middle - 3, middle + 10) };
+            let mut texts = vec![text(above, first), text(below, second)];
+            texts.extend(y_of_place(middle + 17).filter(|_| is_high));
+            texts
+        }
+        (Some((line, None)), false) => vec![text(middle + 4, line)],
+        (lines, _) => {
+            let line = lines.map(|(line, _)| line).unwrap_or_else(|| fit(&name, width, NAME_SIZE));
+            let y = if place.is_some() { middle - 1 } else { middle + 4 };
+            std::iter::once(text(y, line)).chain(y_of_place(middle + 10)).collect()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(start: u32, end: u32) -> String {
+        super::outline(Span { start, end })
+    }
+
+    #[test]
+    fn outlines_follow_the_bits() {
+        assert_eq!(outline(0, 1), "M456 16H518V46H456z");
+        assert_eq!(outline(7, 8), "M22 16H84V46H22z");
+        assert_eq!(outline(0, 8), "M22 16H518V46H22z");
+        assert_eq!(outline(0, 64), "M22 16H518V256H22z");
+        // bits 4 to 7, then a whole byte
+        assert_eq!(outline(4, 16), "M22 16H270V46H518V76H22z");
+        // a whole byte, then bits 0 to 3
+        assert_eq!(outline(8, 20), "M22 46H518V106H270V76H22z");
+        // from bit 6 to bit 1 two bytes on
+        assert_eq!(outline(6, 18), "M22 16H146V46H518V106H394V76H22z");
+        // bits 6 and 7, then bits 0 and 1: these do not touch
+        assert_eq!(outline(6, 10), "M22 16H146V46H22zM394 46H518V76H394z");
+        // bits 2 to 7, then 0 to 3: these do
+        assert_eq!(outline(2, 12), "M22 16H394V46H518V76H270V46H22z");
+    }
+
+    #[test]
+    fn names_stand_in_the_room_of_their_field() {
+        let count = |start, end| rooms(Span { start, end }).len();
+        assert_eq!((count(6, 10), count(2, 12), count(0, 64), count(6, 18)), (2, 1, 1, 1));
+        let room = rooms(Span { start: 6, end: 26 })[0];
+        assert_eq!((room.left, room.right, room.top, room.bottom), (22, 518, 46, 106));
+    }
+}

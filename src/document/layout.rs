@@ -1,0 +1,301 @@
+//! Which bits of a PDO's frame carry what.
+//!
+//! The first mapped object has the lowest bits of the frame, the next ones follow without gaps (CiA 301 §7.2.2.2). Bit n is bit
+//! n modulo 8 of byte n / 8.
+
+use super::anchor::Anchor;
+use crate::model::{DataType, Device, Entry, MappedObject, Pdo};
+
+/// The bits of a frame of classical CAN.
+pub(crate) const FRAME_BITS: u32 = 64;
+
+/// What the frame of a PDO carries.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Layout {
+    pub(crate) content: Content,
+    /// In the order of the frame.
+    pub(crate) fields: Vec<Field>,
+}
+
+/// What the number of mapped objects says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Content {
+    /// That of so many mapped objects.
+    Objects,
+    /// Nothing: the number is 0.
+    Nothing,
+    /// A multiplexed PDO that names the entry it comes from (FEh).
+    SourceMultiplexed,
+    /// A multiplexed PDO that names the entry it goes to (FFh).
+    DestinationMultiplexed,
+    /// A reserved number.
+    Reserved(u8),
+    /// Nothing: the description has no number. The fields are those that have an object all the same.
+    Unstated,
+}
+
+/// A mapped object in the frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Field {
+    /// The sub-index of the mapping that says so.
+    pub(crate) slot: u8,
+    /// Its lowest bit; `None` behind a sub-index whose object is not known.
+    pub(crate) first: Option<u32>,
+    /// Its length in bits, also where the frame has not as many left.
+    pub(crate) bits: u32,
+    pub(crate) kind: Kind,
+    /// `None` where the description gives the sub-index no object.
+    pub(crate) object: Option<MappedObject>,
+    /// The name of the entry; empty where there is none.
+    pub(crate) name: String,
+    /// The data type of the entry, or of the dummy.
+    pub(crate) data_type: Option<DataType>,
+}
+
+/// What a field is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// An entry of the dictionary.
+    Object,
+    /// Bits that mean nothing.
+    Dummy,
+    /// An entry that the description does not have.
+    Missing,
+    /// A sub-index of the mapping that names nothing.
+    Gap,
+}
+
+impl Layout {
+    /// The layout of a PDO; `name` says what entries are called.
+    pub(crate) fn new(device: &Device, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> Self {
+        let (content, count) = match pdo.mapped_count {
+            None => (Content::Unstated, stated_objects(pdo)),
+            Some(0) => (Content::Nothing, 0),
+            Some(count @ 1..=64) => (Content::Objects, count),
+            Some(0xFE) => (Content::SourceMultiplexed, 0),
+            Some(0xFF) => (Content::DestinationMultiplexed, 0),
+            Some(count) => (Content::Reserved(count), 0),
+        };
+        let mut next = Some(0);
+        let fields = (1..=count).map(|slot| {
+            let object = pdo.slots.iter().find(|found| found.sub == slot).and_then(|found| found.object);
+            let mut field = field(device, slot, object, name);
+            field.first = next;
+            // where an object is not known, nobody knows where the next one is
+            next = next.filter(|_| object.is_some()).map(|first| first + field.bits);
+            field
+        });
+        Self { content, fields: fields.collect() }
+    }
+
+    /// How many bits are mapped, also more than a frame has; `None` where that is not known.
+    pub(crate) fn bits(&self) -> Option<u32> {
+        let is_known = self.fields.iter().all(|field| field.object.is_some());
+        is_known.then(|| self.fields.iter().map(|field| field.bits).sum())
+    }
+
+    /// The fields that have bits in the frame.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = (&Field, Span)> {
+        self.fields.iter().filter_map(|field| Some((field, field.span()?)))
+    }
+
+    /// The bits of the frame that carry nothing.
+    pub(crate) fn rest(&self) -> Option<Span> {
+        let used = self.shown().map(|(_, span)| span.end).max().unwrap_or(0);
+        (used < FRAME_BITS).then_some(Span { start: used, end: FRAME_BITS })
+    }
+}
+
+/// How many of the first sub-indexes have an object, where nobody says how many are mapped.
+fn stated_objects(pdo: &Pdo<'_>) -> u8 {
+    let objects = (1..=64)
+        .zip(&pdo.slots)
+        .take_while(|(sub, slot)| slot.sub == *sub && slot.object.is_some_and(|object| !object.is_unused()));
+    objects.map(|(sub, _)| sub).last().unwrap_or(0)
+}
+
+fn field(device: &Device, slot: u8, object: Option<MappedObject>, name: &dyn Fn(&Entry) -> String) -> Field {
+    let mut field = Field {
+        slot,
+        first: None,
+        bits: object.map_or(0, |object| object.bits.into()),
+        kind: Kind::Gap,
+        object,
+        name: String::new(),
+        data_type: None,
+    };
+    let Some(object) = object.filter(|object| !object.is_unused()) else { return field };
+    if object.is_dummy() {
+        field.kind = Kind::Dummy;
+        field.data_type = Some(DataType(object.index));
+        return field;
+    }
+    match device.entry(object.index, object.sub) {
+        Some(entry) => {
+            field.kind = Kind::Object;
+            field.name = name(&entry);
+            field.data_type = entry.data_type;
+        }
+        None => field.kind = Kind::Missing,
+    }
+    field
+}
+
+impl Field {
+    /// Its bits in the frame; `None` where it has none there.
+    pub(crate) fn span(&self) -> Option<Span> {
+        let start = self.first?;
+        let end = (start + self.bits).min(FRAME_BITS);
+        (start < end).then_some(Span { start, end })
+    }
+
+    /// Whether bits of it lie behind the end of the frame.
+    pub(crate) fn is_cut(&self) -> bool {
+        self.first.is_some_and(|first| first + self.bits > FRAME_BITS)
+    }
+
+    /// The entry that it carries, where the description has it.
+    pub(crate) fn anchor(&self) -> Option<Anchor> {
+        let object = self.object.filter(|_| self.kind == Kind::Object)?;
+        Some(Anchor::entry(object.index, object.sub))
+    }
+}
+
+/// Bits of a frame, the last one not included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Span {
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
+
+impl Span {
+    /// Its parts byte by byte, as byte, lowest bit and bit behind the highest.
+    pub(crate) fn rows(self) -> impl Iterator<Item = (u32, u32, u32)> {
+        (self.start / 8..self.end.div_ceil(8)).map(move |byte| {
+            let first = byte * 8;
+            (byte, self.start.max(first) - first, self.end.min(first + 8) - first)
+        })
+    }
+}
+
+/// `0.4–1.7`: from bit 4 of byte 0 to bit 7 of byte 1.
+impl std::fmt::Display for Span {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let last = self.end.saturating_sub(1);
+        write!(f, "{}.{}", self.start / 8, self.start % 8)?;
+        if last > self.start {
+            write!(f, "–{}.{}", last / 8, last % 8)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::model::{Object, ObjectType, PdoKind, Value};
+
+    /// An object with entries of these values.
+    pub(crate) fn record(values: &[(u8, Option<u64>)]) -> Object {
+        let entry = |value: Option<u64>| Entry { default: value.map(Value::Unsigned), ..Entry::default() };
+        let main = Entry { object_type: Some(ObjectType::Record), ..Entry::default() };
+        let subs = values.iter().map(|&(sub, value)| (sub, entry(value))).collect();
+        Object { main, subs, ..Object::default() }
+    }
+
+    /// A device whose TPDO 1 has this number of objects and these objects, and the entries 6000h:00 to 6000h:3Fh.
+    pub(crate) fn device(count: Option<u64>, mapped: &[Option<u64>]) -> Device {
+        let mut device = Device::default();
+        let mut values = vec![(0, count)];
+        values.extend((1..).zip(mapped.iter().copied()));
+        device.objects.insert(0x1A00, record(&values));
+        let mut inputs = record(&(0..64).map(|sub| (sub, None)).collect::<Vec<_>>());
+        for (sub, entry) in inputs.subs.iter_mut() {
+            entry.name = format!("Input {sub}").into();
+            entry.data_type = Some(DataType::UNSIGNED8);
+        }
+        device.objects.insert(0x6000, inputs);
+        device
+    }
+
+    fn layout(count: Option<u64>, mapped: &[u64]) -> Layout {
+        let mapped: Vec<Option<u64>> = mapped.iter().copied().map(Some).collect();
+        layout_of(&device(count, &mapped))
+    }
+
+    fn layout_of(device: &Device) -> Layout {
+        let pdo = device.pdo(PdoKind::Tpdo, 1).unwrap();
+        Layout::new(device, &pdo, &|entry| entry.name.to_string())
+    }
+
+    fn spans(layout: &Layout) -> Vec<String> {
+        layout.shown().map(|(_, span)| span.to_string()).collect()
+    }
+
+    #[test]
+    fn objects_follow_each_other_bit_by_bit() {
+        let layout = layout(Some(4), &[0x6000_0101, 0x0005_0003, 0x6000_020C, 0x6000_0310]);
+        assert_eq!(spans(&layout), ["0.0", "0.1–0.3", "0.4–1.7", "2.0–3.7"]);
+        let kinds: Vec<Kind> = layout.fields.iter().map(|field| field.kind).collect();
+        assert_eq!(kinds, [Kind::Object, Kind::Dummy, Kind::Object, Kind::Object]);
+        assert_eq!((layout.bits(), layout.rest()), (Some(32), Some(Span { start: 32, end: 64 })));
+        let rows: Vec<_> = Span { start: 4, end: 18 }.rows().collect();
+        assert_eq!(rows, [(0, 4, 8), (1, 0, 8), (2, 0, 2)]);
+        assert_eq!(layout.fields[2].anchor().map(|anchor| anchor.to_string()).as_deref(), Some("6000sub2"));
+    }
+
+    #[test]
+    fn sixty_four_bits_and_eight_bytes() {
+        let bits: Vec<u64> = (0..64).map(|sub| 0x6000_0001 | sub << 8).collect();
+        let layout = layout(Some(64), &bits);
+        assert_eq!((layout.shown().count(), layout.bits(), layout.rest()), (64, Some(64), None));
+        assert_eq!(spans(&layout)[63], "7.7");
+        assert_eq!(spans(&super::tests::layout(Some(1), &[0x6000_0140])), ["0.0–7.7"]);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_cut() {
+        let layout = layout(Some(3), &[0x6000_0130, 0x6000_0220, 0x6000_0308]);
+        assert_eq!(spans(&layout), ["0.0–5.7", "6.0–7.7"]);
+        let cut: Vec<bool> = layout.fields.iter().map(Field::is_cut).collect();
+        assert_eq!((cut.as_slice(), layout.bits()), (&[false, true, true][..], Some(88)));
+    }
+
+    #[test]
+    fn numbers_that_are_no_count() {
+        let content = |count| layout(count, &[0x6000_0108, 0x6000_0208, 0]).content;
+        assert_eq!(content(Some(0)), Content::Nothing);
+        assert_eq!(content(Some(0xFE)), Content::SourceMultiplexed);
+        assert_eq!(content(Some(0xFF)), Content::DestinationMultiplexed);
+        assert_eq!(content(Some(65)), Content::Reserved(65));
+        let layout = layout(None, &[0x6000_0108, 0x6000_0208, 0]);
+        assert_eq!((layout.content, layout.bits()), (Content::Unstated, Some(16)));
+    }
+
+    #[test]
+    fn behind_an_unknown_object_nothing_has_a_place() {
+        let mapped = [Some(0x6000_0108), None, Some(0x6000_0208)];
+        let layout = layout_of(&device(Some(5), &mapped));
+        assert_eq!(spans(&layout), ["0.0–0.7"]);
+        let places: Vec<_> = layout.fields.iter().map(|field| (field.first, field.kind)).collect();
+        assert_eq!(
+            places,
+            [
+                (Some(0), Kind::Object),
+                (Some(8), Kind::Gap),
+                (None, Kind::Object),
+                (None, Kind::Gap),
+                (None, Kind::Gap)
+            ]
+        );
+        assert_eq!(layout.bits(), None);
+    }
+
+    #[test]
+    fn entries_that_nobody_describes() {
+        let layout = layout(Some(3), &[0x7000_0108, 0, 0x6000_4010]);
+        let kinds: Vec<_> = layout.fields.iter().map(|field| (field.kind, field.span())).collect();
+        let span = |start, end| Some(Span { start, end });
+        assert_eq!(kinds, [(Kind::Missing, span(0, 8)), (Kind::Gap, None), (Kind::Missing, span(8, 24))]);
+    }
+}

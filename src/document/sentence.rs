@@ -1,0 +1,68 @@
+//! Sentences about communication, made of parts that each come from an entry.
+
+use super::anchor::Anchor;
+use crate::Language;
+use crate::decoded::Decoder;
+use crate::model::{CobId, Device};
+
+/// A part of a sentence; a comma follows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Part {
+    pub(crate) text: String,
+    /// The entry that says so, where the description has it.
+    pub(crate) anchor: Option<Anchor>,
+    /// Whether it is configured to another value than its default.
+    pub(crate) is_changed: bool,
+}
+
+impl Part {
+    /// One that no entry says.
+    pub(super) fn plain(text: impl Into<String>) -> Self {
+        Self { text: text.into(), anchor: None, is_changed: false }
+    }
+
+    /// What an entry says.
+    pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8, text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            anchor: anchor(decoder.device, index, sub),
+            is_changed: is_changed(decoder, index, sub),
+        }
+    }
+}
+
+/// Where an entry stands in the page, where it does.
+pub(super) fn anchor(device: &Device, index: u16, sub: u8) -> Option<Anchor> {
+    let object = device.object(index)?;
+    if !object.has(sub) {
+        return Some(Anchor::object(index));
+    }
+    Some(Anchor::entry(index, sub))
+}
+
+/// Whether an entry is configured to another value than its default.
+pub(super) fn is_changed(decoder: &Decoder<'_>, index: u16, sub: u8) -> bool {
+    decoder.device.entry(index, sub).is_some_and(|entry| entry.is_changed(decoder.node_id))
+}
+
+/// A COB-ID on its node: `COB-ID 0x185 with node-ID 5`, `COB-ID $NODEID+0x180`.
+pub(super) fn cob_id(decoder: &Decoder<'_>, id: CobId) -> String {
+    let number = crate::decoded::can_id(id, decoder.node_id);
+    let mut text = format!("COB-ID {number}");
+    if let Some(node) = decoder.node_id.filter(|_| id.depends_on_node_id()) {
+        text += &match decoder.language {
+            Language::English => format!(" with node-ID {node}"),
+            Language::German => format!(" mit Knotennummer {node}"),
+        };
+    }
+    if id.is_extended() {
+        text += decoder.language.pick(" (29 bits)", " (29 Bit)");
+    }
+    text
+}
+
+/// The text of parts, with commas between them.
+#[cfg(test)]
+pub(super) fn joined(parts: &[Part]) -> String {
+    parts.iter().map(|part| &*part.text).collect::<Vec<_>>().join(", ")
+}
