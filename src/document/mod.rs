@@ -5,18 +5,26 @@
 
 mod anchor;
 mod card;
+mod communication;
+mod connections;
 mod csv;
 mod details;
+mod diagram;
 mod entry;
 mod escape;
 mod finding;
 mod groups;
 mod html;
+mod layout;
 mod markdown;
 mod network;
 mod object;
 mod page;
+mod pdos;
+mod sentence;
+mod services;
 mod site;
+mod text_width;
 mod texts;
 
 pub use self::finding::Finding;

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::card::Card;
+use super::communication::Communication;
 use super::groups::{self, Group};
 use super::object::{self, Area};
 use super::texts::Texts;
@@ -23,6 +24,7 @@ pub(crate) struct Page<'a> {
     pub(crate) card: Card,
     /// What `check` found, the gravest first; `None` where nobody checked.
     pub(crate) findings: Option<Vec<&'a Finding>>,
+    pub(crate) communication: Communication,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<Group<'a>>,
     /// Whether an entry has a value beside its default.
@@ -51,6 +53,7 @@ impl<'a> Page<'a> {
             node_id: context.node_id,
             card,
             findings,
+            communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
             groups: groups::groups(&context),
             areas,
             is_configured,

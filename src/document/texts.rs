@@ -87,6 +87,21 @@ texts! {
     links: "see also", "siehe auch";
     not_described: "(not described)", "(nicht beschrieben)";
     no_name: "(no name)", "(ohne Namen)";
+    // communication
+    mapping: "Mapping", "Mapping";
+    byte_and_bit: "Byte.bit", "Byte.Bit";
+    length: "Bits", "Bits";
+    service: "Service", "Dienst";
+    direction: "The device", "Das Gerät";
+    predefined: "Predefined", "Vordefiniert";
+    own_can_id: "This device", "Dieses Gerät";
+    sends: "sends", "sendet";
+    receives: "receives", "empfängt";
+    sends_and_receives: "sends and receives", "sendet und empfängt";
+    differs: "not the predefined one", "nicht der vordefinierte";
+    off: "off", "aus";
+    not_stated: "not stated", "nicht angegeben";
+    absent: "not supported", "nicht unterstützt";
     // areas of the dictionary
     data_types: "Data types", "Datentypen";
     communication_area: "Communication profile", "Kommunikationsprofil";
