@@ -15,7 +15,6 @@ pub(crate) struct PdoView {
     pub(crate) title: String,
     /// `tpdo1`: its name in the addresses of the page.
     pub(crate) id: String,
-    pub(crate) kind: PdoKind,
     /// Bit 31 of its COB-ID is set.
     pub(crate) is_off: bool,
     /// Its communication record and its mapping, where the description has them.
@@ -58,7 +57,6 @@ fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -
     let objects = objects.into_iter().filter(|(_, object)| object.is_some());
     PdoView {
         id: title.replace(' ', "").to_lowercase(),
-        kind: pdo.kind,
         is_off: pdo.is_valid() == Some(false),
         objects: objects.map(|(index, _)| Anchor::object(index)).collect(),
         parts: Parts { decoder, pdo, parts: Vec::new() }.all(&layout),
