@@ -3,75 +3,95 @@
   const byId = id => document.getElementById(id);
   const tools = byId("tools"), filter = byId("filter"), hits = byId("hits");
   const objects = [...document.querySelectorAll(".o")];
+  const areas = [...document.querySelectorAll(".area")].map(area => ({ at: area, objects: [] }));
   const ACCESS = new Set(["ro", "wo", "rw", "rwr", "rww", "const"]);
   tools.hidden = false;
 
-  // shows what an address names, though it lies in something that is closed or filtered away
-  const reveal = () => {
-    const target = byId(decodeURIComponent(location.hash.slice(1)));
-    if (!target) return;
-    if (target.closest("[hidden]")) { filter.value = ""; apply(); }
-    for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
-    target.scrollIntoView();
+  // what an object or entry is found by: its name without the remarks, the name in the file, type, access and PDO
+  const words = (at, anchor, name, remarks, cells) => {
+    const own = remarks?.firstElementChild?.firstElementChild;
+    const texts = [name?.data, own?.tagName === "CODE" ? own.textContent : "", ...cells];
+    return { at, hidden: false, anchor: anchor.toLowerCase(), text: texts.join(" ").toLowerCase(), access: cells[1] };
   };
-
-  // what an object or entry is found by; the name without its remarks
-  const words = (anchor, name, cells) => ({
-    anchor: anchor.toLowerCase(),
-    text: [anchor, anchor.replace("sub", ":"), name, ...cells].join(" ").toLowerCase(),
-    access: cells[1] || "",
-  });
-  let index;
-  const read = () => index ??= objects.map(object => {
-    const heading = object.querySelector("h4").textContent;
-    if (object.tagName !== "DETAILS") {
-      const cells = [...object.querySelectorAll(":scope > dl > dd")].map(cell => cell.textContent);
-      return { object, rows: [], ...words(object.id, heading, cells) };
+  const texts = cells => [...cells].map(cell => cell.textContent);
+  const ofRow = row => {
+    const cells = row.cells;
+    return words(row, row.id, cells[1].firstChild, cells[1].firstElementChild, [cells[2], cells[3], cells[4]].map(cell => cell.textContent));
+  };
+  const ofObject = at => {
+    const name = at.querySelector("h4").lastChild, remarks = at.querySelector(":scope>.m");
+    if (at.tagName !== "DETAILS") return { rows: [], ...words(at, at.id, name, remarks, texts(at.querySelectorAll(":scope>dl>dd")).slice(0, 3)) };
+    return { rows: [...at.querySelectorAll("tbody>tr")].map(ofRow), ...words(at, at.id, name, remarks, texts(at.querySelectorAll("summary>span"))) };
+  };
+  // read ahead while nobody waits
+  const index = [];
+  const read = idle => {
+    while (index.length < objects.length) {
+      if (idle?.timeRemaining() < 2) return requestIdleCallback(read);
+      const at = objects[index.length], object = ofObject(at);
+      areas.find(area => area.at.contains(at)).objects.push(object);
+      index.push(object);
     }
-    const rows = [...object.querySelectorAll("tbody > tr")].map(row => ({
-      row, ...words(row.id, row.cells[1].textContent, [...row.cells].slice(2, 5).map(cell => cell.textContent)),
-    }));
-    return { object, rows, ...words(object.id, heading, []) , kind: object.querySelector("summary span").textContent.toLowerCase() };
-  });
+    return index;
+  };
 
   // 0x6040, 6040h, 6040:1 and 6040sub1 name the same
   const term = word => {
-    const place = /^(?:0x)?([0-9a-f]{1,4})h?(?:(?:sub|[:.])0*([0-9a-f]*))?$/.exec(word);
-    const anchor = place && (place[2] === undefined ? place[1] : `${place[1]}sub${place[2] || (/0$/.test(word) ? "0" : "")}`);
-    const start = new RegExp(`(^|[^a-z0-9])${word.replace(/[^a-z0-9]/g, "\\$&")}`);
-    return of => ACCESS.has(word)
-      ? of.access === word || start.test(of.text)
-      : (anchor && of.anchor.startsWith(anchor)) || of.text.includes(word) || (of.kind || "").includes(word);
+    const place = /^(?:0x)?([0-9a-f]{1,4})h?(?:(?:sub|[:.])(0*)([0-9a-f]*))?$/.exec(word);
+    const anchor = place && (place[2] === undefined ? place[1] : `${place[1]}sub${place[3] || (place[2] && "0")}`);
+    const start = ACCESS.has(word) && new RegExp(`(^|[^a-z0-9])${word}`);
+    return of => start ? of.access === word || start.test(of.text)
+      : of.text.includes(word) || (anchor && of.anchor.startsWith(anchor)) || (word.startsWith("sub") && of.anchor.includes(word));
   };
 
-  const closed = new Set();
+  const show = (of, shown) => { if (of.hidden === shown) of.at.hidden = of.hidden = !shown; };
+  const opened = new Set();
+  let last = "";
   function apply() {
-    const terms = filter.value.toLowerCase().split(/\s+/).filter(Boolean).map(term);
+    const text = filter.value.toLowerCase().trim();
+    if (text === last) return;
+    last = text;
+    const terms = text.split(/\s+/).filter(Boolean).map(term);
     let count = 0;
-    for (const entry of read()) {
-      const { object, rows } = entry;
-      const whole = terms.every(matches => matches(entry));
-      const found = whole ? rows : rows.filter(row => terms.every(matches => matches(row) || matches(entry)));
-      const shown = whole || found.length > 0;
-      count += shown ? 1 : 0;
-      object.hidden = !shown;
-      if (!rows.length || !shown) continue;
-      for (const row of rows) row.row.hidden = false;
-      if (!whole) {
-        const kept = new Set(found);
-        for (const row of rows) row.row.hidden = !kept.has(row);
-        if (!object.open) { closed.add(object); object.open = true; }
-      } else if (closed.delete(object)) object.open = false;
+    for (const object of read()) {
+      const isWhole = terms.every(matches => matches(object));
+      const found = row => isWhole || terms.every(matches => matches(row) || matches(object));
+      const rows = isWhole ? object.rows : object.rows.filter(found);
+      const isShown = isWhole || rows.length > 0;
+      show(object, isShown);
+      if (!isShown) continue;
+      count++;
+      const kept = new Set(rows);
+      for (const row of object.rows) show(row, kept.has(row));
+      // what was found in something closed is to be seen, and closed again when it was not that
+      if (isWhole) { if (opened.delete(object)) object.at.open = false; }
+      else if (!object.at.open) { opened.add(object); object.at.open = true; }
     }
-    for (const area of document.querySelectorAll(".area")) area.hidden = !area.querySelector(".o:not([hidden])");
+    for (const area of areas) area.at.hidden = area.objects.every(object => object.hidden);
     hits.textContent = !terms.length ? "" : count ? `${count} / ${objects.length}` : hits.dataset.none;
   }
+  const clear = () => { filter.value = ""; apply(); };
+
+  // shows what an address names, though it lies in something that is closed or filtered away
+  const reveal = () => {
+    let target;
+    try { target = byId(decodeURIComponent(location.hash.slice(1))); } catch { return; }
+    if (!target) return;
+    if (target.closest("[hidden]")) clear();
+    for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
+    // what lies above is measured only when it is drawn
+    let tries = 3;
+    const scroll = () => { target.scrollIntoView(); if (--tries) requestAnimationFrame(scroll); };
+    scroll();
+  };
 
   let due;
   filter.addEventListener("input", () => { cancelAnimationFrame(due); due = requestAnimationFrame(apply); });
-  filter.addEventListener("keydown", event => { if (event.key === "Escape") { filter.value = ""; apply(); } });
+  filter.addEventListener("keydown", event => { if (event.key === "Escape") clear(); });
   addEventListener("keydown", event => {
-    if (event.key === "/" && !event.ctrlKey && !event.metaKey && !event.altKey && document.activeElement !== filter) { event.preventDefault(); filter.focus(); }
+    if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || document.activeElement === filter) return;
+    event.preventDefault();
+    filter.focus();
   });
   const toggle = open => objects.forEach(object => {
     if (object.tagName === "DETAILS" && (open || object.dataset.array !== undefined)) object.open = open;
@@ -80,4 +100,5 @@
   byId("collapse").addEventListener("click", () => toggle(false));
   addEventListener("hashchange", reveal);
   reveal();
+  if (window.requestIdleCallback) requestIdleCallback(read);
 })();

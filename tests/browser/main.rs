@@ -4,6 +4,16 @@
 #![cfg(all(unix, feature = "cli"))]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+mod anchors;
 mod chromium;
 mod driving;
+mod filter;
+mod hostile;
+mod large;
+mod layout;
+mod page;
+mod paper;
+mod reading;
+#[path = "../support/mod.rs"]
+mod support;
 mod tab;

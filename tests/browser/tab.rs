@@ -214,6 +214,8 @@ impl Tab {
     /// The page on paper, as PDF.
     #[track_caller]
     pub(crate) fn pdf(&self) -> Vec<u8> {
+        // a medium that was chosen would be that of the paper, too
+        self.medium("", "light");
         let paper = json!({ "printBackground": true, "preferCSSPageSize": true, "paperWidth": 8.27, "paperHeight": 11.69 });
         from_base64(self.call("Page.printToPDF", &paper)["data"].as_str().unwrap())
     }

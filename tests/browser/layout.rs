@@ -1,0 +1,87 @@
+//! What fits, on a telephone and on a desk, in light and dark.
+
+use crate::page::{Page, make};
+use crate::support::files;
+use crate::tab::Tab;
+
+#[test]
+fn no_page_is_wider_than_its_window() {
+    let Some(tab) = Tab::new() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    let healthy = ["eds", "dcf", "xdd", "xdc"].map(|ending| files(ending, &[ending])).concat();
+    for description in healthy {
+        // German words are longer
+        make(&description, &["--lang", "de"], &path);
+        tab.resize(1280, 900);
+        tab.open(&path, "");
+        tab.eval("document.querySelectorAll('details').forEach(of => of.open = true)");
+        for width in [1280, 1000, 768, 400, 320] {
+            tab.resize(width, 800);
+            tab.settle();
+            assert_fits(&tab, &format!("{} at {width}", description.display()));
+        }
+        assert_eq!(tab.complaints(), [""; 0], "{}", description.display());
+        assert_eq!(tab.requests(), [""; 0], "{}", description.display());
+    }
+}
+
+#[track_caller]
+fn assert_fits(tab: &Tab, what: &str) {
+    let window = "document.scrollingElement";
+    if tab.is(&format!("{window}.scrollWidth > {window}.clientWidth")) {
+        let wide = tab.texts(
+            "[...document.body.querySelectorAll('*')]
+                .filter(of => of.getBoundingClientRect().right > document.scrollingElement.clientWidth + 1)
+                .slice(0, 5).map(of => of.outerHTML.slice(0, 200))",
+        );
+        panic!("{what}: wider than the window: {wide:#?}");
+    }
+}
+
+#[test]
+fn texts_stand_out_in_light_and_dark() {
+    for (fixture, scheme) in [
+        ("dcf/drive-402-node8.dcf", "light"),
+        ("dcf/drive-402-node8.dcf", "dark"),
+        ("xdd/press-402.xdd", "dark"),
+    ] {
+        let Some(page) = Page::open(fixture, "1018sub1") else { return };
+        page.medium("screen", scheme);
+        page.eval("document.querySelectorAll('details').forEach(of => of.open = true)");
+        assert_contrast(&page, &format!("{fixture}, {scheme}"));
+    }
+    let Some(page) = Page::open("broken/wrong-counts.eds", "") else { return };
+    assert!(page.number("document.querySelectorAll('.findings li').length") > 0.0);
+    for scheme in ["light", "dark"] {
+        page.medium("screen", scheme);
+        assert_contrast(&page, &format!("findings, {scheme}"));
+    }
+}
+
+/// Every text has a contrast of 4.5 to what is behind it, 3 where it is large (WCAG 2.1, 1.4.3).
+#[track_caller]
+fn assert_contrast(page: &Tab, what: &str) {
+    page.settle();
+    let weak = page.texts(include_str!("contrast.js"));
+    assert!(weak.is_empty(), "{what}: {weak:#?}");
+}
+
+#[test]
+fn a_weak_contrast_is_seen() {
+    let Some(tab) = Tab::new() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    std::fs::write(
+        &path,
+        "<body style='background: #fff'><p style='color: #777'>weak<p style='color: #767676'>strong
+        <div style='background: #000'><b style='color: #333'>in the dark</b></div>
+        <svg width=50 height=20><rect width=50 height=20 fill=#222 /><text y=15 fill=#444>bits</text></svg>",
+    )
+    .unwrap();
+    tab.open(&path, "");
+    let weak = tab.texts(include_str!("contrast.js")).join("\n");
+    for (text, is_weak) in [("weak", true), ("strong", false), ("in the dark", true), ("bits", true)] {
+        assert_eq!(weak.contains(text), is_weak, "{text}: {weak}");
+    }
+}
