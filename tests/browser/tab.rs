@@ -168,15 +168,28 @@ impl Tab {
     /// Clicks at the middle of what a selector finds first, after scrolling to it.
     #[track_caller]
     pub(crate) fn click(&self, selector: &str) {
-        let found = self.eval(&format!(
-            "(() => {{
-                const found = document.querySelector({selector:?});
-                if (!found) return null;
-                found.scrollIntoView({{ block: 'center', behavior: 'instant' }});
-                const box = found.getBoundingClientRect();
-                return box.width * box.height && [box.x + box.width / 2, box.y + box.height / 2];
-            }})()"
-        ));
+        let place = || {
+            self.eval(&format!(
+                "(() => {{
+                    const found = document.querySelector({selector:?});
+                    if (!found) return null;
+                    found.scrollIntoView({{ block: 'center', behavior: 'instant' }});
+                    const box = found.getBoundingClientRect();
+                    return box.width * box.height && [box.x + box.width / 2, box.y + box.height / 2];
+                }})()"
+            ))
+        };
+        let mut found = place();
+        // what was out of the window may get its true height only now, and move what is below
+        for _ in 0..10 {
+            thread::sleep(Duration::from_millis(20));
+            self.settle();
+            let again = place();
+            if again == found {
+                break;
+            }
+            found = again;
+        }
         assert!(found.is_array(), "{selector} is not there or has no size: {found}");
         for kind in ["mouseMoved", "mousePressed", "mouseReleased"] {
             let event =
