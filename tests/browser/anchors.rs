@@ -3,16 +3,16 @@
 use crate::page::Page;
 use crate::tab::Tab;
 
-/// Whether an element is in the window and nothing lies over it.
-fn in_view(page: &Tab, id: &str) -> bool {
-    page.is(&format!(
+/// Whether an element is in the window and nothing lies over it, as an expression.
+fn in_view(id: &str) -> String {
+    format!(
         "(() => {{
             const found = document.getElementById('{id}'), box = found.getBoundingClientRect();
             if (!box.height || box.top < 0 || box.bottom > innerHeight) return false;
             const there = document.elementFromPoint(box.x + 30, box.top + 8);
             return found.contains(there);
         }})()"
-    ))
+    )
 }
 
 fn background(page: &Tab, id: &str) -> String {
@@ -22,33 +22,29 @@ fn background(page: &Tab, id: &str) -> String {
 #[test]
 fn an_address_leads_to_an_object() {
     let Some(page) = Page::open("eds/io-401.eds", "6000") else { return };
-    page.wait("scrollY > 0");
-    assert!(in_view(&page, "6000"));
+    page.wait(&in_view("6000"));
     assert_ne!(background(&page, "6000"), background(&page, "6002"));
     page.open(&page.path, "1018");
-    assert!(in_view(&page, "1018"));
-    assert!(!in_view(&page, "6000"));
+    page.wait(&in_view("1018"));
+    assert!(!page.is(&in_view("6000")));
 }
 
 #[test]
 fn an_address_leads_into_what_is_closed() {
     for fixture in ["eds/io-401.eds", "eds/drive-402.eds"] {
         let Some(page) = Page::open(fixture, "1003sub2") else { return };
-        page.wait("scrollY > 0");
-        assert!(in_view(&page, "1003sub2"), "{fixture}");
+        page.wait(&in_view("1003sub2"));
         assert_ne!(background(&page, "1003sub2"), background(&page, "1003sub1"));
     }
     let Some(page) = Page::open("eds/drive-402.eds", "607Dsub1") else { return };
-    page.wait("scrollY > 0");
-    assert!(in_view(&page, "607Dsub1"), "far down, over objects that were never drawn");
+    page.wait(&in_view("607Dsub1"));
 }
 
 #[test]
 fn an_address_leads_there_without_script() {
     let Some(page) = Page::without_script("eds/io-401.eds", "6000sub1") else { return };
     page.wait("document.getElementById('6000sub1').closest('details').open");
-    page.wait("scrollY > 0");
-    assert!(in_view(&page, "6000sub1"));
+    page.wait(&in_view("6000sub1"));
 }
 
 #[test]
@@ -60,8 +56,7 @@ fn an_address_undoes_the_filter() {
     page.eval("location.hash = '6401sub2'");
     page.settle();
     assert_eq!(page.objects().len(), 28);
-    page.wait("scrollY > 0");
-    assert!(in_view(&page, "6401sub2"));
+    page.wait(&in_view("6401sub2"));
     // an address of nothing, or one that is no text, changes nothing
     for hash in ["7000", "%", "%FF", "<b>", ""] {
         page.eval(&format!("location.hash = '{hash}'"));
