@@ -27,7 +27,7 @@ struct Row<'a> {
 type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
 /// The columns in their order. It is a promise: a column is never renamed, moved or dropped.
-const COLUMNS: [Column; 28] = [
+const COLUMNS: [Column; 29] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
     ("object_name", |row| row.object.name.as_ref().into()),
@@ -48,6 +48,7 @@ const COLUMNS: [Column; 28] = [
     ("description", |row| row.of(|view| view.details.description.as_deref().unwrap_or_default())),
     ("object_description", |row| row.object.details.description.as_deref().unwrap_or_default().into()),
     ("name_in_file", |row| row.of(|view| view.own_name.as_deref().unwrap_or_default())),
+    ("object_name_in_file", |row| row.object.own_name.as_deref().unwrap_or_default().into()),
     ("default_formula", |row| row.formula(|entry| entry.default.as_ref())),
     ("value_formula", |row| row.formula(Entry::configured_value)),
     ("mapped_in", |row| row.of(|view| view.details.carried_by.as_deref().unwrap_or_default())),
