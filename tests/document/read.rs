@@ -91,7 +91,8 @@ const ELEMENTS: [&str; 53] = [
     "title",
     "ul",
 ];
-const FURTHER: [&str; 10] = ["desc", "td", "th", "thead", "tr", "tspan", "use", "caption", "strong", "col"];
+const FURTHER: [&str; 11] =
+    ["article", "desc", "td", "th", "thead", "tr", "tspan", "use", "caption", "strong", "col"];
 
 impl Element {
     fn read(page: &str) -> Self {

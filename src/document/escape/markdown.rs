@@ -124,11 +124,12 @@ fn spelling(before: &str, character: char, after: &str) -> Spelling {
     if backslash { Spelling::Backslash } else { Spelling::Itself }
 }
 
-/// Whether a text behind a colon makes a picture of it: `smile:`, `+1:`.
+/// Whether a text behind a colon makes a picture of it: `smile:`, `+1:`, but not the minutes of a time.
 fn is_emoji(after: &str) -> bool {
-    let name = |character: char| character.is_ascii_alphanumeric() || matches!(character, '_' | '+' | '-');
-    let rest = after.trim_start_matches(name);
-    rest.len() < after.len() && rest.starts_with(':')
+    let in_name = |character: char| character.is_ascii_alphanumeric() || matches!(character, '_' | '+' | '-');
+    let name = &after[..after.len() - after.trim_start_matches(in_name).len()];
+    let is_number = name.bytes().all(|byte| byte.is_ascii_digit()) && name != "100" && name != "1234";
+    !is_number && after[name.len()..].starts_with(':')
 }
 
 /// Whether a dot behind the text begins a link without a scheme.
@@ -166,7 +167,7 @@ mod tests {
             "Bits 0..3: mode (\"fast\")",
             "a, b; c",
             "state: on",
-            "12:30",
+            "12:30:45",
             "Größe 速度",
             "<",
             "a - b",
