@@ -23,6 +23,7 @@ fn pages() {
         "docs/ci.md",
         "docs/cli.md",
         "docs/dcf.md",
+        "docs/docs.md",
         "docs/json.md",
         "docs/formats.md",
         "docs/profiles.md",

@@ -27,7 +27,7 @@ struct Row<'a> {
 type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
 /// The columns in their order. It is a promise: a column is never renamed, moved or dropped.
-const COLUMNS: [Column; 29] = [
+const COLUMNS: [Column; 32] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
     ("object_name", |row| row.object.name.as_ref().into()),
@@ -57,6 +57,9 @@ const COLUMNS: [Column; 29] = [
     ("groups", |row| row.groups.into()),
     ("facts", |row| row.details(|details| pairs(&details.facts))),
     ("keys", |row| row.details(|details| pairs(&details.keys))),
+    ("object_facts", |row| pairs(&row.object.details.facts).into()),
+    ("object_keys", |row| pairs(&row.object.details.keys).into()),
+    ("links", |row| links(row.object).into()),
 ];
 
 impl<'a> Row<'a> {
@@ -132,6 +135,11 @@ fn bit_fields(details: &Details<'_>) -> String {
 /// `Key = text; Key = text`.
 fn pairs(pairs: &[(impl AsRef<str>, String)]) -> String {
     pairs.iter().map(|(key, text)| format!("{} = {text}", key.as_ref())).collect::<Vec<_>>().join("; ")
+}
+
+/// The objects that an object names.
+fn links(object: &ObjectView<'_>) -> String {
+    object.links.iter().map(|link| format!("0x{:04X}", link.index)).collect::<Vec<_>>().join("; ")
 }
 
 /// The dictionary as CSV after RFC 4180, with a byte order mark, without which spreadsheets guess the encoding.

@@ -25,7 +25,7 @@ struct PageTemplate<'a> {
 struct Line<'a> {
     /// What the text is called; may be empty.
     label: Cow<'a, str>,
-    /// Whether the label stands so in a file.
+    /// Whether the label stands so in the file.
     is_key: bool,
     text: Cow<'a, str>,
     /// Numbers with their names.
@@ -51,7 +51,7 @@ impl<'a> PageTemplate<'a> {
     /// What the last column of an entry says.
     fn lines_of_entry(&self, entry: &'a EntryView<'a>) -> Vec<Line<'a>> {
         let mut lines: Vec<Line<'a>> =
-            entry.own_name.iter().map(|name| Line::new("", name.as_ref())).collect();
+            entry.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
         lines.extend(entry.meaning.as_deref().map(|meaning| Line::new("", meaning)));
         if entry.has_limits() {
             lines.push(Line::new(self.page.texts.limits, format!("{} … {}", entry.low, entry.high)));
@@ -63,7 +63,7 @@ impl<'a> PageTemplate<'a> {
     /// What is said of an object as a whole.
     fn lines_of_object(&self, object: &'a ObjectView<'a>) -> Vec<Line<'a>> {
         let mut lines: Vec<Line<'a>> =
-            object.own_name.iter().map(|name| Line::new("", name.as_ref())).collect();
+            object.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
         self.add(&object.details, &mut lines);
         lines
     }

@@ -58,7 +58,10 @@ impl End {
     fn new(context: &Context<'_>, pdo: &Pdo<'_>, node_id: u8) -> Option<Self> {
         let cob_id = pdo.cob_id.filter(|cob_id| cob_id.is_valid())?;
         let name = |mapped: MappedObject| {
-            let entry = context.device.entry(mapped.index, mapped.sub).filter(|_| !mapped.is_dummy());
+            if mapped.is_dummy() {
+                return context.language.pick("unused", "unbenutzt").to_owned();
+            }
+            let entry = context.device.entry(mapped.index, mapped.sub);
             entry.map_or_else(|| mapped.to_string(), |entry| context.name(&entry).to_owned())
         };
         Some(Self {

@@ -122,6 +122,7 @@ texts! {
     devices: "Devices", "Geräte";
     nodes: "nodes", "Knoten";
     entries: "Entries", "Einträge";
+    bold_differs: "values in bold differ from the default", "fett gedruckte Werte weichen von der Vorgabe ab";
     counted_objects: "objects", "Objekte";
     counted_entries: "entries", "Einträge";
     errors: "Errors", "Fehler";
