@@ -1,6 +1,8 @@
 //! The bits of a value in words.
 
-use super::{BitField, EntryFacts, Profile, of_number, standard};
+use std::ops::Range;
+
+use super::{BitField, EntryFacts, Profile, for_all, of_number};
 use crate::model::{Device, Value};
 
 impl EntryFacts {
@@ -29,16 +31,20 @@ fn part(field: &BitField, value: u64) -> Option<String> {
     }
 }
 
+/// The area of a dictionary that is the manufacturer's (CiA 301 §7.4.1).
+const MANUFACTURER: Range<u16> = 0x2000..0x6000;
+
 /// What the bits of an entry's value say, after the documents that the device follows.
 pub(crate) fn meaning(device: &Device, index: u16, sub: u8, value: &Value) -> Option<String> {
-    let number = value.as_integer()?;
+    // no document of CiA describes what is the manufacturer's
+    let number = value.as_integer().filter(|_| !MANUFACTURER.contains(&index))?;
     let of = |profile: &Profile, block| profile.object_in(block, index)?.entry(sub)?.meaning(number);
     let own = (0..super::MAX_BLOCKS).find_map(|block| {
         let number = super::number_of(device, if device.profile() == Some(0xFFFF) { block } else { 0 })?;
         let profile = of_number(number)?;
         of(profile, if block == 0 || profile.repeats { block } else { return None })
     });
-    own.or_else(|| standard().filter(|profile| profile.number.is_none()).find_map(|profile| of(profile, 0)))
+    own.or_else(|| for_all(device).find_map(|profile| of(profile, 0)))
 }
 
 #[cfg(test)]
