@@ -187,14 +187,10 @@ fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<Fact> {
     let default = FileInfo::default();
     let info = subject.device.file_info.as_ref().unwrap_or(&default);
     facts.put_some(texts.description, info.description.clone());
-    let version = match (info.file_version, info.file_revision) {
-        (None, None) => None,
-        (version, revision) => {
-            let number = |number: Option<u8>| number.map_or("–".to_owned(), |number| number.to_string());
-            Some(format!("{}.{}", number(version), number(revision)))
-        }
-    };
-    facts.put_some(texts.version, version);
+    let version = info.file_version.map(|version| version.to_string()).into_iter();
+    let version: Vec<String> =
+        version.chain(info.file_revision.map(|revision| revision.to_string())).collect();
+    facts.put(texts.version, version.join("."));
     facts.put_some(texts.eds_version, info.eds_version.clone());
     facts.put(texts.created, by_whom(info.creation_date, info.creation_time, info.created_by.as_deref()));
     let modified = by_whom(info.modification_date, info.modification_time, info.modified_by.as_deref());
