@@ -90,6 +90,29 @@ fn services_are_switched_off_before_they_are_renamed() {
     insta::assert_snapshot!(found.join("\n"));
 }
 
+/// Exercise 2.7.1 with the words as the textbook prints them: the node-IDs are forgotten, and sub-index 0 is const.
+#[test]
+fn a_consumer_without_node_id_watches_nobody() {
+    let found = objections(
+        "1017:00 UNSIGNED16 250\n1016:01 UNSIGNED32 750\n1016:00 UNSIGNED8 1\n1016:02 UNSIGNED32 1500\n1016:00 UNSIGNED8 2\n",
+    );
+    let expected = [
+        "2: doubt: there is a time of 750 ms and no node-ID, so it watches nobody",
+        "3: its access type allows no write (0601 0002h)",
+        "4: doubt: there is a time of 1500 ms and no node-ID, so it watches nobody",
+        "5: its access type allows no write (0601 0002h)",
+    ];
+    assert_eq!(found, expected);
+
+    // an entry that is not in use is fine, whether a node-ID is left in it or not
+    assert_eq!(objections("1016:01 UNSIGNED32 0\n1016:02 UNSIGNED32 0x00070000\n"), Vec::<String>::new());
+
+    let mut device = device("eds/io-401.eds");
+    device.objects.get_mut(&0x1016).unwrap().subs.get_mut(1).unwrap().high_limit = None;
+    let found = objections_of(&device, "1016:01 UNSIGNED32 0x008001F4\n");
+    assert_eq!(found, ["1: doubt: there is a time of 500 ms, but `128` is no node-ID, so it watches nobody"]);
+}
+
 #[test]
 fn what_is_written_behind_save_is_not_stored() {
     let mut device = device("eds/io-401.eds");

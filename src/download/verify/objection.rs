@@ -113,6 +113,13 @@ pub enum ObjectionKind {
         /// The sub-index that watches it.
         sub: u8,
     },
+    /// An entry of 1016h has a time and no node-ID from 1 to 127, so it is not in use.
+    WatchesNobody {
+        /// What stands where the node-ID does.
+        node_id: u8,
+        /// The time in milliseconds.
+        time: u16,
+    },
     /// The counter overflow (1019h) may change only while the period (1006h) is 0.
     PeriodRuns,
     /// 1010h takes `save`, 1011h `load`.
@@ -134,6 +141,7 @@ impl ObjectionKind {
         !matches!(
             self,
             Self::RenamedWhileSwitchedOff { .. }
+                | Self::WatchesNobody { .. }
                 | Self::TwoErrorControls
                 | Self::NotStored
                 | Self::ClearsVerification
@@ -157,9 +165,11 @@ impl ObjectionKind {
             Self::MappedLength { .. } | Self::PdoTooLong { .. } => 0x0604_0042,
             Self::WatchedTwice { .. } => 0x0604_0043,
             Self::Signature { .. } => 0x0800_0020,
-            Self::RefusesDownload | Self::TwoErrorControls | Self::NotStored | Self::ClearsVerification => {
-                return None;
-            }
+            Self::RefusesDownload
+            | Self::WatchesNobody { .. }
+            | Self::TwoErrorControls
+            | Self::NotStored
+            | Self::ClearsVerification => return None,
         }))
     }
 
@@ -177,6 +187,9 @@ impl ObjectionKind {
             Self::PeriodRuns => "write 0 to 1006h first",
             Self::WatchedTwice { sub, .. } => {
                 return Some(format!("write 0 to sub-index {sub:X}h of 1016h first"));
+            }
+            Self::WatchesNobody { time, .. } => {
+                return Some(format!("write the node-ID from 1 to 127 before the time: `0x00nn{time:04X}`"));
             }
             Self::NotStored => "write 1010h last",
             Self::ClearsVerification => "write 1020h behind all that configures",
@@ -257,6 +270,12 @@ impl fmt::Display for ObjectionKind {
             Self::NothingMapped { sub } => write!(f, "sub-index {sub:X}h maps nothing"),
             Self::WatchedTwice { node_id, sub } => {
                 write!(f, "sub-index {sub:X}h watches node {node_id} already")
+            }
+            Self::WatchesNobody { node_id: 0, time } => {
+                write!(f, "there is a time of {time} ms and no node-ID, so it watches nobody")
+            }
+            Self::WatchesNobody { node_id, time } => {
+                write!(f, "there is a time of {time} ms, but `{node_id}` is no node-ID, so it watches nobody")
             }
             Self::PeriodRuns => {
                 f.write_str("the counter overflow cannot change while the period (1006h) is not 0")

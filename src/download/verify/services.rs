@@ -106,9 +106,14 @@ impl Node<'_> {
         }
     }
 
-    /// 1016h: no node is watched twice.
+    /// 1016h: no node is watched twice. A time that belongs to no node is taken, but mostly the node-ID was forgotten; a
+    /// node-ID without time is how a watch is switched off.
     fn judge_consumer(&mut self, sub: u8, new: u32) -> Judgement {
-        let Some(node_id) = watched(new) else { return Ok(None) };
+        let Some(node_id) = watched(new) else {
+            let [low, high, node_id, _] = new.to_le_bytes();
+            let time = u16::from_le_bytes([low, high]);
+            return Ok((time != 0).then_some(ObjectionKind::WatchesNobody { node_id, time }));
+        };
         let others = self.device.object(0x1016).into_iter().flat_map(Object::entries);
         let others: Vec<u8> =
             others.map(|(other, _)| other).filter(|&other| other != 0 && other != sub).collect();
