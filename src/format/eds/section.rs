@@ -55,10 +55,8 @@ impl SectionName {
         if name.eq_ignore_ascii_case("DeviceCommissioning") {
             return Self { part: Part::Commissioning, spelling: Spelling::CorrectCommissioning };
         }
-        if let Some(part) = module_part(name) {
-            let padded = name.as_bytes().get(1) == Some(&b'0');
-            let spelling = if padded { Spelling::LeadingZero } else { Spelling::Standard };
-            return Self { part, spelling };
+        if let Some(section) = module_section(name) {
+            return section;
         }
         if let Some(part) = tool_part(name) {
             return Self::standard(part);
@@ -179,33 +177,42 @@ fn without_zeros(text: &str) -> &str {
 }
 
 /// `M1ModuleInfo` and the other sections of a module.
-fn module_part(name: &str) -> Option<Part> {
+fn module_section(name: &str) -> Option<SectionName> {
     let rest = name.strip_prefix(['M', 'm'])?;
     let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
     let number: u16 = rest[..digits].parse().ok()?;
+    let padded = rest.starts_with('0');
     let rest = &rest[digits..];
+    let plain = [
+        ("ModuleInfo", ModulePart::Info),
+        ("Comments", ModulePart::Comments),
+        ("FixedObjects", ModulePart::FixedObjects),
+        ("SubExtends", ModulePart::SubExtends),
+    ];
+    let (part, spelling) = match plain.into_iter().find(|(word, _)| rest.eq_ignore_ascii_case(word)) {
+        Some((_, part)) => (part, Spelling::Standard),
+        None => module_object(rest)?,
+    };
+    let spelling = if padded && spelling == Spelling::Standard { Spelling::LeadingZero } else { spelling };
+    Some(SectionName { part: Part::Module(number, part), spelling })
+}
+
+/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the object is spelled in as many ways as one of the device itself.
+fn module_object(name: &str) -> Option<(ModulePart, Spelling)> {
     let behind = |word: &str| {
-        let head = rest.get(..word.len())?;
-        head.eq_ignore_ascii_case(word).then(|| &rest[word.len()..])
+        let head = name.get(..word.len())?;
+        head.eq_ignore_ascii_case(word).then(|| &name[word.len()..])
     };
-    let part = if behind("ModuleInfo") == Some("") {
-        ModulePart::Info
-    } else if behind("Comments") == Some("") {
-        ModulePart::Comments
-    } else if behind("FixedObjects") == Some("") {
-        ModulePart::FixedObjects
-    } else if behind("SubExtends") == Some("") {
-        ModulePart::SubExtends
-    } else if let Some(Part::Object(index)) = behind("SubExt").and_then(object_part) {
-        ModulePart::SubExt(index)
-    } else {
-        match behind("Fixed").and_then(object_part)? {
-            Part::Object(index) => ModulePart::Fixed(index),
-            Part::Entry(index, sub) => ModulePart::FixedEntry(index, sub),
-            _ => return None,
-        }
+    let extended = behind("SubExt");
+    let object = extended.or_else(|| behind("Fixed"))?;
+    let object = object_part(object).map(SectionName::standard).or_else(|| odd_object(object))?;
+    let part = match object.part {
+        Part::Object(index) if extended.is_some() => ModulePart::SubExt(index),
+        Part::Object(index) => ModulePart::Fixed(index),
+        Part::Entry(index, sub) if extended.is_none() => ModulePart::FixedEntry(index, sub),
+        _ => return None,
     };
-    Some(Part::Module(number, part))
+    Some((part, object.spelling))
 }
 
 fn tool_part(name: &str) -> Option<Part> {
@@ -253,6 +260,10 @@ mod tests {
         assert_eq!(parse("1018sub01"), (Part::Entry(0x1018, 1), Spelling::LeadingZero));
         let info = Part::Module(1, ModulePart::Info);
         assert_eq!(parse("M01ModuleInfo"), (info, Spelling::LeadingZero));
+        let entry = Part::Module(3, ModulePart::FixedEntry(0x2401, 1));
+        assert_eq!(parse("M3Fixed2401sub01"), (entry, Spelling::LeadingZero));
+        let extension = Part::Module(1, ModulePart::SubExt(0x6000));
+        assert_eq!(parse("M01SubExt0x6000"), (extension, Spelling::Decorated));
         assert_eq!(parse("0x1000"), (Part::Object(0x1000), Spelling::Decorated));
         assert_eq!(parse("02000"), (Part::Object(0x2000), Spelling::LeadingZero));
         assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), Spelling::Decorated));
@@ -262,9 +273,18 @@ mod tests {
 
     #[test]
     fn other_names_are_not_objects() {
-        for name in
-            ["1018sub100", "10000", "1a00subfwefwef", "ToolInfos", "Default", "M1", "", "FACE sheet", "sub1"]
-        {
+        for name in [
+            "1018sub100",
+            "10000",
+            "1a00subfwefwef",
+            "ToolInfos",
+            "Default",
+            "M1",
+            "M1SubExt6000sub1",
+            "",
+            "FACE sheet",
+            "sub1",
+        ] {
             assert!(matches!(parse(name).0, Part::Section(_)), "{name}: {:?}", parse(name));
         }
     }

@@ -194,12 +194,10 @@ fn compact_count<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfi
 
 /// `n`, or `0;b`.
 fn extension_count(item: &Item<'_>, misfits: &mut Misfits) -> Option<ExtensionCount> {
-    let number = |text: &str| {
-        let number = literal::integer(text.trim_ascii(), 1, 255, &mut Quirks::default()).ok()?;
-        u8::try_from(number).ok()
-    };
+    let integer = |text: &str| literal::integer(text.trim_ascii(), 0, 255, &mut Quirks::default()).ok();
+    let number = |text| u8::try_from(integer(text)?).ok().filter(|&number| number > 0);
     let count = match item.value.split_once(';') {
-        Some((zero, bits)) if zero.trim_ascii() == "0" => number(bits).map(ExtensionCount::SharedBits),
+        Some((zero, bits)) if integer(zero) == Some(0) => number(bits).map(ExtensionCount::SharedBits),
         Some(_) => None,
         None => number(item.value).map(ExtensionCount::Subs),
     };
