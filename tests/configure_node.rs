@@ -237,9 +237,123 @@ fn modules_that_cannot_be_plugged_in() {
     assert_eq!(unknown, expected);
     let simple = open("eds/io-401.eds");
     assert_eq!(flatten(simple.device(), &[1]), Err(vec![ModuleProblem::NotModular]));
-    // 128 bits in 6020h, the others in 6021h, which would end the object that comes next
-    let many = flatten(coupler.device(), &[1; 60]);
-    assert!(many.is_ok() || many.is_err_and(|problems| !problems.is_empty()));
+}
+
+#[test]
+fn elements_go_on_in_the_next_object() {
+    let coupler = open("eds/coupler-modular.eds");
+    // eight bits of each module, 128 in an object
+    let many = flatten(coupler.device(), &[1; 60]).unwrap();
+    let elements = |index| many.object(index).map(|object| object.subs.len() - 1);
+    let expected = [Some(128), Some(128), Some(128), Some(96), None];
+    assert_eq!([0x6020, 0x6021, 0x6022, 0x6023, 0x6024].map(elements), expected);
+    // and no further than to what is another object
+    let mut taken = coupler.device().clone();
+    let inputs = taken.objects[&0x6000].clone();
+    taken.objects.insert(0x6021, inputs);
+    let no_room = ModuleProblem::NoRoom { number: 1, index: 0x6020, next: 0x6021 };
+    assert_eq!(flatten(&taken, &[1; 17]), Err(vec![no_room]));
+}
+
+/// Each element of 1027h is the number of its module, so modules that bring one differ in its default.
+#[test]
+fn modules_name_themselves_in_the_module_list() {
+    let mut text = String::from(
+        "[SupportedModules]\nNrOfEntries=2\n[1027]\nObjectType=8\nSubNumber=1\n\
+         [1027sub0]\nDataType=5\nAccessType=const\nDefaultValue=0\n",
+    );
+    for (number, product) in [(1, 0x0A10), (2, 0x0B20)] {
+        text.push_str(&format!(
+            "[M{number}ModuleInfo]\nProductName=DI\n[M{number}SubExtends]\nNrOfEntries=1\n1=0x1027\n\
+             [M{number}SubExt1027]\nParameterName=Module\nDataType=6\nAccessType=ro\nDefaultValue={product}\nCount=1\n"
+        ));
+    }
+    let coupler = format::read(SourceFile::from_text("coupler.eds", text), Format::Eds);
+    assert!(objdict::check(&coupler).iter().all(|finding| finding.rule.id != "cia306/module-conflict"));
+    let plugged = flatten(coupler.device(), &[2, 1, 2]).unwrap();
+    let list = plugged.object(0x1027).unwrap();
+    let numbers: Vec<_> = (0..=3).map(|sub| list.value(sub).and_then(|value| value.as_integer())).collect();
+    assert_eq!(numbers, [Some(3), Some(0x0B20), Some(0x0A10), Some(0x0B20)]);
+}
+
+/// Each line of a text spelled in another way: section names, and keys with their values.
+fn respelled(text: &str, name: impl Fn(&str) -> String, item: impl Fn(&str, &str) -> String) -> String {
+    let line = |line: &str| match (line.strip_prefix('[').and_then(|line| line.strip_suffix(']')), line) {
+        (Some(section), _) => format!("[{}]\n", name(section)),
+        (None, line) => match line.split_once('=') {
+            Some((key, value)) => format!("{}\n", item(key, value)),
+            None => format!("{line}\n"),
+        },
+    };
+    text.lines().map(line).collect()
+}
+
+/// Numbers that tell how much a module brings, in another notation; all other values as they are.
+fn counted(key: &str, value: &str, number: impl Fn(u32) -> String) -> String {
+    let is_list = key.bytes().all(|byte| byte.is_ascii_digit());
+    let is_count =
+        matches!(key, "Count" | "ObjExtend" | "NrOfEntries" | "SubNumber" | "ObjectType" | "DataType");
+    let spelled = |text: &str| match text.strip_prefix("0x") {
+        Some(digits) => u32::from_str_radix(digits, 16).map(&number).unwrap(),
+        None => text.parse().map(&number).unwrap(),
+    };
+    match is_list || is_count {
+        true => format!("{key}={}", value.split(';').map(spelled).collect::<Vec<_>>().join(";")),
+        false => format!("{key}={value}"),
+    }
+}
+
+/// Whether a section with this name is one of a module.
+fn is_module(name: &str) -> bool {
+    name.strip_prefix('M').is_some_and(|rest| rest.starts_with(|first: char| first.is_ascii_digit()))
+}
+
+/// The sections of modules behind all others, the last one first.
+fn reversed(text: &str) -> String {
+    let sections: Vec<String> = text.split("\n[").skip(1).map(|section| format!("[{section}\n")).collect();
+    let (modules, mut others): (Vec<String>, Vec<String>) =
+        sections.into_iter().partition(|section| is_module(&section[1..]));
+    others.extend(modules.into_iter().rev());
+    others.concat()
+}
+
+/// Section names, keys and numbers are spelled in many ways; the dictionary is the same.
+#[test]
+fn modules_are_the_same_however_they_are_spelled() {
+    let coupler = open("eds/coupler-modular.eds");
+    let text = coupler.source().text();
+    let plain = |key: &str, value: &str| format!("{key}={value}");
+    let hex = |value: &str| if value.starts_with("0x") { value.to_lowercase() } else { value.to_owned() };
+    let spellings = [
+        respelled(text, str::to_uppercase, |key, value| format!("{}={value}", key.to_uppercase())),
+        respelled(text, str::to_lowercase, |key, value| format!("{}={}", key.to_lowercase(), hex(value))),
+        respelled(text, str::to_owned, |key, value| counted(key, value, |number| format!("0x{number:02x}"))),
+        respelled(text, str::to_owned, |key, value| counted(key, value, |number| number.to_string())),
+        respelled(text, str::to_owned, |key, value| counted(key, value, |number| format!("0{number:o}"))),
+        respelled(text, str::to_owned, |key, value| format!("  {key} = {value}  ")),
+        respelled(text, |name| name.replace("sub", "Sub0"), plain),
+        respelled(
+            text,
+            |name| if is_module(name) { format!(" M00{} ", &name[1..]) } else { name.into() },
+            plain,
+        ),
+        respelled(text, |name| name.replace("SubExt6", "SubExt0x6").replace("Fixed2", "Fixed0x2"), plain),
+        text.replace("\n", "\r\n"),
+        reversed(text),
+    ];
+    let racks: [&[u16]; 5] = [&[1], &[4, 4, 4], &[1, 1, 2, 3], &[5, 4, 3, 2, 1], &[1; 17]];
+    for spelling in spellings {
+        assert_ne!(spelling, text);
+        let other = format::read(SourceFile::from_text("coupler.eds", spelling.clone()), Format::Eds);
+        for rack in racks {
+            let expected = flatten(coupler.device(), rack).unwrap();
+            let plugged = flatten(other.device(), rack).unwrap();
+            for (index, object) in &expected.objects {
+                assert_eq!(plugged.object(*index), Some(object), "{rack:?} of\n{}", &spelling[..120]);
+            }
+            assert_eq!((plugged.objects.len(), &plugged.lists), (expected.objects.len(), &expected.lists));
+        }
+    }
 }
 
 /// Whatever is configured of a healthy device, the linter finds no new error in.

@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use super::ModuleProblem;
 use crate::model::{Access, DataType, Device, Entry, Extension, ExtensionCount, Object, ObjectType, Value};
 
+/// 1027h: the module list. Each element is the number of a module, so defaults differ from module to module.
+const MODULE_LIST: u16 = 0x1027;
+
 /// The highest sub-index that an element can have.
 const LAST: u8 = 0xFE;
 
@@ -43,7 +46,7 @@ impl Growth {
         let index = self.index;
         let entry = &extension.entry;
         match &self.first {
-            Some((first, other)) if !is_alike(other, entry) => {
+            Some((first, other)) if !is_alike(index, other, entry) => {
                 return Err(ModuleProblem::Conflict { numbers: (*first, number), index });
             }
             Some(_) => {}
@@ -129,11 +132,11 @@ impl Growth {
 }
 
 /// Whether modules that add both are one about what an element is; names differ.
-fn is_alike(first: &Entry, second: &Entry) -> bool {
+fn is_alike(index: u16, first: &Entry, second: &Entry) -> bool {
     first.data_type == second.data_type
         && first.access == second.access
         && first.is_mappable() == second.is_mappable()
-        && first.default == second.default
+        && (first.default == second.default || index == MODULE_LIST)
         && first.low_limit == second.low_limit
         && first.high_limit == second.high_limit
 }

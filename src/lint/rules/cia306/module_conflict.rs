@@ -8,7 +8,7 @@ rule! {
     /// two modules describe the same object differently
     ///
     /// ## What it checks
-    /// Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ.
+    /// Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ, and the default of what modules add to 1027h (module list), for that is the number of the module.
     ///
     /// ## Why it matters
     /// The object exists once in the plugged device, so only one of the descriptions can be true.
@@ -24,6 +24,9 @@ rule! {
     "cia306/module-conflict", Error, Device(check)
 }
 
+/// 1027h: each element is the number of a module.
+const MODULE_LIST: u16 = 0x1027;
+
 fn check(device: &Device, findings: &mut Findings) {
     let Some(modules) = &device.modules else { return };
     let mut fixed: HashMap<u16, (u16, &Object)> = HashMap::new();
@@ -36,7 +39,8 @@ fn check(device: &Device, findings: &mut Findings) {
         }
         for (&index, extension) in &module.extensions {
             let (first, other) = *extensions.entry(index).or_insert((number, &extension.entry));
-            let fields = different_entry(other, &extension.entry);
+            let mut fields = different_entry(other, &extension.entry);
+            fields.retain(|field| index != MODULE_LIST || *field != Field::DefaultValue);
             report(index, (first, number), ModulePart::SubExt(index), &fields, findings);
         }
     }
