@@ -29,8 +29,17 @@ pub(crate) struct Diagram {
     /// The layout in words.
     pub(crate) label: String,
     pub(crate) shapes: Vec<Shape>,
-    /// The outline of the bits that carry nothing; empty where all do.
-    pub(crate) rest: String,
+    /// The bits that carry nothing.
+    pub(crate) rest: Option<Rest>,
+}
+
+/// The bits of a frame that carry nothing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Rest {
+    /// Their outline.
+    pub(crate) path: String,
+    /// Where there is room to say so: where the text goes.
+    pub(crate) place: Option<(u32, u32)>,
 }
 
 /// A field in the drawing.
@@ -103,8 +112,16 @@ impl Diagram {
             label += if at == 0 { "" } else { "; " };
             label += &format!("{} {}", span, name(field));
         }
-        Some(Self { label, shapes, rest: layout.rest().map(outline).unwrap_or_default() })
+        Some(Self { label, shapes, rest: rest(layout) })
     }
+}
+
+/// The bits that carry nothing; where an object is not known, nobody can say which these are.
+fn rest(layout: &Layout) -> Option<Rest> {
+    let span = layout.rest()?;
+    let room = rooms(span).into_iter().next().filter(|_| layout.bits().is_some());
+    let place = |room: Room| (room.left.midpoint(room.right), room.top.midpoint(room.bottom) + 4);
+    Some(Rest { path: outline(span), place: room.map(place) })
 }
 
 /// What a field is called in the drawing.

@@ -170,7 +170,7 @@ impl Parts<'_> {
                 false => ("mapping fixed", "Mapping fest"),
             };
             let part = Part::of(self.decoder, index, 0, language.pick(english, german));
-            self.parts.push(Part { is_changed: false, ..part });
+            self.parts.push(Part { is_changed: false, default: None, ..part });
         }
     }
 }
@@ -183,11 +183,12 @@ fn carries(bits: u32, language: Language) -> String {
         (_, Language::English) => format!("{bytes} bytes"),
         (_, Language::German) => format!("{bytes} Byte"),
     };
-    if bits.is_multiple_of(8) {
-        return bytes_text;
-    }
     let bit = if bits == 1 { language.pick("bit", "Bit") } else { language.pick("bits", "Bit") };
-    format!("{bits} {bit} in {bytes_text}")
+    match bits {
+        _ if bits > FRAME_BITS => format!("{bits} {bit}"),
+        _ if bits.is_multiple_of(8) => bytes_text,
+        _ => format!("{bits} {bit} in {bytes_text}"),
+    }
 }
 
 /// What is odd about a mapping.

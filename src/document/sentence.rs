@@ -13,20 +13,25 @@ pub(crate) struct Part {
     pub(crate) anchor: Option<Anchor>,
     /// Whether it is configured to another value than its default.
     pub(crate) is_changed: bool,
+    /// The default in words, where it is configured to another value.
+    pub(crate) default: Option<String>,
 }
 
 impl Part {
     /// One that no entry says.
     pub(super) fn plain(text: impl Into<String>) -> Self {
-        Self { text: text.into(), anchor: None, is_changed: false }
+        Self { text: text.into(), anchor: None, is_changed: false, default: None }
     }
 
     /// What an entry says.
     pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8, text: impl Into<String>) -> Self {
+        let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));
+        let default = entry.as_ref().and_then(|entry| entry.default.as_ref());
         Self {
             text: text.into(),
             anchor: anchor(decoder.device, index, sub),
-            is_changed: is_changed(decoder, index, sub),
+            is_changed: entry.is_some(),
+            default: default.and_then(|default| decoder.of(index, sub, default)),
         }
     }
 }

@@ -89,6 +89,7 @@ texts! {
     no_name: "(no name)", "(ohne Namen)";
     // communication
     mapping: "Mapping", "Mapping";
+    unused: "unused", "unbenutzt";
     byte_and_bit: "Byte.bit", "Byte.Bit";
     length: "Bits", "Bits";
     service: "Service", "Dienst";
