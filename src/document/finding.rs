@@ -69,3 +69,13 @@ impl Finding {
         }
     }
 }
+
+/// The parts of a message, and of each whether it is quoted from the description: what stands between backticks is, unless a
+/// quoted text has one itself.
+pub(crate) fn quoted(message: &str) -> Vec<(bool, &str)> {
+    let parts: Vec<&str> = message.split('`').collect();
+    if parts.len() % 2 == 0 {
+        return vec![(false, message)];
+    }
+    parts.into_iter().enumerate().map(|(number, part)| (number % 2 == 1, part)).collect()
+}
