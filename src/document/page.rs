@@ -65,6 +65,11 @@ impl<'a> Page<'a> {
         self.areas.iter().map(|area| area.objects.len()).sum()
     }
 
+    /// Whether it takes a browser long to lay out what is not in its window.
+    pub(crate) fn is_large(&self) -> bool {
+        self.entry_count() > 1500
+    }
+
     /// How many entries they have.
     pub(crate) fn entry_count(&self) -> usize {
         self.areas.iter().flat_map(|area| &area.objects).map(|object| object.entries.len()).sum()

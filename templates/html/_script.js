@@ -79,12 +79,16 @@
     if (!target) return;
     if (target.closest("[hidden]")) clear();
     for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
-    // what lies above is measured only when it is drawn
-    let tries = 3;
-    const scroll = () => { target.scrollIntoView(); if (--tries) requestAnimationFrame(scroll); };
+    // on a large page what lies above gets its height when it is drawn: until the target stands still
+    let top, still = 0, frames = 30;
+    const scroll = () => {
+      still = target.getBoundingClientRect().top === top ? still + 1 : 0;
+      target.scrollIntoView();
+      top = target.getBoundingClientRect().top;
+      if (still < 2 && frames--) requestAnimationFrame(scroll);
+    };
     scroll();
   };
-
   let due;
   filter.addEventListener("input", () => { cancelAnimationFrame(due); due = requestAnimationFrame(apply); });
   filter.addEventListener("keydown", event => { if (event.key === "Escape") clear(); });

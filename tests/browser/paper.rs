@@ -25,7 +25,7 @@ fn paper_has_every_entry() {
         assert!(pdf.starts_with(b"%PDF-"));
         let Some(text) = text_of(&pdf) else { return };
         let words = page.texts(
-            "[...document.querySelectorAll('.o h4, tbody tr > td:nth-child(2)')].map(of => of.firstChild.data?.trim() || of.lastChild.data.trim())",
+            "[...document.querySelectorAll('.o h4, .s tbody tr > td:nth-child(2)')].map(of => of.firstChild.data?.trim() || of.lastChild.data.trim())",
         );
         assert!(words.len() > 50, "{fixture}");
         let text = squeezed(&text);
