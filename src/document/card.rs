@@ -2,7 +2,7 @@
 
 use super::Subject;
 use super::page::Context;
-use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo};
+use crate::model::{ClockTime, Date, Device, DeviceInfo, Extra, FileInfo, Part};
 
 /// The facts about a device and its file.
 #[derive(Debug)]
@@ -19,6 +19,15 @@ pub(crate) struct Card {
     pub(crate) file: Vec<Fact>,
     /// The lines of comments.
     pub(crate) comments: Vec<String>,
+    /// Keys of a vendor or of a tool that belong to no object, as they stand in the file.
+    pub(crate) sections: Vec<Section>,
+}
+
+/// A section with keys of a vendor or of a tool.
+#[derive(Debug)]
+pub(crate) struct Section {
+    pub(crate) name: String,
+    pub(crate) keys: Vec<(String, String)>,
 }
 
 /// Something with its name.
@@ -66,6 +75,7 @@ impl Card {
             node: node_facts(context),
             file: file_facts(subject, context),
             comments: device.comments.clone().unwrap_or_default(),
+            sections: sections(device),
         }
     }
 }
@@ -197,6 +207,18 @@ fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<Fact> {
     facts.put(texts.modified, modified);
     facts.put_some(texts.made_from, info.last_eds.clone());
     facts.0
+}
+
+/// What the model has no field for.
+fn sections(device: &Device) -> Vec<Section> {
+    let of_parts = device.extras().into_iter().filter_map(|(part, extra)| match part {
+        // those stand beside their objects
+        Part::Object(_) | Part::Entry(..) => None,
+        part => Some((part.to_string(), extra)),
+    });
+    let unknown = device.extra.iter().map(|section| (section.name.to_string(), &section.entries));
+    let keys = |extra: &Extra| extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
+    of_parts.chain(unknown).map(|(name, extra)| Section { keys: keys(extra), name }).collect()
 }
 
 /// `2024-03-04 14:40, A. Nobody`.

@@ -62,6 +62,7 @@ texts! {
     eds_version: "EDS version", "EDS-Version";
     made_from: "Made from", "Abgeleitet von";
     comments: "Comments", "Kommentare";
+    further_keys: "Further keys of the file", "Weitere Schlüssel der Datei";
     modules: "Modules", "Module";
     made_by: "Made by", "Erzeugt mit";
     // objects
