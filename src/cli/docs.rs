@@ -174,6 +174,9 @@ fn write_site(
         let page = site.add(&device.subject());
         tell_saved(&args.out.join(page.name), &page.text, out)?;
     }
-    let index = site.index();
-    tell_saved(&args.out.join(index.name), &index.text, out)
+    if devices.len() > 1 {
+        let index = site.index();
+        tell_saved(&args.out.join(index.name), &index.text, out)?;
+    }
+    Ok(())
 }
