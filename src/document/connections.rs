@@ -2,7 +2,7 @@
 //! others that it uses.
 
 use super::anchor::Anchor;
-use super::sentence;
+use super::sentence::{self, Change, is_same};
 use super::services::emcy_consumers;
 use super::texts::Texts;
 use crate::decoded::{Decoder, can_id};
@@ -22,7 +22,7 @@ pub(crate) struct Connection {
     pub(crate) state: State,
     /// The object that says so.
     pub(crate) anchor: Option<Anchor>,
-    /// Whether it is configured to another value than its default.
+    /// Whether it is configured to another CAN-ID than its default, or switched on or off.
     pub(crate) is_changed: bool,
 }
 
@@ -145,8 +145,21 @@ impl Table<'_> {
             own: own.filter(|_| state != State::Off).map(|id| can_id(id, node_id)).unwrap_or_default(),
             state,
             anchor: place.and_then(|(index, sub)| sentence::anchor(self.decoder.device, index, sub)),
-            is_changed: place.is_some_and(|(index, sub)| sentence::is_changed(self.decoder, index, sub)),
+            is_changed: place.is_some_and(|place| self.is_changed(place)),
         });
+    }
+
+    /// Whether an entry is configured so that the device uses another CAN-ID than by default, or uses one at all.
+    fn is_changed(&self, (index, sub): (u16, u8)) -> bool {
+        match index {
+            // these set times only
+            0x100C | 0x1017 | 0x1300 => false,
+            0x1016 => sentence::is_changed(self.decoder, index, sub),
+            _ => {
+                let change = Change::of(self.decoder, index, sub);
+                change.can_id || (change.bit_31 && index != 0x1005)
+            }
+        }
     }
 
     /// A line about a service of the predefined connection set that an object describes, if there is one.
@@ -321,12 +334,6 @@ const fn direction(kind: PdoKind) -> Direction {
         PdoKind::Rpdo => Direction::Receives,
         PdoKind::Tpdo => Direction::Sends,
     }
-}
-
-/// Whether two CAN-IDs are one on the node, or, where it is not known, on every node.
-fn is_same(own: CobId, predefined: CobId, node_id: Option<u8>) -> bool {
-    let on = |node| own.can_id(node) == predefined.can_id(node);
-    own.is_extended() == predefined.is_extended() && node_id.map_or(on(1) && on(127), on)
 }
 
 #[cfg(test)]

@@ -286,4 +286,43 @@ mod tests {
         let room = rooms(Span { start: 6, end: 26 })[0];
         assert_eq!((room.left, room.right, room.top, room.bottom), (22, 518, 46, 106));
     }
+
+    /// Twice the area that closed outlines enclose, after the shoelace formula.
+    fn doubled_area(path: &str) -> u32 {
+        let area = |part: &str| {
+            let mut corners = Vec::new();
+            let (mut x, mut y) = (0, 0);
+            for (at, _) in part.match_indices(['M', 'H', 'V']) {
+                let (letter, rest) = part[at..].split_at(1);
+                let number = rest.split(['H', 'V']).next().unwrap();
+                match letter {
+                    "M" => {
+                        let (left, top) = number.split_once(' ').unwrap();
+                        (x, y) = (left.parse::<i64>().unwrap(), top.parse().unwrap());
+                    }
+                    "H" => x = number.parse().unwrap(),
+                    _ => y = number.parse().unwrap(),
+                }
+                corners.push((x, y));
+            }
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<i64>()
+        };
+        // each part turns the same way, so that nothing is counted against another
+        path.split_terminator('z').map(|part| u32::try_from(area(part)).unwrap()).sum()
+    }
+
+    #[test]
+    fn every_outline_has_the_area_of_its_bits() {
+        for start in 0..64 {
+            for end in start + 1..=64 {
+                let path = outline(start, end);
+                assert_eq!(
+                    doubled_area(&path),
+                    2 * (end - start) * WIDTH * HEIGHT,
+                    "{start} to {end}: {path}"
+                );
+            }
+        }
+    }
 }

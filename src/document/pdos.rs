@@ -3,7 +3,7 @@
 use super::anchor::Anchor;
 use super::diagram::Diagram;
 use super::layout::{Content, FRAME_BITS, Field, Kind, Layout};
-use super::sentence::{self, Part};
+use super::sentence::{self, Change, Part};
 use crate::Language;
 use crate::decoded::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
@@ -101,16 +101,24 @@ impl Parts<'_> {
         let Some(id) = self.pdo.cob_id else {
             return self.say(1, ("COB-ID not stated", "COB-ID nicht angegeben"));
         };
+        let change = Change::of(self.decoder, self.pdo.communication_index(), 1);
         self.put(1, sentence::cob_id(self.decoder, id));
+        // one that is switched on has nothing else to show it
+        self.only_if(change.can_id || (change.bit_31 && id.is_valid()));
         if !id.is_valid() {
-            let off = ("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird");
-            self.say(1, off);
+            self.say(1, ("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird"));
+            self.only_if(change.bit_31);
         }
-        match self.pdo.kind {
-            PdoKind::Tpdo if id.bit_30() => self.say(1, ("no RTR", "kein RTR")),
-            PdoKind::Tpdo => self.say(1, ("RTR allowed", "RTR erlaubt")),
-            PdoKind::Rpdo => {}
+        if self.pdo.kind == PdoKind::Tpdo {
+            self.say(1, if id.bit_30() { ("no RTR", "kein RTR") } else { ("RTR allowed", "RTR erlaubt") });
+            self.only_if(change.bit_30);
         }
+    }
+
+    /// Marks the last part as changed only where that is true of it.
+    fn only_if(&mut self, is_changed: bool) {
+        let last = self.parts.pop().map(|part| part.only_if(is_changed));
+        self.parts.extend(last);
     }
 
     fn times(&mut self) {
@@ -170,7 +178,7 @@ impl Parts<'_> {
                 false => ("mapping fixed", "Mapping fest"),
             };
             let part = Part::of(self.decoder, index, 0, language.pick(english, german));
-            self.parts.push(Part { is_changed: false, default: None, ..part });
+            self.parts.push(part.only_if(false));
         }
     }
 }
@@ -309,6 +317,28 @@ mod tests {
             sentence::joined(&view.parts),
             "COB-ID 0x285, ungültig, bis Bit 31 gelöscht wird, kein RTR, synchron, mit jedem 3. SYNC, \
              Inhibit-Time 1,5 ms, trägt nichts"
+        );
+    }
+
+    #[test]
+    fn what_is_configured_is_marked() {
+        let mut device =
+            with_communication(device(Some(0), &[]), Value::Unsigned(0x8000_0285), &[(2, 1), (3, 10)]);
+        let mut configure = |sub, value| {
+            let entry = device.objects.get_mut(&0x1800).and_then(|object| object.subs.get_mut(sub));
+            if let Some(entry) = entry {
+                entry.configured_mut().value = Some(Value::Unsigned(value));
+            }
+        };
+        configure(1, 0xC000_0285);
+        configure(3, 50);
+        let view = &views(&device, Some(5), Language::English)[0];
+        let marked: Vec<_> = view.parts.iter().filter(|part| part.is_changed).collect();
+        let texts: Vec<_> =
+            marked.iter().map(|part| (&*part.text, part.default.as_deref().unwrap_or(""))).collect();
+        assert_eq!(
+            texts,
+            [("no RTR", "CAN-ID 0x285, 11 bits, does not exist"), ("inhibit time 5 ms", "1 ms"),]
         );
     }
 

@@ -34,6 +34,11 @@ impl Part {
             default: default.and_then(|default| decoder.of(index, sub, default)),
         }
     }
+
+    /// The same, marked as changed only where that is true of what this part says of its entry.
+    pub(super) fn only_if(self, is_changed: bool) -> Self {
+        if is_changed { self } else { Self { is_changed: false, default: None, ..self } }
+    }
 }
 
 /// Where an entry stands in the page, where it does.
@@ -48,6 +53,36 @@ pub(super) fn anchor(device: &Device, index: u16, sub: u8) -> Option<Anchor> {
 /// Whether an entry is configured to another value than its default.
 pub(super) fn is_changed(decoder: &Decoder<'_>, index: u16, sub: u8) -> bool {
     decoder.device.entry(index, sub).is_some_and(|entry| entry.is_changed(decoder.node_id))
+}
+
+/// What of a COB-ID is configured to another value than its default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Change {
+    pub(super) can_id: bool,
+    pub(super) bit_31: bool,
+    pub(super) bit_30: bool,
+}
+
+impl Change {
+    /// That of the COB-ID in an entry; all of it where there is no default.
+    pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8) -> Self {
+        let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));
+        let Some(entry) = entry else { return Self { can_id: false, bit_31: false, bit_30: false } };
+        let ids = entry.default.as_ref().zip(entry.configured_value());
+        let ids = ids.and_then(|(old, new)| CobId::from_value(old).zip(CobId::from_value(new)));
+        let Some((old, new)) = ids else { return Self { can_id: true, bit_31: true, bit_30: true } };
+        Self {
+            can_id: !is_same(old, new, decoder.node_id),
+            bit_31: old.is_valid() != new.is_valid(),
+            bit_30: old.bit_30() != new.bit_30(),
+        }
+    }
+}
+
+/// Whether two CAN-IDs are one on the node, or, where it is not known, on every node.
+pub(super) fn is_same(one: CobId, other: CobId, node_id: Option<u8>) -> bool {
+    let on = |node| one.can_id(node) == other.can_id(node);
+    one.is_extended() == other.is_extended() && node_id.map_or(on(1) && on(127), on)
 }
 
 /// A COB-ID on its node: `COB-ID 0x185 with node-ID 5`, `COB-ID $NODEID+0x180`.
