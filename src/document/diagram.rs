@@ -69,7 +69,13 @@ impl Grid {
         let number = |x, y, number: u32| Text { x, y, is_place: false, text: number.to_string() };
         let bits = (0..8).map(|bit| number(LEFT + (7 - bit) * WIDTH + WIDTH / 2, TOP - 5, bit));
         let bytes = (0..8).map(|byte| number(LEFT / 2, top(byte) + HEIGHT / 2 + 4, byte));
-        let lines = (1..8).map(|bit| format!("M{} {TOP}V{}", LEFT + bit * WIDTH, top(8)));
+        let bottom = top(8);
+        let line = |bit| match LEFT + bit * WIDTH {
+            // names stand here
+            x if bit == 4 => format!("M{x} {TOP}v3M{x} {bottom}v-3"),
+            x => format!("M{x} {TOP}V{bottom}"),
+        };
+        let lines = (1..8).map(line);
         Self { numbers: bits.chain(bytes).collect(), lines: lines.collect() }
     }
 }
@@ -248,7 +254,7 @@ fn texts_in(field: &Field, room: Room) -> Vec<Text> {
         (lines, _) => {
             let line = lines.map(|(line, _)| line).unwrap_or_else(|| fit(&name, width, NAME_SIZE));
             let y = if place.is_some() { middle - 1 } else { middle + 4 };
-            std::iter::once(text(y, line)).chain(y_of_place(middle + 10)).collect()
+            std::iter::once(text(y, line)).chain(y_of_place(middle + 9)).collect()
         }
     }
 }
