@@ -1,7 +1,7 @@
 //! What fits, on a telephone and on a desk, in light and dark.
 
 use crate::page::{Page, make};
-use crate::support::files;
+use crate::support::{files, fixtures};
 use crate::tab::Tab;
 
 #[test]
@@ -24,6 +24,29 @@ fn no_page_is_wider_than_its_window() {
         assert_eq!(tab.complaints(), [""; 0], "{}", description.display());
         assert_eq!(tab.requests(), [""; 0], "{}", description.display());
     }
+}
+
+#[test]
+fn a_site_leads_to_its_pages() {
+    let Some(tab) = Tab::new() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    make(&fixtures().join("dcf"), &["--lang", "de"], folder.path());
+    tab.open(&folder.path().join("index.html"), "");
+    for width in [1280, 400, 320] {
+        tab.resize(width, 800);
+        tab.settle();
+        assert_fits(&tab, &format!("the index at {width}"));
+    }
+    for scheme in ["light", "dark"] {
+        tab.medium("screen", scheme);
+        assert_contrast(&tab, &format!("the index, {scheme}"));
+    }
+    let pages = tab.texts("[...new Set([...document.links].map(link => link.href))]");
+    assert_eq!(pages.len(), 5, "{pages:?}");
+    tab.click("a[href^=drive]");
+    tab.wait("document.title == 'Servo drive SD400' && document.readyState == 'complete'");
+    assert_eq!(tab.complaints(), [""; 0]);
+    assert_eq!(tab.requests(), [""; 0]);
 }
 
 #[track_caller]

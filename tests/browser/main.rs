@@ -13,6 +13,7 @@ mod large;
 mod layout;
 mod page;
 mod paper;
+mod pictures;
 mod reading;
 #[path = "../support/mod.rs"]
 mod support;

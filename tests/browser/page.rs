@@ -74,7 +74,7 @@ impl Drop for Page {
     }
 }
 
-/// Writes the page of a description.
+/// Writes the page of a description, or the site of a folder of them.
 pub(crate) fn make(description: &Path, options: &[&str], path: &Path) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
     command.args(["docs", "--format", "html"]).args(options).arg("-o").arg(path).arg(description);

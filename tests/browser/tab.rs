@@ -236,16 +236,15 @@ impl Tab {
     /// A PNG of the window, or of the whole page.
     #[track_caller]
     pub(crate) fn screenshot(&self, whole: bool) -> Vec<u8> {
-        self.call("Emulation.setScrollbarsHidden", &json!({ "hidden": true }));
+        self.eval("document.documentElement.style.scrollbarWidth = 'none'");
         self.settle();
         let mut wanted = json!({ "captureBeyondViewport": whole });
         if whole {
-            // else what lies beyond is as wide as if there were a scroll bar
             let size = (self.eval("innerWidth"), self.eval("document.scrollingElement.scrollHeight"));
             wanted["clip"] = json!({ "x": 0, "y": 0, "width": size.0, "height": size.1, "scale": 1 });
         }
         let answer = self.call("Page.captureScreenshot", &wanted);
-        self.call("Emulation.setScrollbarsHidden", &json!({ "hidden": false }));
+        self.eval("document.documentElement.style.scrollbarWidth = ''");
         from_base64(answer["data"].as_str().unwrap())
     }
 
