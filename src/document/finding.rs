@@ -74,7 +74,7 @@ impl Finding {
 /// quoted text has one itself.
 pub(crate) fn quoted(message: &str) -> Vec<(bool, &str)> {
     let parts: Vec<&str> = message.split('`').collect();
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return vec![(false, message)];
     }
     parts.into_iter().enumerate().map(|(number, part)| (number % 2 == 1, part)).collect()
