@@ -12,7 +12,7 @@ use super::entry::EntryView;
 use super::escape;
 use super::object::ObjectView;
 use super::page::Page;
-use crate::model::{Device, Entry, Value};
+use crate::model::{Device, Entry, Object, Value};
 
 /// What a line is about; an object without entries has a line, too.
 struct Row<'a> {
@@ -52,7 +52,7 @@ const COLUMNS: [Column; 32] = [
     ("default_formula", |row| row.formula(|entry| entry.default.as_ref())),
     ("value_formula", |row| row.formula(Entry::configured_value)),
     ("mapped_in", |row| row.of(|view| view.details.carried_by.as_deref().unwrap_or_default())),
-    ("named_values", |row| row.details(|details| named(&details.values))),
+    ("named_values", |row| row.details(|details| named(&details.values, "; "))),
     ("bit_fields", |row| row.details(bit_fields)),
     ("groups", |row| row.groups.into()),
     ("facts", |row| row.details(|details| pairs(&details.facts))),
@@ -114,20 +114,16 @@ fn plain(value: &Value) -> String {
     }
 }
 
-/// `0 = off; 1 = on`.
-fn named(values: &[(i128, &str)]) -> String {
-    values.iter().map(|(number, name)| format!("{number} = {name}")).collect::<Vec<_>>().join("; ")
+/// `0 = off; 1 = on`, with a text between them.
+fn named(values: &[(i128, &str)], between: &str) -> String {
+    values.iter().map(|(number, name)| format!("{number} = {name}")).collect::<Vec<_>>().join(between)
 }
 
 /// `0: ready; 4–7: mode (0 = off, 1 = on)`.
 fn bit_fields(details: &Details<'_>) -> String {
-    let fields = details.parts.iter().map(|part| {
-        let values = if part.values.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", named(&part.values).replace("; ", ", "))
-        };
-        format!("{}: {}{values}", part.range(), part.name)
+    let fields = details.parts.iter().map(|part| match part.values.as_slice() {
+        [] => format!("{}: {}", part.range(), part.name),
+        values => format!("{}: {} ({})", part.range(), part.name, named(values, ", ")),
     });
     fields.collect::<Vec<_>>().join("; ")
 }
@@ -156,7 +152,7 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
             row.groups = of_object;
             line(&mut text, COLUMNS.iter().map(|(_, field)| field(&row)));
         }
-        let entries = device.object(object.index).into_iter().flat_map(|object| object.entries());
+        let entries = device.object(object.index).into_iter().flat_map(Object::entries);
         for (view, (_, entry)) in object.entries.iter().zip(entries) {
             row = Row {
                 view: Some(view),

@@ -85,6 +85,16 @@ pub(crate) struct Network<'a> {
     pub(crate) frames: Vec<Frame<'a>>,
 }
 
+impl Network<'_> {
+    /// The node-IDs that several nodes have, which no bus allows.
+    pub(crate) fn doubled(&self) -> Vec<u8> {
+        let pairs = self.nodes.windows(2).filter(|pair| pair[0].id == pair[1].id);
+        let mut ids: Vec<u8> = pairs.map(|pair| pair[0].id).collect();
+        ids.dedup();
+        ids
+    }
+}
+
 /// A CAN-ID that PDOs are sent or received with.
 #[derive(Debug)]
 pub(crate) struct Frame<'a> {
@@ -216,5 +226,8 @@ mod tests {
         assert!(first.is_too_short(&first.receivers[0]) && !first.is_sent_twice());
         assert!(second.is_sent_twice() && !second.is_too_short(&second.receivers[0]));
         assert_eq!(super::networks(&nodes[..1]).len(), 0);
+        assert_eq!(network.doubled(), [0; 0]);
+        let again = [node(5, &[]), node(5, &[]), node(5, &[]), node(6, &[])];
+        assert_eq!(super::networks(&again)[0].doubled(), [5]);
     }
 }

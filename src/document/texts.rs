@@ -133,6 +133,7 @@ texts! {
     sent_by: "Sent by", "Gesendet von";
     carries: "Carries", "Inhalt";
     received_by: "Received by", "Empfangen von";
+    doubled: "several nodes with the node-ID", "mehrere Knoten mit der Knotennummer";
     sent_twice: "sent by several", "mehrfach gesendet";
     too_short: "waits for more", "erwartet mehr";
 }

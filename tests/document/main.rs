@@ -57,9 +57,21 @@ fn pages_look_like_this() {
         ("xdd/press-402.xdd", german()),
     ] {
         let name = Path::new(path).file_name().unwrap().to_str().unwrap();
+        insta::assert_snapshot!(format!("{name}.html"), without_style(&page(path, Form::Html, &options)));
         insta::assert_snapshot!(format!("{name}.md"), page(path, Form::Markdown, &options));
         insta::assert_snapshot!(format!("{name}.csv"), page(path, Form::Csv, &options).replace('\r', ""));
     }
+}
+
+/// A page without its style and script, which are looked at in a browser.
+fn without_style(page: &str) -> String {
+    let mut rest = page.to_owned();
+    for element in ["style", "script"] {
+        let (start, end) = (format!("<{element}>"), format!("</{element}>"));
+        let (before, after) = rest.split_once(&start).unwrap();
+        rest = format!("{before}{start}{end}{}", after.split_once(&end).unwrap().1);
+    }
+    rest
 }
 
 /// The texts of a device that tries to leave its places: each ends with a number of its own.

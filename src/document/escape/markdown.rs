@@ -57,6 +57,20 @@ pub(super) fn worded(text: &str) -> String {
     written + &beside_code(rest, has_before, false)
 }
 
+/// A sentence that quotes between backticks, as findings do: what is quoted is code. Where one backtick has no other, none quotes.
+pub(super) fn quoting(text: &str) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    if parts.len().is_multiple_of(2) {
+        return escaped(text);
+    }
+    let last = parts.len() - 1;
+    let written = parts.iter().enumerate().map(|(number, part)| match number % 2 {
+        0 => beside_code(part, number > 0, number < last),
+        _ => code(part),
+    });
+    written.collect()
+}
+
 /// A part of a sentence, with blanks as they are where code stands beside them.
 fn beside_code(part: &str, has_before: bool, has_after: bool) -> String {
     let start = if has_before { part.len() - part.trim_start_matches(' ').len() } else { 0 };
@@ -214,6 +228,8 @@ mod tests {
     #[test]
     fn formulas_in_sentences_are_code() {
         assert_eq!(worded("CAN-ID $NODEID+0x80, 11 bits"), "CAN-ID `$NODEID+0x80`, 11 bits");
+        assert_eq!(quoting("`300` does not fit `a|b`!"), "`300` does not fit <code>a&#124;b</code>\\!");
+        assert_eq!(quoting("a ` b"), "a \\` b");
         assert_eq!(worded("a*b $x"), "a\\*b <span>&#36;</span>x");
     }
 
@@ -339,6 +355,8 @@ mod tests {
         fn sentences_come_back(text in hostile(), other in hostile()) {
             let text = format!("{text}$NODEID+0x180{other}");
             stays_text(&text, &worded(&text))?;
+            let text = format!("{} `{}` {}", text.replace('`', ""), other.replace('`', ""), text.replace('`', ""));
+            stays_text(&text.replace('`', ""), &quoting(&text))?;
         }
 
         #[test]

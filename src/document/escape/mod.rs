@@ -36,11 +36,17 @@ pub(crate) mod filters {
         Ok(Safe(super::code(text.as_ref())))
     }
 
-    /// A value in Markdown: formulas as code, which everything else needs only where it is markup.
+    /// A value in Markdown: formulas and texts that are no value as code, anything else as it is.
     #[askama::filter_fn]
     pub(crate) fn shown_value(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         let text = text.as_ref();
-        Ok(Safe(if text.contains('$') { super::code(text) } else { super::markdown::escaped(text) }))
+        Ok(Safe(if text.contains('$') { super::code(text) } else { super::markdown::quoting(text) }))
+    }
+
+    /// What a finding says in Markdown, with what it quotes as code.
+    #[askama::filter_fn]
+    pub(crate) fn quoting(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
+        Ok(Safe(super::markdown::quoting(text.as_ref())))
     }
 
     /// A sentence in Markdown, with the formulas in it as code.
