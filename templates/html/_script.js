@@ -18,10 +18,12 @@
     const cells = row.cells;
     return words(row, row.id, cells[1].firstChild, cells[1].firstElementChild, [cells[2], cells[3], cells[4]].map(cell => cell.textContent));
   };
+  // by the first of its kind: a search through all rows of all objects takes half a second of a large page
   const ofObject = at => {
     const name = at.querySelector("h4").lastChild, remarks = at.querySelector(":scope>.m");
     if (at.tagName !== "DETAILS") return { rows: [], ...words(at, at.id, name, remarks, texts(at.querySelectorAll(":scope>dl>dd")).slice(0, 3)) };
-    return { rows: [...at.querySelectorAll("tbody>tr")].map(ofRow), ...words(at, at.id, name, remarks, texts(at.querySelectorAll("summary>span"))) };
+    const rows = at.querySelector("tbody").rows, kind = at.firstElementChild.querySelectorAll(":scope>span");
+    return { rows: [...rows].map(ofRow), ...words(at, at.id, name, remarks, texts(kind)) };
   };
   // read ahead while nobody waits
   const index = [];
@@ -63,9 +65,9 @@
       count++;
       const kept = new Set(rows);
       for (const row of object.rows) show(row, kept.has(row));
-      // what was found in something closed is to be seen, and closed again when it was not that
+      // what was found in something closed is to be seen, and closed again when it was not that; nobody reads hundreds
       if (isWhole) { if (opened.delete(object)) object.at.open = false; }
-      else if (!object.at.open) { opened.add(object); object.at.open = true; }
+      else if (!object.at.open && opened.size < 100) { opened.add(object); object.at.open = true; }
     }
     for (const area of areas) area.at.hidden = area.objects.every(object => object.hidden);
     hits.textContent = !terms.length ? "" : count ? `${count} / ${objects.length}` : hits.dataset.none;

@@ -1,6 +1,7 @@
 //! The filter box: what it finds, as one types.
 
 use crate::page::Page;
+use crate::support::fixtures;
 use crate::tab::Tab;
 
 /// Types into the filter, which is emptied first.
@@ -103,4 +104,14 @@ fn a_slash_leads_to_the_filter() {
     page.press("/");
     page.write("6/");
     assert_eq!(page.text("filter.value"), "6/");
+}
+
+#[test]
+fn names_of_the_file_are_found_though_others_are_shown() {
+    let german = Page::with(&fixtures().join("xdd/press-402.xdd"), &["--lang", "de"], "");
+    let Some(page) = german else { return };
+    for text in ["steuerwort", "controlword"] {
+        type_into_filter(&page, text);
+        assert_eq!(page.objects(), ["6040"], "{text}");
+    }
 }

@@ -2,7 +2,11 @@
 //!
 //! Without Chromium the tests say so and pass, except when `CI=true`. `OBJDICT_CHROMIUM` names another executable.
 #![cfg(all(unix, feature = "cli"))]
-#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may fail by panicking, and says how long a large page takes"
+)]
 
 mod anchors;
 mod chromium;
