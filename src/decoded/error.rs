@@ -61,16 +61,14 @@ impl Decoder<'_> {
             return self.pick("no error", "kein Fehler").to_owned();
         }
         let known = CODES.into_iter().find(|(mask, of, ..)| code & mask == *of);
-        let name =
-            known.map(|(.., english, german)| self.pick(english, german)).unwrap_or_else(|| {
-                match code >> 8 {
-                    0x80..=0x8F => self.pick("monitoring", "Überwachung"),
-                    0x90..=0x9F => self.pick("external error", "externer Fehler"),
-                    0xF0..=0xFE => self.pick("additional functions", "Zusatzfunktionen"),
-                    0xFF => self.pick("of the device", "gerätespezifisch"),
-                    _ => self.pick("reserved", "reserviert"),
-                }
-            });
+        let name = match (known, code >> 8) {
+            (Some((.., english, german)), _) => self.pick(english, german),
+            (None, 0x80..=0x8F) => self.pick("monitoring", "Überwachung"),
+            (None, 0x90..=0x9F) => self.pick("external error", "externer Fehler"),
+            (None, 0xF0..=0xFE) => self.pick("additional functions", "Zusatzfunktionen"),
+            (None, 0xFF) => self.pick("of the device", "gerätespezifisch"),
+            (None, _) => self.pick("reserved", "reserviert"),
+        };
         let information = self.pick("additional information", "Zusatzinformation");
         format!("0x{code:04X} ({name}), {information} 0x{additional:04X}")
     }

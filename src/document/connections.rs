@@ -172,10 +172,10 @@ impl Table<'_> {
         (index, sub): (u16, u8),
     ) {
         self.put(service, direction, Some(predefined), own, Some((index, sub)));
-        if self.decoder.device.object(index).is_none() {
-            if let Some(line) = self.lines.last_mut() {
-                line.state = State::Absent;
-            }
+        if self.decoder.device.object(index).is_none()
+            && let Some(line) = self.lines.last_mut()
+        {
+            line.state = State::Absent;
         }
     }
 
@@ -205,11 +205,11 @@ impl Table<'_> {
             _ => Direction::Receives,
         };
         self.described("TIME", direction, id_of(predefined::TIME), time.map(flagless), (0x1012, 0));
-        if roles == Some((false, false)) {
-            if let Some(line) = self.lines.last_mut() {
-                line.state = State::Off;
-                line.own.clear();
-            }
+        if roles == Some((false, false))
+            && let Some(line) = self.lines.last_mut()
+        {
+            line.state = State::Off;
+            line.own.clear();
         }
         let emcy = predefined::per_node(predefined::EMCY);
         self.described("EMCY", Direction::Sends, emcy, services.emcy, (0x1014, 0));

@@ -93,15 +93,13 @@ pub(crate) struct Text {
 impl Diagram {
     /// The drawing of a layout; `None` where there is nothing to be drawn.
     pub(crate) fn new(title: &str, layout: &Layout, language: Language) -> Option<Self> {
-        let mut hue = 0;
         let mut shapes = Vec::new();
-        for (field, span) in layout.shown() {
+        for (hue, (field, span)) in layout.shown().enumerate() {
             let class = match field.kind {
                 Kind::Dummy | Kind::Gap => "dummy".to_owned(),
                 Kind::Missing => "missing".to_owned(),
                 Kind::Object => format!("f{}", hue % HUES),
             };
-            hue += 1;
             shapes.push(Shape {
                 path: outline(span),
                 class,
@@ -252,7 +250,7 @@ fn texts_in(field: &Field, room: Room) -> Vec<Text> {
         }
         (Some((line, None)), false) => vec![text(middle + 4, line)],
         (lines, _) => {
-            let line = lines.map(|(line, _)| line).unwrap_or_else(|| fit(&name, width, NAME_SIZE));
+            let line = lines.map_or_else(|| fit(&name, width, NAME_SIZE), |(line, _)| line);
             let y = if place.is_some() { middle - 1 } else { middle + 4 };
             std::iter::once(text(y, line)).chain(y_of_place(middle + 9)).collect()
         }

@@ -3,7 +3,7 @@
 use super::sentence::{self, Change, Part};
 use crate::Language;
 use crate::decoded::{Decoder, time};
-use crate::model::{CobId, Entry, SdoChannel, Services};
+use crate::model::{CobId, Entry, Object, SdoChannel, Services};
 
 /// A service as a page tells it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -146,7 +146,7 @@ impl Speaker<'_> {
             }
             None => {}
         }
-        let history = self.decoder.device.object(0x1003).and_then(|object| object.highest_sub());
+        let history = self.decoder.device.object(0x1003).and_then(Object::highest_sub);
         if let Some(errors @ 1..) = history {
             let text = match (errors, self.decoder.language) {
                 (1, Language::English) => "keeps the last error".to_owned(),
@@ -302,7 +302,7 @@ pub(super) fn emcy_consumers(decoder: &Decoder<'_>) -> Vec<(u8, CobId)> {
 mod tests {
     use super::*;
     use crate::document::layout::tests::record;
-    use crate::model::{Device, DeviceInfo, Object, Value};
+    use crate::model::{Device, DeviceInfo, Value};
 
     fn said(device: &Device, node_id: Option<u8>, language: Language) -> Vec<String> {
         let decoder = Decoder { device, node_id, language };
