@@ -14,6 +14,7 @@ use crate::document::Form;
 /// Several descriptions make one site with an index page. What `check` finds stands in the page and changes no exit code, but with
 /// --deny.
 #[derive(Debug, Parser)]
+#[command(mut_arg("deny", |deny| deny.help("The mildest severity that makes the exit code 1: note, warning or error; without it, none does")))]
 pub(in crate::cli) struct DocsArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     #[arg(required = true, value_name = "PATH")]

@@ -12,6 +12,10 @@ pub(crate) struct Html;
 
 impl Escaper for Html {
     fn write_escaped_str<W: fmt::Write>(&self, mut dest: W, text: &str) -> fmt::Result {
+        // most texts are names and numbers, and a page of a large device has a hundred thousand of them
+        if text.bytes().all(is_plain) {
+            return dest.write_str(text);
+        }
         let mut written = 0;
         let mut characters = text.char_indices().peekable();
         while let Some((at, character)) = characters.next() {
@@ -35,6 +39,11 @@ impl Escaper for Html {
         }
         dest.write_str(&text[written..])
     }
+}
+
+/// Whether a character stands for itself.
+const fn is_plain(byte: u8) -> bool {
+    matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'')
 }
 
 /// A text as HTML without line ends.
