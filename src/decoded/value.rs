@@ -2,22 +2,24 @@
 
 use crate::model::{DataType, Entry, Field, Value};
 
-/// The reader of an entry: where it stands, and for which node formulas are worked out.
-#[derive(Clone, Copy)]
-pub(crate) struct Reader {
-    pub(crate) index: u16,
-    pub(crate) node_id: Option<u8>,
+/// Writes the values of an entry: where it stands, and for which node formulas are worked out.
+#[derive(Clone, Copy, Debug)]
+pub struct Reader {
+    /// The index of its object.
+    pub index: u16,
+    /// The node, 1 to 127; without it formulas stay formulas.
+    pub node_id: Option<u8>,
 }
 
 impl Reader {
     /// A value in a table: on the node, where there is one.
-    pub(crate) fn short(self, value: Option<&Value>, data_type: Option<DataType>) -> String {
+    pub fn short(self, value: Option<&Value>, data_type: Option<DataType>) -> String {
         let Some(value) = value else { return String::new() };
         self.text(&self.resolve(value, data_type), data_type)
     }
 
     /// A field's value in a table; a text that is no value of it in backticks.
-    pub(crate) fn field(self, entry: &Entry, field: &Field, value: Option<&Value>) -> String {
+    pub fn field(self, entry: &Entry, field: &Field, value: Option<&Value>) -> String {
         match (value, entry.misfits.iter().find(|misfit| misfit.field == *field)) {
             (None, Some(misfit)) => format!("`{}`?", misfit.text),
             _ => self.short(value, entry.data_type),
@@ -25,14 +27,14 @@ impl Reader {
     }
 
     /// The value on the node; a formula that does not fit there, or without a node, stays one.
-    pub(crate) fn resolve(self, value: &Value, data_type: Option<DataType>) -> Value {
+    pub fn resolve(self, value: &Value, data_type: Option<DataType>) -> Value {
         let resolved =
             self.node_id.zip(data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
         resolved.unwrap_or_else(|| value.clone())
     }
 
     /// A value in full: a formula and what it comes to, numbers in decimal and hex.
-    pub(crate) fn long(self, value: &Value, data_type: Option<DataType>) -> String {
+    pub fn long(self, value: &Value, data_type: Option<DataType>) -> String {
         let resolved = self.resolve(value, data_type);
         match (value, self.node_id) {
             (Value::NodeId(_), Some(node)) if resolved != *value => {
@@ -44,7 +46,7 @@ impl Reader {
     }
 
     /// The bytes of an SDO transfer, in hex with a text between them.
-    pub(crate) fn bytes(self, value: &Value, data_type: Option<DataType>, between: &str) -> Option<String> {
+    pub fn bytes(self, value: &Value, data_type: Option<DataType>, between: &str) -> Option<String> {
         let bytes = self.resolve(value, data_type).to_bytes(data_type?)?;
         let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
         Some(digits.join(between))
@@ -60,6 +62,9 @@ impl Reader {
                 format!("0x{number:X}")
             }
             Value::Text(text) if text.is_empty() => "\"\"".to_owned(),
+            // the numbers that most values are, without the detour over formatting
+            Value::Unsigned(number) => number.to_string(),
+            Value::Signed(number) => number.to_string(),
             _ => value.to_string(),
         }
     }

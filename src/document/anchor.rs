@@ -32,10 +32,36 @@ impl Anchor {
 
 impl fmt::Display for Anchor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:04X}", self.index)?;
-        match self.sub {
-            Some(sub) => write!(f, "sub{sub:X}"),
-            None => Ok(()),
+        // digit by digit: a page of a large device has tens of thousands of them
+        for shift in [12, 8, 4, 0] {
+            f.write_str(digit(self.index >> shift))?;
         }
+        let Some(sub) = self.sub else { return Ok(()) };
+        f.write_str("sub")?;
+        if sub > 0xF {
+            f.write_str(digit((sub >> 4).into()))?;
+        }
+        f.write_str(digit(sub.into()))
+    }
+}
+
+/// The last hex digit of a number.
+fn digit(number: u16) -> &'static str {
+    const DIGITS: &str = "0123456789ABCDEF";
+    let at = usize::from(number & 0xF);
+    &DIGITS[at..=at]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn anchors_are_called_as_sections_are() {
+        let shown = |anchor: Anchor| anchor.to_string();
+        assert_eq!(shown(Anchor::object(0x60AF)), "60AF");
+        assert_eq!(shown(Anchor::entry(0x0005, 0)), "0005sub0");
+        assert_eq!(shown(Anchor::entry(0x6000, 0xF)), "6000subF");
+        assert_eq!(shown(Anchor::entry(0x6000, 0xFE)), "6000subFE");
     }
 }

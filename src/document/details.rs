@@ -13,7 +13,7 @@ const VALUES: [Field; 4] = [Field::DefaultValue, Field::ParameterValue, Field::L
 #[derive(Debug, Default)]
 pub(crate) struct Details<'a> {
     /// The text of the description; it may have several lines.
-    pub(crate) description: Option<Cow<'a, str>>,
+    pub(crate) description: Option<String>,
     /// Unit of the engineering value, with its scaling.
     pub(crate) unit: Option<String>,
     /// The name in the application.
@@ -67,7 +67,7 @@ impl Details<'_> {
 }
 
 /// What is said of an entry beside its name, type, access and values.
-pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Cow<'a, Entry>) -> Details<'a> {
+pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Entry) -> Details<'a> {
     let mut details = Details { carried_by: context.carriers(index, sub), ..Details::default() };
     match context.meanings.as_ref().and_then(|meanings| meanings.of(index, sub)) {
         None => {}
@@ -96,9 +96,9 @@ pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Cow<'a,
 }
 
 /// What the description says of this entry alone.
-fn of_own<'a>(context: &Context<'a>, entry: &Cow<'a, Entry>, details: &mut Details<'a>) {
+fn of_own(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
     if let Some(parameter) = &entry.parameter {
-        of_parameter(context, entry, parameter, details);
+        of_parameter(context, parameter, details);
     }
     of_configuration(context, entry, details);
     of_flags(context, entry, details);
@@ -115,7 +115,7 @@ fn of_own<'a>(context: &Context<'a>, entry: &Cow<'a, Entry>, details: &mut Detai
 pub(super) fn of_object<'a>(context: &Context<'a>, main: &'a Entry) -> Details<'a> {
     let mut details = Details::default();
     if !is_plain(main) {
-        of_own(context, &Cow::Borrowed(main), &mut details);
+        of_own(context, main, &mut details);
     }
     details
 }
@@ -131,20 +131,9 @@ fn is_plain(entry: &Entry) -> bool {
         && entry.misfits.is_empty()
 }
 
-fn of_parameter<'a>(
-    context: &Context<'a>,
-    entry: &Cow<'a, Entry>,
-    parameter: &Parameter,
-    details: &mut Details<'a>,
-) {
-    let text = match entry {
-        Cow::Borrowed(entry) => {
-            let parameter = entry.parameter.as_ref();
-            parameter.and_then(|of| of.labels.description_in(context.tag)).map(Cow::Borrowed)
-        }
-        Cow::Owned(_) => parameter.labels.description_in(context.tag).map(|text| Cow::Owned(text.to_owned())),
-    };
-    details.description = text.filter(|text| !text.trim().is_empty());
+fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Details<'_>) {
+    let text = parameter.labels.description_in(context.tag).filter(|text| !text.trim().is_empty());
+    details.description = text.map(str::to_owned);
     details.unit = scaled_unit(context, parameter);
     details.denotation =
         parameter.denotation.name_in(context.tag).filter(|text| !text.is_empty()).map(str::to_owned);

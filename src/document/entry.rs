@@ -6,7 +6,7 @@ use super::anchor::Anchor;
 use super::details::{self, Details};
 use super::page::Context;
 use crate::decoded::Reader;
-use crate::model::{Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
+use crate::model::{DataType, Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
 
 /// What a page says of a sub-index.
 #[derive(Debug)]
@@ -56,7 +56,7 @@ impl<'a> EntryView<'a> {
             name: Cow::Borrowed(""),
             own_name: None,
             data_type: data_type(&entry),
-            bits: entry.data_type.and_then(|data_type| data_type.bit_length()),
+            bits: entry.data_type.and_then(DataType::bit_length),
             access: entry.access.map_or("", |access| access.name()),
             pdo: directions(&entry),
             default: field(Field::DefaultValue, entry.default.as_ref()),

@@ -82,7 +82,7 @@ mod tests {
         while let Some(character) = characters.next() {
             match character {
                 '"' if quoted && characters.peek() == Some(&'"') => {
-                    fields.last_mut().unwrap().extend(characters.next())
+                    fields.last_mut().unwrap().extend(characters.next());
                 }
                 '"' => quoted = !quoted,
                 ',' if !quoted => fields.push(String::new()),

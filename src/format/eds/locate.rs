@@ -7,7 +7,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::order::Rank;
 use super::section::SectionName;
-use crate::format::ini::{Document, LineKind, Lines, Section};
+use crate::format::ini::{Document, LineKind, Lines, Section, headers};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 
@@ -30,15 +30,15 @@ type Keys = Vec<(u32, u32)>;
 impl Locator {
     pub(crate) fn new(document: &Document) -> Self {
         let state = RandomState::new();
-        let mut headers = Vec::new();
-        for line in document.lines() {
+        let mut found = Vec::new();
+        for line in headers(document.text()) {
             if let LineKind::Section { name } = line.kind {
                 let part = SectionName::parse(name.of(document.text())).part;
-                headers.push((hash(&state, &part), line.span.start));
+                found.push((hash(&state, &part), line.span.start));
             }
         }
-        headers.sort_unstable();
-        Self { state, headers, keys: Mutex::default(), outline: OnceLock::new() }
+        found.sort_unstable();
+        Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
     /// The span of a place: the value of its key where that is not empty, else the key; the name of its section where
@@ -70,13 +70,13 @@ impl Locator {
     pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
         let text = document.text();
         self.outline.get_or_init(|| {
-            let headers = document.lines().filter_map(|line| match line.kind {
+            let ranked = headers(text).filter_map(|line| match line.kind {
                 LineKind::Section { name } => {
                     Some((Rank::of(&SectionName::parse(name.of(text)).part), line.span.start))
                 }
                 _ => None,
             });
-            headers.collect()
+            ranked.collect()
         })
     }
 

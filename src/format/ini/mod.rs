@@ -8,5 +8,6 @@ mod tidy;
 
 pub use document::{Document, Entry, Header, Section};
 pub use edit::Editor;
+pub(crate) use scan::headers;
 pub use scan::{Line, LineKind, Lines};
 pub(crate) use tidy::tidy;

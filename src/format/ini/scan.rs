@@ -55,6 +55,17 @@ impl<'a> Lines<'a> {
     }
 }
 
+/// The section headers of a text: the lines that [`Lines`] calls so, without a look at the others.
+pub(crate) fn headers(text: &str) -> impl Iterator<Item = Line> {
+    let bytes = text.as_bytes();
+    memchr::memchr_iter(b'[', bytes).filter_map(move |bracket| {
+        let blanks = bytes[..bracket].iter().rev().take_while(|byte| is_blank(**byte)).count();
+        let start = bracket - blanks;
+        let is_first = bytes[..start].last().is_none_or(|before| matches!(before, b'\n' | b'\r'));
+        is_first.then(|| Lines { bytes, at: start }.next()).flatten()
+    })
+}
+
 impl Iterator for Lines<'_> {
     type Item = Line;
 
@@ -148,6 +159,15 @@ mod tests {
         let expected =
             ["[A]", "k=v", "Blank", "Comment", "Comment", "[B]", "Junk", "Junk", "[1018sub1]", "a=b=c"];
         assert_eq!(kinds(text), expected);
+    }
+
+    #[test]
+    fn headers_are_the_lines_that_are_sections() {
+        for text in ["", "[", "[a]", "\t[a] [b]\n;[c]\n [[d]]\r[e\r\n\n\0[f]=1\nk=[g]\n\u{1A} [h]"] {
+            let is_section = |line: &Line| matches!(line.kind, LineKind::Section { .. });
+            let sections: Vec<Line> = Lines::new(text).filter(is_section).collect();
+            assert_eq!(headers(text).collect::<Vec<_>>(), sections, "{text:?}");
+        }
     }
 
     #[test]
