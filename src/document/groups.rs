@@ -27,7 +27,7 @@ pub(crate) struct Group<'a> {
 pub(crate) struct Member {
     /// Where it is in the page; `None` for a parameter that belongs to no entry.
     pub(crate) anchor: Option<Anchor>,
-    /// Its name, or the id of a parameter that belongs to no entry.
+    /// Its name, or the id of a parameter without one that belongs to no entry.
     pub(crate) name: String,
 }
 
@@ -64,8 +64,13 @@ fn add<'a>(
     }
 }
 
-/// Where the parameters of a device belong, by their ids.
-struct Members<'a>(HashMap<&'a str, (u16, Option<u8>)>);
+/// The parameters of a device by their ids.
+struct Members<'a> {
+    /// Where those of entries belong.
+    places: HashMap<&'a str, (u16, Option<u8>)>,
+    /// Those that belong to no entry, or to several.
+    free: HashMap<&'a str, &'a Parameter>,
+}
 
 impl<'a> Members<'a> {
     /// Of two equal ids the first counts.
@@ -79,11 +84,15 @@ impl<'a> Members<'a> {
                 }
             }
         }
-        Self(places)
+        let mut free = HashMap::new();
+        for parameter in device.application.iter().flat_map(|process| &process.parameters) {
+            free.entry(&*parameter.unique_id).or_insert(parameter);
+        }
+        Self { places, free }
     }
 
     fn member(&self, context: &Context<'a>, id: &str) -> Member {
-        let place = self.0.get(id).copied().or_else(|| implied(id));
+        let place = self.places.get(id).copied().or_else(|| implied(id));
         let found = place.and_then(|(index, sub)| {
             let object = context.device.object(index)?;
             let main = || Some(&object.main).filter(|_| sub.is_none());
@@ -91,7 +100,10 @@ impl<'a> Members<'a> {
         });
         match found {
             Some((anchor, entry)) => Member { anchor: Some(anchor), name: context.name(entry).to_owned() },
-            None => Member { anchor: None, name: id.to_owned() },
+            None => {
+                let label = self.free.get(id).and_then(|parameter| parameter.labels.name_in(context.tag));
+                Member { anchor: None, name: label.map_or(id, str::trim).to_owned() }
+            }
         }
     }
 }
