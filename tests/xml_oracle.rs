@@ -37,7 +37,8 @@ fn theirs(text: &str) -> Result<roxmltree::Document<'_>, roxmltree::Error> {
 /// Names, namespaces, attributes and texts, a line each.
 fn our_outline(tree: &Tree) -> String {
     fn show(element: Element<'_>, outline: &mut String) {
-        let text = element.text();
+        // of the other side, see below, nobody knows which CR a reference named
+        let text = element.text().replace('\r', "\n");
         writeln!(outline, "{:?} {} {text:?} {:?}", element.namespace(), element.name(), element.span())
             .unwrap();
         for attribute in element.attributes() {
