@@ -1,6 +1,6 @@
 //! Documentation made of a description: pages that people read, tables that programs read.
 //!
-//! A [`Page`] is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
+//! A page is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
 //! knows a file: what `check` found and what the file is called are given with the device ([`Subject`]).
 
 mod anchor;
