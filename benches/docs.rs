@@ -9,6 +9,7 @@ use divan::Bencher;
 use divan::counter::BytesCount;
 use objdict::document::{self, Finding, Form, Options, Subject};
 use objdict::format::{self, Description, Format};
+use objdict::report::Location;
 use objdict::source::SourceFile;
 
 fn main() {
@@ -20,7 +21,8 @@ const MEGABYTES: [usize; 3] = [1, 2, 4];
 fn read(text: &str) -> (Description, Vec<Finding>) {
     let description = format::read(SourceFile::from_text("bench.eds", text), Format::Eds);
     let findings = objdict::check(&description);
-    let findings = findings.iter().map(|finding| Finding::located(finding, (&description).into())).collect();
+    let line = |finding| Location::line_of((&description).into(), finding);
+    let findings = findings.iter().map(|finding| Finding::new(finding, line(finding))).collect();
     (description, findings)
 }
 

@@ -184,6 +184,7 @@
 //! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they stand in [`registry`].
 //! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
+//! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).
 
 pub mod baseline;
 pub mod build_script;

@@ -15,6 +15,7 @@ use crate::document::{self, Finding, Form, Options, Site, Subject};
 use crate::format::Description;
 use crate::lint;
 use crate::model::Device;
+use crate::report::Location;
 
 /// A device with all that its page needs.
 struct Documented {
@@ -98,7 +99,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
     let described = |file: String, description: &Description| {
         let findings = crate::check_with(description, &options);
         let subject = description.into();
-        let findings = told(&findings, |finding| Finding::located(finding, subject));
+        let findings = told(&findings, |finding| Location::line_of(subject, finding));
         let device = args.expand.device(description.device()).into_owned();
         Documented { file, format: description.format().name(), device, findings }
     };
@@ -118,12 +119,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
         Input::Device(device) => {
             let findings = options.severities.apply(lint::check(&device, &options));
             let device = args.expand.device(&device).into_owned();
-            Ok(vec![Documented {
-                file: name,
-                format: "JSON",
-                device,
-                findings: told(&findings, Finding::new),
-            }])
+            Ok(vec![Documented { file: name, format: "JSON", device, findings: told(&findings, |_| None) }])
         }
         Input::NodeList(_) | Input::Concise(_) => {
             let message =
@@ -133,8 +129,9 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
     }
 }
 
-fn told(findings: &Findings, tell: impl Fn(&Diagnostic) -> Finding) -> Vec<Finding> {
-    findings.iter().map(tell).collect()
+/// What pages tell of findings, `line` being that of one.
+fn told(findings: &Findings, line: impl Fn(&Diagnostic) -> Option<u32>) -> Vec<Finding> {
+    findings.iter().map(|finding| Finding::new(finding, line(finding))).collect()
 }
 
 fn file_name(path: &Path) -> String {

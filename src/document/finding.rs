@@ -4,7 +4,6 @@ use super::anchor::Anchor;
 use super::texts::Texts;
 use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::model::{Part, Place};
-use crate::report::{Location, Subject};
 
 /// A finding, told for readers who may not have the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,8 +23,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding about a model alone.
-    pub fn new(finding: &Diagnostic) -> Self {
+    /// What a page tells of a finding. The line is that of the file, see [`Location::line_of`](crate::report::Location::line_of);
+    /// `None` where there is no text.
+    pub fn new(finding: &Diagnostic, line: Option<u32>) -> Self {
         let place = finding.labels.iter().find_map(|label| match &label.at {
             At::Place(place) => Some(place.clone()),
             At::Span(_) => None,
@@ -33,18 +33,11 @@ impl Finding {
         Self {
             severity: finding.severity,
             rule: finding.rule.id,
-            message: finding.message.to_string(),
+            message: finding.message.clone(),
             help: finding.help.as_ref().map(ToString::to_string),
             place,
-            line: None,
+            line,
         }
-    }
-
-    /// A finding about a text.
-    pub fn located(finding: &Diagnostic, subject: Subject<'_>) -> Self {
-        let is_placed = !finding.labels.is_empty();
-        let line = is_placed.then(|| Location::start_of(subject, finding).line);
-        Self { line, ..Self::new(finding) }
     }
 
     /// The word for its severity.

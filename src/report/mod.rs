@@ -115,6 +115,11 @@ impl<'a> Location<'a> {
         subject.source().line_column(start)
     }
 
+    /// The line of a finding, counted from 1; `None` for one that points nowhere.
+    pub fn line_of(subject: Subject<'_>, finding: &Diagnostic) -> Option<u32> {
+        (!finding.labels.is_empty()).then(|| Self::start_of(subject, finding).line)
+    }
+
     /// The locations of a finding: where it is, then the related ones.
     pub fn all(subject: Subject<'_>, finding: &'a Diagnostic) -> Vec<Self> {
         finding.labels.iter().map(|label| Self::new(subject, label)).collect()

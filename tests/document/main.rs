@@ -13,6 +13,7 @@ use std::process::{Command, Stdio};
 use objdict::document::{self, Finding, Form, Options, Site, Subject};
 use objdict::format::Description;
 use objdict::model::Device;
+use objdict::report::Location;
 
 fn open(path: &str) -> Description {
     objdict::format::open(
@@ -34,7 +35,7 @@ fn page(path: &str, form: Form, options: &Options) -> String {
     let description = open(path);
     let findings: Vec<Finding> = objdict::check_with(&description, &Default::default())
         .iter()
-        .map(|finding| Finding::located(finding, (&description).into()))
+        .map(|finding| Finding::new(finding, Location::line_of((&description).into(), finding)))
         .collect();
     let subject = Subject {
         device: description.device(),
