@@ -46,6 +46,11 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         failure.print();
         outcome = Outcome::Failed;
     }
+    for project in settings.projects().filter(|project| !project.is_usable()) {
+        let message = format_args!("`{}` cannot be used", project.config.source().name());
+        Failure::new(message).help("`objdict check` says why").print();
+        outcome = Outcome::Failed;
+    }
     let mut devices = Vec::new();
     for file in &files {
         match read(args, &settings, file) {

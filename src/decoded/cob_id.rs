@@ -11,9 +11,13 @@ pub(crate) fn can_id(id: CobId, node_id: Option<u8>) -> String {
     };
     match formula {
         Some(formula) => formula.to_string(),
-        None if id.is_extended() => format!("0x{:08X}", id.can_id(node_id.unwrap_or_default())),
-        None => format!("0x{:03X}", id.can_id(node_id.unwrap_or_default())),
+        None => spelled(id.can_id(node_id.unwrap_or_default()), id.is_extended()),
     }
+}
+
+/// A CAN-ID with as many digits as its frame has bits for.
+pub(crate) fn spelled(can_id: u32, is_extended: bool) -> String {
+    if is_extended { format!("0x{can_id:08X}") } else { format!("0x{can_id:03X}") }
 }
 
 impl Decoder<'_> {

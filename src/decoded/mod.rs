@@ -8,7 +8,7 @@ pub(crate) mod time;
 mod value;
 
 #[cfg(feature = "document")]
-pub(crate) use self::cob_id::can_id;
+pub(crate) use self::cob_id::{can_id, spelled};
 pub use self::value::Reader;
 use crate::Language;
 use crate::model::{Device, Value};

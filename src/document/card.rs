@@ -2,7 +2,8 @@
 
 use super::Subject;
 use super::page::Context;
-use crate::model::{ClockTime, Date, Device, DeviceInfo, Extra, FileInfo, Part};
+use crate::Language;
+use crate::model::{ClockTime, Date, Device, DeviceInfo, Extra, FileInfo, Part, PdoKind};
 
 /// The facts about a device and its file.
 #[derive(Debug)]
@@ -153,19 +154,16 @@ fn features(info: &DeviceInfo, device: &Device, context: &Context<'_>) -> Vec<St
         (info.sdo_requesting, "SDO requesting device", "fordert SDOs an"),
         (info.configuration_manager, "configuration manager", "Konfigurationsmanager"),
     ];
-    let count = |stated: Option<u16>, kind| {
-        let described = device.pdos().filter(|pdo| pdo.kind == kind).count();
-        stated.map_or(described, usize::from)
-    };
+    let count = |stated: Option<u16>, kind| stated.map_or_else(|| device.pdo_count(kind), usize::from);
     let mut features = vec![
-        format!("{} RPDO", count(info.rpdo_count, crate::model::PdoKind::Rpdo)),
-        format!("{} TPDO", count(info.tpdo_count, crate::model::PdoKind::Tpdo)),
+        format!("{} RPDO", count(info.rpdo_count, PdoKind::Rpdo)),
+        format!("{} TPDO", count(info.tpdo_count, PdoKind::Tpdo)),
     ];
     match info.granularity {
         Some(0) => features.push(language.pick("fixed PDO mapping", "festes PDO-Mapping").to_owned()),
         Some(bits) => features.push(match language {
-            crate::Language::English => format!("PDO mapping in steps of {bits} bits"),
-            crate::Language::German => format!("PDO-Mapping in Schritten von {bits} Bit"),
+            Language::English => format!("PDO mapping in steps of {bits} bits"),
+            Language::German => format!("PDO-Mapping in Schritten von {bits} Bit"),
         }),
         None => {}
     }

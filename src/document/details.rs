@@ -1,7 +1,6 @@
 //! What only some entries have: units, names of values, parts of a word, denotations, keys of a vendor.
 
-use std::borrow::Cow;
-
+use super::anchor::Anchor;
 use super::page::Context;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Unit};
@@ -25,7 +24,7 @@ pub(crate) struct Details<'a> {
     /// Parts of a word.
     pub(crate) parts: Vec<Part<'a>>,
     /// Anything else, by what it is called.
-    pub(crate) facts: Vec<(Cow<'static, str>, String)>,
+    pub(crate) facts: Vec<(&'static str, String)>,
     /// Keys of the vendor or of a tool, as they stand in the file.
     pub(crate) keys: Vec<(String, String)>,
 }
@@ -138,7 +137,7 @@ fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Deta
     details.denotation =
         parameter.denotation.name_in(context.tag).filter(|text| !text.is_empty()).map(str::to_owned);
     let language = context.language;
-    let mut fact = |name: &'static str, text: String| details.facts.push((name.into(), text));
+    let mut fact = |name: &'static str, text: String| details.facts.push((name, text));
     if let Some(value) = &parameter.substitute_value {
         fact(language.pick("substitute value", "Ersatzwert"), value.value.to_string());
     }
@@ -201,14 +200,14 @@ fn of_configuration(context: &Context<'_>, entry: &Entry, details: &mut Details<
     ];
     for (name, text) in texts {
         if let Some(text) = text.as_deref().filter(|text| !text.is_empty()) {
-            details.facts.push((name.into(), text.to_owned()));
+            details.facts.push((name, text.to_owned()));
         }
     }
 }
 
 fn of_flags(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
     let language = context.language;
-    let mut fact = |name: &'static str, text: String| details.facts.push((name.into(), text));
+    let mut fact = |name: &'static str, text: String| details.facts.push((name, text));
     let tool = language.pick("configuration tool", "Konfigurationswerkzeug");
     if entry.flags().refuses_write() {
         fact(tool, language.pick("does not write it", "schreibt ihn nicht").to_owned());
@@ -221,7 +220,8 @@ fn of_flags(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
         fact("SRDO", language.pick("may be mapped", "abbildbar").to_owned());
     }
     if let Some(inverted) = safety.inverted_srad.filter(|&place| place != 0) {
-        let place = format!("{:04X}h:{:02X}", inverted >> 16, inverted & 0xFF);
+        let [sub, _, low, high] = inverted.to_le_bytes();
+        let place = Anchor::entry(u16::from_le_bytes([low, high]), sub).spoken();
         fact(language.pick("inverted value", "invertierter Wert"), place);
     }
 }

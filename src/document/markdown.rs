@@ -74,7 +74,7 @@ impl<'a> PageTemplate<'a> {
         lines.extend(details.unit.as_deref().map(|unit| Line::new(texts.unit, unit)));
         lines.extend(details.denotation.as_deref().map(|text| Line::new(texts.denotation, text)));
         lines.extend(details.carried_by.as_deref().map(|pdos| Line::new(texts.mapped, pdos)));
-        lines.extend(details.facts.iter().map(|(name, text)| Line::new(name.as_ref(), text)));
+        lines.extend(details.facts.iter().map(|(name, text)| Line::new(*name, text)));
         lines.extend(details.keys.iter().map(|(name, text)| Line::key(name, text)));
         if !details.values.is_empty() {
             lines.push(Line { values: numbers(&details.values), ..Line::new("", "") });

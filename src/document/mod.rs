@@ -28,7 +28,7 @@ mod text_width;
 mod texts;
 
 pub use self::finding::Finding;
-use self::page::Page;
+use self::page::{Context, Page};
 pub use self::site::{Site, SiteFile};
 use crate::Language;
 use crate::model::Device;
@@ -114,7 +114,8 @@ impl Options {
 /// # Ok::<(), objdict::format::ReadError>(())
 /// ```
 pub fn write(subject: &Subject<'_>, form: Form, options: &Options) -> String {
-    write_page(&Page::new(subject, options), subject.device, form)
+    let context = Context::new(subject.device, options);
+    write_page(&Page::new(subject, options, &context), subject.device, form)
 }
 
 fn write_page(page: &Page<'_>, device: &Device, form: Form) -> String {

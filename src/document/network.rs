@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::page::Context;
+use crate::decoded::spelled;
 use crate::model::{Commissioning, MappedObject, Pdo, PdoKind};
 
 /// A configured node, as others see it.
@@ -130,10 +131,8 @@ impl<'a> Port<'a> {
 impl Frame<'_> {
     /// `0x185`; of an extended frame with eight digits.
     pub(crate) fn shown_can_id(&self) -> String {
-        match self.can_id {
-            (false, id) => format!("0x{id:03X}"),
-            (true, id) => format!("0x{id:08X}"),
-        }
+        let (is_extended, can_id) = self.can_id;
+        spelled(can_id, is_extended)
     }
 
     /// The PDOs whose contents are told: those that are sent, else those that somebody waits for.

@@ -32,10 +32,9 @@ pub(crate) struct Page<'a> {
 }
 
 impl<'a> Page<'a> {
-    pub(crate) fn new(subject: &Subject<'a>, options: &'a Options) -> Self {
-        let context = Context::new(subject.device, options);
-        let areas = object::areas(&context);
-        let card = Card::new(subject, &context);
+    pub(crate) fn new(subject: &Subject<'a>, options: &'a Options, context: &Context<'a>) -> Self {
+        let areas = object::areas(context);
+        let card = Card::new(subject, context);
         let is_configured = areas
             .iter()
             .flat_map(|area| &area.objects)
@@ -54,7 +53,7 @@ impl<'a> Page<'a> {
             card,
             findings,
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
-            groups: groups::groups(&context),
+            groups: groups::groups(context),
             areas,
             is_configured,
         }
@@ -150,10 +149,11 @@ impl<'a> Context<'a> {
 fn carriers(device: &Device) -> BTreeMap<(u16, u8), String> {
     let mut carriers: BTreeMap<(u16, u8), String> = BTreeMap::new();
     for pdo in device.pdos() {
+        let name = pdo.to_string();
         for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
             let names = carriers.entry((mapped.index, mapped.sub)).or_default();
-            let name = pdo.to_string();
-            if !names.split(", ").any(|known| known == name) {
+            // one that carries it twice is told once, and it would be the last
+            if names.rsplit(", ").next() != Some(&name) {
                 if !names.is_empty() {
                     names.push_str(", ");
                 }

@@ -31,7 +31,7 @@ pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -
     let clients = facts.sdo_clients.iter().map(|channel| speaker.sdo("SDO-Client", "SDO client", channel));
     all.extend(servers.chain(clients));
     all.extend((1..=64).map(|number| speaker.srdo(number)));
-    all.push(speaker.service(speaker.pick("On errors", "Bei Fehlern"), speaker.error_behavior()));
+    all.push(speaker.service(speaker.pick("On errors", "Bei Fehlern"), speaker.each(0x1029)));
     all.push(speaker.service(speaker.pick("Storing", "Speichern"), speaker.each(0x1010)));
     all.push(speaker.service(speaker.pick("Restoring", "Wiederherstellen"), speaker.each(0x1011)));
     all.push(speaker.service("LSS", speaker.lss()));
@@ -77,13 +77,17 @@ impl Speaker<'_> {
 
     fn nmt(&self) -> Vec<Part> {
         let Some(info) = &self.decoder.device.device_info else { return Vec::new() };
-        let roles = [
+        self.roles(&[
             (info.simple_boot_up_slave, "boots up as a slave", "startet als Slave"),
             (info.simple_boot_up_master, "can be the master", "kann Master sein"),
             (info.self_starting, "goes to operational by itself", "geht selbst in operational"),
             (info.flying_master, "flying master", "Flying-Master"),
-        ];
-        let roles = roles.into_iter().filter(|(is_so, ..)| *is_so == Some(true));
+        ])
+    }
+
+    /// What a device is said to be.
+    fn roles(&self, roles: &[(Option<bool>, &'static str, &'static str)]) -> Vec<Part> {
+        let roles = roles.iter().filter(|(is_so, ..)| *is_so == Some(true));
         roles.map(|(_, english, german)| Part::plain(self.pick(english, german))).collect()
     }
 
@@ -259,10 +263,6 @@ impl Speaker<'_> {
         self.service(&format!("SRDO {number}"), values.collect())
     }
 
-    fn error_behavior(&self) -> Vec<Part> {
-        self.each(0x1029)
-    }
-
     /// What each sub-index of an object says, with its name; its name alone where it has no value.
     fn each(&self, index: u16) -> Vec<Part> {
         let Some(object) = self.decoder.device.object(index) else { return Vec::new() };
@@ -277,16 +277,14 @@ impl Speaker<'_> {
 
     fn lss(&self) -> Vec<Part> {
         let Some(info) = &self.decoder.device.device_info else { return Vec::new() };
-        let roles = [
+        self.roles(&[
             (
                 info.lss_supported,
                 "node-ID and bit rate can be set by LSS",
                 "Knotennummer und Bitrate über LSS einstellbar",
             ),
             (info.lss_master, "can be the LSS master", "kann LSS-Master sein"),
-        ];
-        let roles = roles.into_iter().filter(|(is_so, ..)| *is_so == Some(true));
-        roles.map(|(_, english, german)| Part::plain(self.pick(english, german))).collect()
+        ])
     }
 }
 

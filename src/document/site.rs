@@ -86,8 +86,8 @@ impl Site {
     pub fn add(&mut self, subject: &Subject<'_>) -> SiteFile {
         let name = self.page_name(subject.file);
         let link = address(&name);
-        let page = Page::new(subject, &self.options);
         let context = Context::new(subject.device, &self.options);
+        let page = Page::new(subject, &self.options, &context);
         self.nodes.extend(Node::new(&context, &page.title, &link));
         self.devices.push(Listed::new(subject, &context, &page, link));
         SiteFile { name, text: write_page(&page, subject.device, self.form) }
@@ -132,7 +132,6 @@ impl Listed {
         let device = subject.device;
         let info = device.device_info.as_ref();
         let node = device.commissioning.as_ref();
-        let pdos = |kind| device.pdos().filter(|pdo| pdo.kind == kind).count();
         let found = |severity| {
             move |findings: &[super::Finding]| {
                 findings.iter().filter(|finding| finding.severity == severity).count()
@@ -153,8 +152,8 @@ impl Listed {
             node_name: node.and_then(|node| node.node_name.clone()).unwrap_or_default(),
             objects: page.object_count(),
             entries: page.entry_count(),
-            rpdos: pdos(PdoKind::Rpdo),
-            tpdos: pdos(PdoKind::Tpdo),
+            rpdos: device.pdo_count(PdoKind::Rpdo),
+            tpdos: device.pdo_count(PdoKind::Tpdo),
             findings: subject.findings.map(|findings| {
                 [Severity::Error, Severity::Warning, Severity::Note].map(|severity| found(severity)(findings))
             }),

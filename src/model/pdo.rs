@@ -276,6 +276,11 @@ impl Device {
         exists.then(|| Pdo::new(self, kind, number))
     }
 
+    /// How many PDOs of a kind [`pdos`](Self::pdos) has.
+    pub fn pdo_count(&self, kind: PdoKind) -> usize {
+        self.pdo_numbers(kind).len()
+    }
+
     /// Numbers of the PDOs that have a communication record or a mapping.
     pub(super) fn pdo_numbers(&self, kind: PdoKind) -> BTreeSet<u16> {
         let first = kind.first_communication();

@@ -213,9 +213,7 @@ fn file_info(wanted: &Wanted) -> FileInfo {
 }
 
 fn device_info(wanted: &Wanted, device: &Device) -> DeviceInfo {
-    let count = |kind: PdoKind| {
-        u16::try_from(device.pdos().filter(|pdo| pdo.kind == kind).count()).unwrap_or(PdoKind::MAX)
-    };
+    let count = |kind: PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
     DeviceInfo {
         vendor_name: Some(wanted.vendor_name.clone()),
         vendor_number: Some(wanted.vendor_id),

@@ -216,10 +216,9 @@ fn summary(view: &View<'_>) -> String {
     if let Some(profile) = device.profile().filter(|&profile| profile != 0) {
         facts.push(format!("CiA {profile}"));
     }
-    let pdos = |kind| device.pdos().filter(|pdo| pdo.kind == kind).count();
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
-    facts.push(plural(pdos(PdoKind::Rpdo), "RPDO"));
-    facts.push(plural(pdos(PdoKind::Tpdo), "TPDO"));
+    facts.push(plural(device.pdo_count(PdoKind::Rpdo), "RPDO"));
+    facts.push(plural(device.pdo_count(PdoKind::Tpdo), "TPDO"));
     facts.push(plural(device.objects.len(), "object"));
     facts.push(if entries == 1 { "1 entry".to_owned() } else { format!("{entries} entries") });
     if let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) {

@@ -157,7 +157,7 @@ impl<'a> Specification<'a> {
         let fastest = || device.device_info.as_ref()?.baud_rates.supported().max();
         let consumers = dictionary.objects.iter().find(|object| object.index == 0x1016);
         let consumers = consumers.map_or(0, |object| object.entries.len().saturating_sub(1));
-        let pdos = device.pdos().filter(|pdo| pdo.kind == PdoKind::Tpdo).count();
+        let pdos = device.pdo_count(PdoKind::Tpdo);
         // heartbeat, SYNC and LSS; a timer for each consumer; an event and an inhibit time for each TPDO
         let timers = u16::try_from(3 + consumers + 2 * pdos).unwrap_or(u16::MAX);
         Self {
