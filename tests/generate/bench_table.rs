@@ -1,4 +1,4 @@
-//! The table that benches/lookup.rs measures is what the generator writes today.
+//! The table that benches/speed/lookup.rs measures is what the generator writes today.
 
 use std::path::Path;
 
@@ -40,7 +40,7 @@ fn device() -> Device {
 /// `OBJDICT_BLESS=1 cargo test --test generate bench_table` writes the table anew.
 #[test]
 fn the_table_of_the_benchmark_is_up_to_date() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/lookup/od.rs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/speed/lookup/od.rs");
     let folder = tempfile::tempdir().unwrap();
     let generated = generate_into(folder.path(), &device(), "rust");
     let written = String::from_utf8(generated.files[0].contents.clone()).unwrap();

@@ -19,6 +19,7 @@ mod pdo;
 mod processors;
 mod script;
 mod size;
+mod stacks;
 mod stored;
 #[path = "../support/mod.rs"]
 mod support;

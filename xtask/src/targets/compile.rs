@@ -33,7 +33,7 @@ impl Tools {
         Ok(Self {
             cc: or("CC", "cc"),
             rustc: or("RUSTC", "rustc"),
-            stacks: Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/stacks"),
+            stacks: Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/generate/stacks"),
             canopennode: checkout("OBJDICT_CANOPENNODE_DIR"),
             canopen_stack: checkout("OBJDICT_CANOPEN_STACK_DIR"),
             crates: if crates { Some(Crates::build()?) } else { None },

@@ -9,7 +9,7 @@ mod devices;
 #[path = "../../../generate/oracle.rs"]
 #[allow(dead_code, reason = "shared with the tests of the plain targets, which use more of it")]
 mod oracle;
-#[path = "../../../stacks/truth.rs"]
+#[path = "../../../generate/stacks/truth.rs"]
 #[allow(dead_code, reason = "shared with the tests of the stacks in C, which use more of it")]
 mod truth;
 mod zencan;

@@ -1,0 +1,267 @@
+//! What a build script makes of a description, what it tells Cargo, and how it fails.
+
+use std::fs;
+use std::path::Path;
+
+use objdict::build_script::{Builder, Built, Error};
+use objdict::diagnostic::Severity;
+use objdict::format::input::FileKind;
+use objdict::generate::{Names, Target};
+use objdict::lint::Level;
+use tempfile::TempDir;
+
+fn fixture(path: &str) -> std::path::PathBuf {
+    Path::new("fixtures").join(path)
+}
+
+/// What is made, and what Cargo is told.
+fn run(builder: Builder) -> (Result<Built, Error>, String) {
+    let mut cargo = Vec::new();
+    let built = builder.generate_to(&mut cargo);
+    (built, String::from_utf8(cargo).unwrap())
+}
+
+/// What Cargo is told in lines of one kind.
+fn told<'a>(cargo: &'a str, key: &str) -> Vec<&'a str> {
+    let start = format!("cargo:{key}=");
+    cargo.lines().filter_map(|line| line.strip_prefix(start.as_str())).collect()
+}
+
+fn names(built: &Built) -> Vec<String> {
+    built.files.iter().map(|file| file.file_name().unwrap().to_string_lossy().into_owned()).collect()
+}
+
+#[test]
+fn the_simple_case() {
+    let out = TempDir::new().unwrap();
+    let eds = fixture("eds/minimal.eds");
+    let (built, cargo) = run(Builder::new(&eds).out_dir(out.path()));
+    let built = built.unwrap();
+    assert_eq!(names(&built), ["od.rs"]);
+    assert_eq!((built.objects, built.entries), (5, 9));
+    assert_eq!(cargo, format!("cargo:rerun-if-changed={}\n", eds.display()));
+    let text = fs::read_to_string(out.path().join("od.rs")).unwrap();
+    assert!(text.contains("pub mod identity_object"), "{text}");
+}
+
+/// The command and the builder write the same bytes.
+#[test]
+fn the_command_writes_the_same() {
+    let (ours, theirs) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let file = fixture("dcf/io-401-node5.dcf");
+    let builder = Builder::new(&file).out_dir(ours.path()).target(Target::RUST).target(Target::C);
+    let builder = builder.target(Target::CONCISE).string_capacity(12).names(Names::Index).prefix("io");
+    let built = run(builder).0.unwrap();
+    let status = std::process::Command::new(env!("CARGO_BIN_EXE_objdict"))
+        .arg("generate")
+        .arg(&file)
+        .args(["--target", "rust,c,concise", "--string-capacity", "12", "--names", "index", "--prefix", "io"])
+        .arg("--out")
+        .arg(theirs.path())
+        .output()
+        .unwrap();
+    assert!(status.status.success(), "{}", String::from_utf8_lossy(&status.stderr));
+    let files = names(&built);
+    assert_eq!(fs::read_dir(theirs.path()).unwrap().count(), files.len());
+    for name in ["od.rs", "io.h", "io.c", "io-401-node5.cdcf"] {
+        assert!(files.iter().any(|file| file == name), "{name} is not in {files:?}");
+    }
+    for name in files {
+        assert_eq!(fs::read(ours.path().join(&name)).unwrap(), fs::read(theirs.path().join(&name)).unwrap());
+    }
+}
+
+#[test]
+fn every_format_is_read() {
+    let out = TempDir::new().unwrap();
+    for file in ["eds/drive-402.eds", "dcf/io-401-node5.dcf", "xdd/io-401.xdd"] {
+        let built = run(Builder::new(fixture(file)).out_dir(out.path())).0;
+        assert_eq!(names(&built.unwrap()), ["od.rs"], "{file}");
+    }
+    let device = objdict::format::open(&fixture("eds/minimal.eds"), &Default::default()).unwrap();
+    let json = out.path().join("device.json");
+    fs::write(&json, objdict::format::json::write_device(device.device())).unwrap();
+    for builder in [Builder::new(&json), Builder::new(&json).from_kind(FileKind::Json)] {
+        assert_eq!(names(&run(builder.out_dir(out.path())).0.unwrap()), ["od.rs"]);
+    }
+}
+
+#[test]
+fn what_is_the_same_is_not_written() {
+    let out = TempDir::new().unwrap();
+    let make = || run(Builder::new(fixture("eds/minimal.eds")).out_dir(out.path())).0.unwrap();
+    let time = |built: &Built| fs::metadata(&built.files[0]).unwrap().modified().unwrap();
+    let first = make();
+    let written = time(&first);
+    let second = make();
+    assert_eq!(second, first);
+    assert_eq!(time(&second), written);
+}
+
+/// What `main` returns is what the user of a build script sees.
+#[test]
+fn an_error_in_the_description_fails_the_build() {
+    let out = TempDir::new().unwrap();
+    let eds = fixture("torture/22_default_overflow.eds");
+    let (built, cargo) = run(Builder::new(&eds).out_dir(out.path()));
+    let error = built.unwrap_err();
+    assert_eq!(told(&cargo, "rerun-if-changed"), [eds.display().to_string()]);
+    assert!(matches!(&error, Error::Findings { count: 1, .. }));
+    assert_eq!(error.to_string(), format!("`{}` has 1 error, so nothing was generated", eds.display()));
+    let shown = format!("Error: {error:?}\n");
+    insta::assert_snapshot!("error", shown);
+    assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0, "nothing is written");
+}
+
+#[test]
+fn an_error_can_be_made_milder_or_passed_over() {
+    let out = TempDir::new().unwrap();
+    let eds = fixture("torture/22_default_overflow.eds");
+    let builder = || Builder::new(&eds).out_dir(out.path());
+    for builder in [
+        builder().force(true),
+        builder().severity("cia306/invalid-value", Level::At(Severity::Warning)),
+        builder().severity("cia306", Level::At(Severity::Warning)),
+    ] {
+        let (built, cargo) = run(builder);
+        assert_eq!(names(&built.unwrap()), ["od.rs"]);
+        let warnings = told(&cargo, "warning");
+        assert!(
+            warnings.iter().any(|line| line.contains(":139:14: ") && line.contains("does not fit")),
+            "{cargo}"
+        );
+    }
+    let (built, cargo) = run(builder().severity("cia306/invalid-value", Level::Off));
+    assert!(built.is_ok());
+    assert!(!cargo.contains("invalid-value"), "{cargo}");
+    let error = run(builder().severity("cia306/invalid-valu", Level::Off)).0.unwrap_err();
+    assert_eq!(
+        format!("{error:?}"),
+        "there is no rule or group `cia306/invalid-valu`\n  help: did you mean `cia306/invalid-value`?"
+    );
+}
+
+/// A warning is a line, whatever it quotes, and there is an end to them.
+#[test]
+fn warnings_are_lines() {
+    let folder = TempDir::new().unwrap();
+    let eds = folder.path().join("many.eds");
+    let mut text = fs::read_to_string(fixture("eds/minimal.eds")).unwrap();
+    for number in 0..50 {
+        text.push_str(&format!("[junk{number}]\nKey{number}=a\u{85}cargo:rustc-cfg=x\u{1B}[31m\n"));
+    }
+    fs::write(&eds, text).unwrap();
+    let builder = || Builder::new(&eds).out_dir(folder.path().join("out")).no_config();
+    let builder = || builder().severity("cia306", Level::At(Severity::Warning));
+    let (built, cargo) = run(builder().max_warnings(3));
+    built.unwrap();
+    let warnings = told(&cargo, "warning");
+    assert_eq!(warnings.len(), 4, "{cargo}");
+    assert!(warnings[3].contains(" more warnings; `objdict check` tells them"), "{cargo}");
+    assert!(warnings[0].contains("many.eds:"), "{cargo}");
+    let (_, all) = run(builder().max_warnings(10_000));
+    assert!(told(&all, "warning").len() > 50, "{all}");
+    for line in all.lines() {
+        assert!(line.starts_with("cargo:warning=") || line.starts_with("cargo:rerun-if-changed="), "{line}");
+        assert!(!line.contains(char::is_control), "{line}");
+    }
+}
+
+#[test]
+fn notes_of_the_target_are_told() {
+    let out = TempDir::new().unwrap();
+    let (built, cargo) =
+        run(Builder::new(fixture("eds/io-401.eds")).out_dir(out.path()).target(Target::CONCISE).prefix("io"));
+    built.unwrap();
+    let notes = told(&cargo, "warning");
+    assert_eq!(notes.len(), 2, "{cargo}");
+    assert!(
+        notes[0].ends_with("io-401.eds: note: concise: the option `prefix` has no effect on this target"),
+        "{cargo}"
+    );
+    assert!(notes[1].ends_with("(set values in a DCF (`ParameterValue`))"), "{cargo}");
+}
+
+/// Whatever is read is watched: the configuration, what it names, and what options name.
+#[test]
+fn every_file_that_is_read_is_watched() {
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::copy(fixture("eds/drive-402.eds"), path("drive.eds")).unwrap();
+    fs::copy(fixture("profiles/house-drives.toml"), path("house.toml")).unwrap();
+    fs::write(path("objdict.toml"), "profiles = [\"house.toml\", \"401\"]\nnonsense = 1\n[rules]\nhouse = \"note\"\ncia401 = \"off\"\n\"cia306/file-name\" = \"off\"\n").unwrap();
+    fs::write(path("names.toml"), "1018 = \"who am i\"\n").unwrap();
+    let builder = || Builder::new(path("drive.eds")).out_dir(path("out")).rename(path("names.toml"));
+    let (built, cargo) = run(builder());
+    let text = fs::read_to_string(&built.unwrap().files[0]).unwrap();
+    assert!(text.contains("pub mod who_am_i"), "{text}");
+    let watched = ["drive.eds", "objdict.toml", "house.toml", "names.toml"]
+        .map(|name| path(name).display().to_string());
+    assert_eq!(told(&cargo, "rerun-if-changed"), watched);
+    assert!(
+        told(&cargo, "warning")[0].contains("objdict.toml:2:1: warning objdict/unknown-setting: "),
+        "{cargo}"
+    );
+
+    // another configuration, or none
+    let (_, cargo) = run(builder().no_config());
+    assert!(!cargo.contains("objdict.toml"), "{cargo}");
+    fs::write(path("other.toml"), "node-id = 200\n").unwrap();
+    let (built, cargo) = run(builder().config(path("other.toml")));
+    assert!(cargo.contains("other.toml"), "{cargo}");
+    let error = built.unwrap_err();
+    assert!(format!("{error:?}").contains("`node-id` is a number from 1 to 127"), "{error:?}");
+
+    // what is broken in a profile is shown
+    fs::write(path("house.toml"), "document = 7\n").unwrap();
+    let error = run(builder()).0.unwrap_err();
+    assert!(matches!(error, Error::Profile(_)));
+    assert!(format!("{error:?}").contains("house.toml:1:12"), "{error:?}");
+}
+
+#[test]
+fn failures_say_what_to_do() {
+    let out = TempDir::new().unwrap();
+    let minimal = || Builder::new(fixture("eds/minimal.eds")).out_dir(out.path());
+    let names = out.path().join("names.toml");
+    fs::write(&names, "\nspeed = \"x\"\n").unwrap();
+    let file = out.path().join("file");
+    fs::write(&file, "").unwrap();
+    let shown = |builder: Builder| format!("{:?}", run(builder).0.unwrap_err());
+    let failures = [
+        (shown(Builder::new("none.eds")), "cannot read `none.eds`: "),
+        (shown(Builder::new("fixtures")), "`fixtures` is a directory\n  help: name files"),
+        (
+            shown(Builder::new(fixture("foreign/ethernet-ip.eds"))),
+            "for EtherNet/IP, not for CANopen\n  help: ",
+        ),
+        (shown(minimal().node_id(0)), "target `rust`: `0` is no node-ID; node-IDs are 1 to 127"),
+        (shown(minimal().prefix("a b").target(Target::C)), "target `c`: `a b` is no identifier"),
+        (shown(minimal().rename(&names)), "names.toml:2: `speed` is no object"),
+        (shown(minimal().rename("none.toml")), "cannot read `none.toml`: "),
+        (
+            shown(minimal().max_ram(8)),
+            "target `rust`: the tables take 24 bytes of RAM, 8 are allowed\n  help: ",
+        ),
+        (shown(minimal().max_flash(8)), "bytes of flash, 8 are allowed"),
+        (shown(minimal().group(0x2000..=0x2001, "a b")), "`a b` is no name of a group"),
+        (shown(minimal().profile("999")), "there is no profile `999`\n  help: it is one of 301, "),
+        (shown(minimal().out_dir(&file)), "cannot write `"),
+        (
+            shown(Builder::new(fixture("nxdd/line.nxdd")).out_dir(out.path())),
+            "help: say which one with `device`",
+        ),
+    ];
+    for (shown, expected) in failures {
+        assert!(shown.contains(expected), "{shown}\nhas not: {expected}");
+    }
+}
+
+#[test]
+fn a_missing_folder_for_the_files_is_told() {
+    // Cargo sets the variable for build scripts only
+    if std::env::var_os("OUT_DIR").is_none() {
+        let error = run(Builder::new(fixture("eds/minimal.eds"))).0.unwrap_err();
+        assert!(matches!(error, Error::NoOutDir));
+    }
+}

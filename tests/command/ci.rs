@@ -1,0 +1,123 @@
+//! The files that run objdict in CI: their keys, and the script of the action with a `cargo` that brings the command of
+//! this build.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// The values of a key in a YAML text of one line a value.
+fn values<'t>(text: &'t str, key: &str) -> Vec<&'t str> {
+    let value = |line: &'t str| {
+        let line = line.trim_start().trim_start_matches("- ");
+        line.strip_prefix(key)?.strip_prefix(':').map(str::trim)
+    };
+    text.lines().filter_map(value).collect()
+}
+
+#[test]
+fn the_hooks_call_what_there_is() {
+    let hooks = fs::read_to_string(".pre-commit-hooks.yaml").expect("the hooks");
+    assert_eq!(values(&hooks, "id"), ["objdict-check", "objdict-check-system"]);
+    assert_eq!(values(&hooks, "language"), ["rust", "system"]);
+    for files in values(&hooks, "files") {
+        assert_eq!(files, r"(?i)\.(eds|dcf|xdd|xdc|nxdd|nxdc)$");
+    }
+    for entry in values(&hooks, "entry") {
+        let mut words = entry.split(' ');
+        assert_eq!(words.next(), Some("objdict"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let output = command.args(words).arg("fixtures/eds/minimal.eds").output().expect("it runs");
+        assert_eq!(output.status.code(), Some(0), "{entry}");
+    }
+}
+
+#[test]
+fn the_inputs_of_the_action_are_documented() {
+    let action = fs::read_to_string("action.yml").expect("the action");
+    let page = fs::read_to_string("docs/ci.md").expect("the page");
+    let (_, inputs) = action.split_once("\ninputs:\n").expect("inputs");
+    let (inputs, _) = inputs.split_once("\nruns:\n").expect("runs");
+    let names: Vec<&str> = inputs
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ")?.strip_suffix(':'))
+        .filter(|name| !name.starts_with(' '))
+        .collect();
+    assert_eq!(names, ["files", "config", "format", "output", "deny", "version"]);
+    for name in names {
+        assert!(page.contains(&format!("\n| `{name}` |")), "{name} is not in docs/ci.md");
+        assert!(action.contains(&format!("${{{{ inputs.{name} }}}}")), "{name} is not used");
+    }
+}
+
+/// The scripts of the action's steps.
+fn scripts() -> Vec<String> {
+    let action = fs::read_to_string("action.yml").expect("the action");
+    let mut scripts = Vec::new();
+    for part in action.split("      run: |\n").skip(1) {
+        let lines = part.lines().map_while(|line| line.strip_prefix("        ")).collect::<Vec<_>>();
+        scripts.push(lines.join("\n"));
+    }
+    scripts
+}
+
+/// Runs the action as a workflow does, in `folder`, with inputs beside the defaults.
+fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
+    let bin = folder.join("stub");
+    fs::create_dir_all(&bin).expect("a folder");
+    let cargo = format!(
+        "#!/bin/sh\nwhile [ \"$1\" != --root ]; do shift; done\nmkdir -p \"$2/bin\"\nln -sf {} \"$2/bin/objdict\"\n",
+        env!("CARGO_BIN_EXE_objdict")
+    );
+    fs::write(bin.join("cargo"), cargo).expect("the stub");
+    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    fs::set_permissions(bin.join("cargo"), executable).expect("the stub");
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap_or_default());
+    let defaults =
+        [("FILES", "."), ("CONFIG", ""), ("FORMAT", "github"), ("OUTPUT", ""), ("DENY", "warning")];
+    let mut last = None;
+    for script in scripts() {
+        let mut command = Command::new("bash");
+        command.args(["--noprofile", "--norc", "-e", "-o", "pipefail", "-c", &script]).current_dir(folder);
+        command.env("PATH", &path).env("RUNNER_TEMP", folder.join("temp"));
+        command.env("SOURCE", env!("CARGO_MANIFEST_DIR")).env("VERSION", "");
+        command.envs(defaults).envs(inputs.iter().copied());
+        let output = command.output().expect("bash");
+        let goes_on = output.status.success();
+        last = Some(output);
+        if !goes_on {
+            break;
+        }
+    }
+    last.expect("a step")
+}
+
+#[test]
+fn the_action_checks_what_it_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let devices = folder.path().join("my devices");
+    fs::create_dir(&devices).expect("a folder");
+    fs::copy("fixtures/eds/minimal.eds", devices.join("minimal.eds")).expect("a file");
+    let output = act(folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "no findings in 1 file\n");
+
+    fs::copy("fixtures/broken/orphan-sub.eds", folder.path().join("orphan-sub.eds")).expect("a file");
+    let output = act(folder.path(), &[("FILES", "my devices\n*.eds\n")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with("::error file=orphan-sub.eds,line=183"));
+    let output = act(folder.path(), &[("FILES", "my devices")]);
+    assert_eq!(output.status.code(), Some(0));
+
+    let output = act(folder.path(), &[("FORMAT", "sarif"), ("OUTPUT", "out.sarif")]);
+    assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(1), true));
+    let log = fs::read(folder.path().join("out.sarif")).expect("the log");
+    assert!(serde_json::from_slice::<serde_json::Value>(&log).is_ok());
+}
+
+#[test]
+fn the_action_insists_on_a_version() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).expect("a file");
+    assert_eq!(act(folder.path(), &[("VERSION", env!("CARGO_PKG_VERSION"))]).status.code(), Some(0));
+    assert_eq!(act(folder.path(), &[("VERSION", "99.0.0")]).status.code(), Some(2));
+}

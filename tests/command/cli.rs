@@ -1,0 +1,191 @@
+//! The command as its users see it: the sessions in `tests/cli/*.md` and on the pages of the documentation are run, and
+//! what they print is compared.
+
+use std::fs;
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+#[test]
+fn sessions() {
+    trycmd::TestCases::new().env("NO_COLOR", "1").case("tests/cli/*.md");
+}
+
+/// The sessions on the pages of the documentation run in a folder of their own that has the fixtures, for they write files.
+/// With `TRYCMD=overwrite` what they print goes into the pages.
+#[test]
+fn pages() {
+    for page in [
+        "README.md",
+        "docs/ci.md",
+        "docs/cli.md",
+        "docs/dcf.md",
+        "docs/docs.md",
+        "docs/json.md",
+        "docs/formats.md",
+        "docs/profiles.md",
+        "docs/storage.md",
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let case = folder.path().join("page.md");
+        fs::copy(page, &case).unwrap();
+        fs::create_dir(folder.path().join("page.out")).unwrap();
+        for fixtures in
+            ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles", "concise"]
+        {
+            copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
+        }
+        let cases = trycmd::TestCases::new();
+        cases.env("NO_COLOR", "1").case(&case).run();
+        if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
+            fs::copy(&case, page).unwrap();
+        }
+    }
+}
+
+/// The example on the page about profiles is the file that its sessions use.
+#[test]
+fn the_profile_on_the_page() {
+    let page = fs::read_to_string("docs/profiles.md").unwrap();
+    let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
+    assert_eq!(example, fs::read_to_string("fixtures/profiles/house-drives.toml").unwrap());
+}
+
+fn copy_folder(name: &str, to: &Path) {
+    fs::create_dir_all(to.join(name)).unwrap();
+    for file in fs::read_dir(Path::new("fixtures").join(name)).unwrap() {
+        let file = file.unwrap();
+        fs::copy(file.path(), to.join(name).join(file.file_name())).unwrap();
+    }
+}
+
+/// The README's first command prints what the README says. Sizes change with every template, so they are not compared.
+#[test]
+fn the_first_command_of_the_readme() {
+    let readme = fs::read_to_string("README.md").unwrap();
+    let block = |language: &str| {
+        let rest = readme.split_once(&format!("```{language}\n")).unwrap().1;
+        rest.split_once("```").unwrap().0
+    };
+    let command = block("sh").trim().strip_prefix("cargo run --release -- ").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let mut arguments: Vec<&str> = command.split(' ').collect();
+    let out = arguments.iter().position(|argument| *argument == "--out").unwrap() + 1;
+    let shown = std::mem::replace(&mut arguments[out], folder.path().to_str().unwrap());
+    let output = objdict().args(&arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+    let printed = printed.replace(folder.path().to_str().unwrap(), shown);
+    assert_eq!(without_sizes(&printed), without_sizes(block("text")));
+}
+
+fn without_sizes(text: &str) -> String {
+    let is_size = |pair: &[&str]| pair.get(1) == Some(&"bytes");
+    let line = |line: &str| {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let shown = (0..words.len()).map(|at| if is_size(&words[at..]) { "N" } else { words[at] });
+        shown.collect::<Vec<_>>().join(" ")
+    };
+    text.trim().lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn objdict() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_objdict"))
+}
+
+/// A reader that goes away, as `head` does, is no error.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let files: Vec<&str> = std::iter::repeat_n("fixtures/broken/octal.eds", 200).collect();
+    let mut child = objdict()
+        .arg("check")
+        .args(files)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut first = [0; 10];
+    child.stdout.take().expect("a pipe").read_exact(&mut first).expect("ten bytes");
+    // the pipe is closed here: `take` moved its end into a temporary that is gone
+    let output = child.wait_with_output().expect("the command ends");
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// The number of threads changes nothing but the time.
+#[test]
+fn any_number_of_jobs_gives_the_same_output() {
+    let run = |jobs: &str| {
+        let arguments = ["check", "fixtures", "--no-config", "--format", "json", "--jobs", jobs];
+        let output = objdict().args(arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(output.stdout.len() > 100_000, "{} bytes", output.stdout.len());
+        (output.stdout, output.stderr)
+    };
+    let one = run("1");
+    for jobs in ["2", "8"] {
+        assert!(run(jobs) == one, "with {jobs} jobs the output is another");
+    }
+}
+
+/// `-` is the standard input, for reading, and the standard output, for writing.
+#[test]
+fn a_pipe_through_the_command() {
+    let through = |arguments: &[&str], input: &[u8]| {
+        let mut child = objdict()
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(input).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let eds = fs::read("fixtures/eds/minimal.eds").unwrap();
+    let checked = through(&["check", "-"], &eds);
+    assert_eq!(String::from_utf8_lossy(&checked.stdout), "no findings in 1 file\n");
+    let same = through(&["convert", "-", "-", "--to", "eds"], &eds);
+    assert_eq!(same.stdout, eds);
+    let json = through(&["convert", "-", "-", "--to", "json"], &eds).stdout;
+    let shown = through(&["show", "-", "--from", "json", "1017"], &json);
+    assert!(String::from_utf8_lossy(&shown.stdout).starts_with("0x1017sub0  Producer heartbeat time\n"));
+    let broken = through(&["check", "-"], b"[2000]\nDefaultValue=x\x1B[31m\n");
+    assert!(String::from_utf8_lossy(&broken.stdout).contains("<stdin>:2:15"));
+    assert!(!broken.stdout.contains(&0x1B), "nothing in a file steers the terminal");
+}
+
+#[test]
+fn colours_are_for_terminals() {
+    let check = |arguments: &[&str]| {
+        let output =
+            objdict().arg("check").args(arguments).arg("fixtures/broken/octal.eds").output().unwrap();
+        output.stdout.contains(&0x1B)
+    };
+    assert!(!check(&[]), "a pipe is no terminal");
+    assert!(check(&["--color", "always"]));
+    assert!(!check(&["--color", "never"]));
+}
+
+/// Findings are data for JSON readers whatever the file: the document parses, and has the same findings as the text.
+#[test]
+fn json_of_every_broken_file_parses() {
+    for entry in std::fs::read_dir("fixtures/broken").expect("the fixtures") {
+        let path = entry.expect("a file").path();
+        if path.extension().is_none_or(|ending| ending == "md") {
+            continue;
+        }
+        let output = objdict().args(["check", "--format", "json"]).arg(&path).output().expect("it runs");
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let findings = document["findings"].as_array().expect("a list");
+        let denied = findings.iter().any(|finding| finding["severity"] != "note");
+        assert_eq!(output.status.code(), Some(i32::from(denied)), "{}", path.display());
+        for finding in findings {
+            for field in ["file", "rule", "message"] {
+                assert!(finding[field].as_str().is_some_and(|text| !text.is_empty()), "{field}: {finding}");
+            }
+            let position = |line, column| (finding[line].as_u64(), finding[column].as_u64());
+            assert!(position("line", "column") <= position("end_line", "end_column"), "{finding}");
+        }
+    }
+}

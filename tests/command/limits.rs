@@ -1,0 +1,133 @@
+//! Damaged and huge input: no panic, no quadratic time, and memory in proportion to the file.
+
+use std::fmt::Write;
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
+/// How much memory the command may ask for: eight times the file, and what a process takes for nothing.
+fn limit_kib(bytes: usize) -> usize {
+    8 * bytes / 1024 + 16 * 1024
+}
+
+/// Checks a text with the command, with an upper limit on its memory. Exit code 101 is a panic; a process that runs
+/// out of memory is aborted and has none.
+#[cfg(target_os = "linux")]
+fn check(name: &str, text: &[u8]) {
+    let mut file = tempfile::Builder::new().suffix(".eds").tempfile().unwrap();
+    file.write_all(text).unwrap();
+    let script = format!("ulimit -d {} && exec \"$0\" check \"$1\" --format json", limit_kib(text.len()));
+    let status = Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_objdict")])
+        .arg(file.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .unwrap();
+    assert!(matches!(status.code(), Some(0 | 1)), "{name}: {status}");
+}
+
+#[cfg(not(target_os = "linux"))]
+fn check(_: &str, _: &[u8]) {
+    println!("skipped: there is no limit on memory to test with on this system");
+}
+
+/// Large enough to show what grows with the file; a debug build reads it in a second.
+const SIZE: usize = 4 << 20;
+
+fn repeated(line: impl Fn(usize) -> String, bytes: usize) -> Vec<u8> {
+    let mut text = String::new();
+    for number in 0.. {
+        if text.len() >= bytes {
+            break;
+        }
+        text.push_str(&line(number));
+    }
+    text.into_bytes()
+}
+
+#[test]
+fn one_line_of_many_bytes() {
+    check("a value", format!("[FileInfo]\nDescription={}\n", "x".repeat(SIZE)).as_bytes());
+    check("a section name", format!("[{}]\n", "1".repeat(SIZE)).as_bytes());
+    check("junk", "x".repeat(SIZE).as_bytes());
+    check("a number", format!("[1000]\nDefaultValue={}\n", "9".repeat(SIZE)).as_bytes());
+}
+
+#[test]
+fn many_empty_lines() {
+    check("line feeds", &vec![b'\n'; SIZE]);
+    check("zeros", &vec![0; SIZE]);
+    check("brackets", &vec![b'['; SIZE]);
+}
+
+#[test]
+fn many_sections() {
+    check("unknown sections", &repeated(|number| format!("[section{number}]\nKey=value\n"), SIZE));
+    check("one section again and again", &repeated(|_| "[2000]\nParameterName=x\n".to_owned(), SIZE));
+    check("unclosed headers", &repeated(|number| format!("[Section{number:X}\n"), SIZE));
+}
+
+#[test]
+fn many_keys() {
+    check(
+        "unknown keys",
+        &repeated(
+            |number| if number == 0 { "[2000]\n".to_owned() } else { format!("Key{number}=1\n") },
+            SIZE,
+        ),
+    );
+    check(
+        "one key",
+        &repeated(|number| if number == 0 { "[2000]\n" } else { "DataType=1\n" }.to_owned(), SIZE),
+    );
+    let list =
+        |number| if number == 0 { "[OptionalObjects]\n".to_owned() } else { format!("{number}=0x1000\n") };
+    check("a long list", &repeated(list, SIZE));
+    let backwards = |number: usize| {
+        if number == 0 {
+            "[OptionalObjects]\n".to_owned()
+        } else {
+            format!("{}=0x1000\n", 9_999_999 - number)
+        }
+    };
+    check("a list backwards", &repeated(backwards, SIZE));
+}
+
+#[test]
+fn many_objects() {
+    let entry = |number: usize| {
+        let (index, sub) = (0x1000 + (number >> 8), number & 0xFF);
+        let mut text = String::new();
+        if sub == 0 {
+            let _ =
+                write!(text, "[{index:X}]\nParameterName=Record {index:X}\nObjectType=0x9\nSubNumber=256\n");
+        }
+        let _ = write!(
+            text,
+            "[{index:X}sub{sub:X}]\nParameterName=Parameter {sub}\nDataType=0x0007\nAccessType=rw\nLowLimit=1\nHighLimit=2\nDefaultValue=300\n"
+        );
+        text
+    };
+    check("objects", &repeated(entry, SIZE));
+    let compact = |number: usize| {
+        format!(
+            "[{:X}]\nObjectType=8\nDataType=7\nAccessType=rw\nCompactSubObj=254\n",
+            0x1000 + number % 0xF000
+        )
+    };
+    check("compact objects", &repeated(compact, SIZE / 4));
+}
+
+#[test]
+fn a_file_over_the_limit_is_refused() {
+    let mut file = tempfile::Builder::new().suffix(".eds").tempfile().unwrap();
+    file.write_all(b"[FileInfo]\n").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_objdict"))
+        .args(["check", "--max-size", "5"])
+        .arg(file.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("has 11 bytes") && message.contains("--max-size"), "{message}");
+}

@@ -1,0 +1,12 @@
+//! What the command does with arguments, files and exit codes, and what a build script does in its place.
+
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod build_script;
+mod building;
+#[cfg(unix)]
+mod ci;
+mod cli;
+mod limits;
+mod reports;

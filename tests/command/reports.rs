@@ -1,0 +1,407 @@
+//! Every output of findings, over all fixtures that have some: each is what its readers take.
+
+use std::collections::{BTreeMap, HashSet};
+use std::io::Read;
+use std::process::{Command, Output, Stdio};
+use std::sync::{Mutex, PoisonError};
+
+use serde_json::Value;
+
+fn objdict(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_objdict")).args(arguments).output().expect("the command runs")
+}
+
+/// What `check` writes in a format over the broken fixtures and those of the rules, and once for all tests.
+fn check(format: &str) -> &'static str {
+    static TEXTS: Mutex<BTreeMap<String, &'static str>> = Mutex::new(BTreeMap::new());
+    let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
+    texts.entry(format.to_owned()).or_insert_with(|| checked(format).leak())
+}
+
+fn checked(format: &str) -> String {
+    let output = objdict(&["check", "--format", format, "fixtures/broken", "fixtures/rules", "fixtures/xdd"]);
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+fn sarif() -> Value {
+    serde_json::from_str(check("sarif")).expect("JSON")
+}
+
+/// What a property holds.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Text,
+    Number,
+    Truth,
+    Words(&'static [&'static str]),
+    One(&'static str),
+    Many(&'static str),
+    Texts,
+    Map(&'static str),
+    Bag,
+}
+
+const LEVELS: Kind = Kind::Words(&["none", "note", "warning", "error"]);
+
+/// The objects of SARIF that are written, by the sections of the standard: their properties, those that must be there with
+/// an exclamation mark.
+fn shape(object: &str) -> &'static [(&'static str, Kind)] {
+    use Kind::{Bag, Many, Map, Number, One, Text, Texts, Truth, Words};
+    match object {
+        "log" => &[("version!", Words(&["2.1.0"])), ("$schema", Text), ("runs!", Many("run"))],
+        "run" => &[
+            ("tool!", One("tool")),
+            ("results", Many("result")),
+            ("artifacts", Many("artifact")),
+            ("invocations", Many("invocation")),
+            ("originalUriBaseIds", Map("base")),
+            ("newlineSequences", Texts),
+            ("columnKind", Words(&["utf16CodeUnits", "unicodeCodePoints"])),
+        ],
+        "tool" => &[("driver!", One("driver"))],
+        "driver" => &[("name!", Text), ("version", Text), ("semanticVersion", Text), ("rules", Many("rule"))],
+        "rule" => &[
+            ("id!", Text),
+            ("name", Text),
+            ("shortDescription", One("message")),
+            ("fullDescription", One("message")),
+            ("help", One("help")),
+            ("defaultConfiguration", One("configuration")),
+            ("properties", Bag),
+        ],
+        "message" => &[("text!", Text)],
+        "help" => &[("text!", Text), ("markdown", Text)],
+        "configuration" => &[("level", LEVELS)],
+        "result" => &[
+            ("message!", One("message")),
+            ("ruleId", Text),
+            ("ruleIndex", Number),
+            ("level", LEVELS),
+            ("locations", Many("location")),
+            ("relatedLocations", Many("location")),
+            ("partialFingerprints", Map("")),
+            ("fixes", Many("fix")),
+        ],
+        "location" => &[
+            ("id", Number),
+            ("physicalLocation", One("physicalLocation")),
+            ("logicalLocations", Many("logicalLocation")),
+            ("message", One("message")),
+        ],
+        "physicalLocation" => &[("artifactLocation!", One("artifactLocation")), ("region", One("region"))],
+        "artifactLocation" => &[("uri", Text), ("uriBaseId", Text), ("index", Number)],
+        "logicalLocation" => &[("name", Text), ("fullyQualifiedName", Text), ("kind", Text)],
+        "region" => &[
+            ("startLine!", Number),
+            ("startColumn", Number),
+            ("endLine", Number),
+            ("endColumn", Number),
+            ("byteOffset", Number),
+            ("byteLength", Number),
+        ],
+        "fix" => &[
+            ("description", One("message")),
+            ("artifactChanges!", Many("artifactChange")),
+            ("properties", Bag),
+        ],
+        "artifactChange" => {
+            &[("artifactLocation!", One("artifactLocation")), ("replacements!", Many("replacement"))]
+        }
+        "replacement" => &[("deletedRegion!", One("region")), ("insertedContent", One("message"))],
+        "artifact" => &[("location", One("artifactLocation")), ("encoding", Text), ("roles", Texts)],
+        "base" => &[("description", One("message"))],
+        "invocation" => &[
+            ("executionSuccessful!", Truth),
+            ("exitCode", Number),
+            ("exitCodeDescription", Text),
+            ("toolExecutionNotifications", Many("notification")),
+        ],
+        "notification" => {
+            &[("message!", One("message")), ("level", LEVELS), ("associatedRule", One("ruleReference"))]
+        }
+        "ruleReference" => &[("id", Text), ("index", Number)],
+        _ => panic!("no shape of {object}"),
+    }
+}
+
+fn assert_shape(object: &str, value: &Value, path: &str) {
+    let properties = shape(object);
+    let map = value.as_object().unwrap_or_else(|| panic!("{path} is no object"));
+    for (name, _) in properties {
+        let required = name.strip_suffix('!');
+        assert!(required.is_none_or(|name| map.contains_key(name)), "{path} has no {name}");
+    }
+    for (name, value) in map {
+        let path = format!("{path}.{name}");
+        let property = properties.iter().find(|(known, _)| known.trim_end_matches('!') == name);
+        let (_, kind) = property.unwrap_or_else(|| panic!("{path} is unknown"));
+        let items = || value.as_array().unwrap_or_else(|| panic!("{path} is no list"));
+        match *kind {
+            Kind::Text => assert!(value.is_string(), "{path}"),
+            Kind::Number => assert!(value.is_u64(), "{path}"),
+            Kind::Truth => assert!(value.is_boolean(), "{path}"),
+            Kind::Words(words) => {
+                assert!(value.as_str().is_some_and(|w| words.contains(&w)), "{path}: {value}");
+            }
+            Kind::One(object) => assert_shape(object, value, &path),
+            Kind::Many(object) => items().iter().for_each(|item| assert_shape(object, item, &path)),
+            Kind::Texts => assert!(items().iter().all(Value::is_string), "{path}"),
+            Kind::Map(object) => {
+                for (key, value) in value.as_object().expect("an object") {
+                    match object {
+                        "" => assert!(value.is_string(), "{path}.{key}"),
+                        object => assert_shape(object, value, &path),
+                    }
+                }
+            }
+            Kind::Bag => assert!(value.is_object(), "{path}"),
+        }
+    }
+}
+
+fn list<'a>(value: &'a Value, name: &str) -> &'a [Value] {
+    value[name].as_array().map_or(&[], Vec::as_slice)
+}
+
+#[test]
+fn sarif_has_the_shape_of_the_standard() {
+    assert_shape("log", &sarif(), "log");
+}
+
+#[test]
+fn sarif_refers_to_rules_and_files_that_it_lists() {
+    let log = sarif();
+    let run = &log["runs"][0];
+    let rules = list(&run["tool"]["driver"], "rules");
+    let ids: HashSet<&str> = rules.iter().filter_map(|rule| rule["id"].as_str()).collect();
+    assert_eq!(ids.len(), rules.len(), "a rule is listed once");
+    assert!(rules.len() > 150, "the fixtures are about most rules, and {} found something", rules.len());
+    for rule in rules {
+        assert!(rule["shortDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
+        assert!(rule["fullDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
+        assert!(
+            rule["help"]["markdown"].as_str().is_some_and(|text| text.contains("## How to mend")),
+            "{rule}"
+        );
+    }
+    let artifacts = list(run, "artifacts");
+    let is_listed = |location: &Value| {
+        let index = location["index"].as_u64().expect("an index") as usize;
+        artifacts[index]["location"]["uri"] == location["uri"]
+    };
+    for result in list(run, "results") {
+        let index = result["ruleIndex"].as_u64().expect("an index") as usize;
+        assert_eq!(rules[index]["id"], result["ruleId"]);
+        assert_eq!(list(result, "locations").len(), 1, "{result}");
+        for location in list(result, "locations").iter().chain(list(result, "relatedLocations")) {
+            assert!(is_listed(&location["physicalLocation"]["artifactLocation"]), "{location}");
+        }
+        assert!(result["partialFingerprints"]["objdict/v1"].is_string(), "{result}");
+    }
+}
+
+/// The bytes and the lines of a region are the same text.
+#[test]
+fn regions_of_sarif_are_right_in_bytes_and_in_utf_16() {
+    let log = sarif();
+    let mut compared = 0;
+    let mut beyond_ascii = 0;
+    for result in list(&log["runs"][0], "results") {
+        let location = &result["locations"][0]["physicalLocation"];
+        let region = &location["region"];
+        let number = |name: &str| region[name].as_u64().expect("a number") as usize;
+        if region.get("byteOffset").is_none() {
+            continue;
+        }
+        let uri = location["artifactLocation"]["uri"].as_str().expect("a path").replace("%20", " ");
+        let bytes = std::fs::read(&uri).expect("the fixture");
+        let by_bytes = &bytes[number("byteOffset")..][..number("byteLength")];
+        let text = String::from_utf8(bytes.clone()).expect("offsets are only told of UTF-8");
+        let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
+        let from = offset(text, number("startLine"), number("startColumn"));
+        let to = offset(text, number("endLine"), number("endColumn"));
+        assert_eq!(&text.as_bytes()[from..to], by_bytes, "{result}");
+        compared += 1;
+        beyond_ascii += usize::from(!text.is_ascii());
+    }
+    assert!(compared > 300 && beyond_ascii > 3, "{compared} regions, {beyond_ascii} in texts beyond ASCII");
+}
+
+/// The byte of a line and a column of UTF-16, both counted from 1.
+fn offset(text: &str, line: usize, column: usize) -> usize {
+    let mut start = 0;
+    for _ in 1..line {
+        let rest = &text[start..];
+        let end = rest.find(['\r', '\n']).expect("the line is there");
+        start += end + if rest[end..].starts_with("\r\n") { 2 } else { 1 };
+    }
+    let mut units = 1;
+    for (at, character) in text[start..].char_indices() {
+        if units >= column {
+            return start + at;
+        }
+        units += character.len_utf16();
+    }
+    text.len()
+}
+
+#[test]
+fn sarif_says_how_the_run_ended() {
+    let run = |arguments: &[&str]| {
+        let output = objdict(&[&["check", "--format", "sarif"], arguments].concat());
+        let log: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        (output.status.code(), log["runs"][0]["invocations"][0].clone())
+    };
+    let (code, invocation) = run(&["fixtures/eds/minimal.eds"]);
+    assert_eq!((code, &invocation["exitCode"]), (Some(0), &Value::from(0)));
+    assert_eq!(invocation["executionSuccessful"], true);
+    let (code, invocation) = run(&["fixtures/broken/octal.eds", "no-such.eds"]);
+    assert_eq!((code, &invocation["exitCode"]), (Some(2), &Value::from(2)));
+    assert_eq!(invocation["executionSuccessful"], false);
+    let told = &invocation["toolExecutionNotifications"][0]["message"]["text"];
+    assert!(told.as_str().is_some_and(|text| text.contains("no-such.eds")), "{told}");
+}
+
+/// `SARIF_SCHEMA=path/of/sarif-schema-2.1.0.json cargo test --test command reports -- --ignored`, with the schema of OASIS and
+/// the package jsonschema of Python; neither is part of the project.
+#[test]
+#[ignore = "needs the schema of OASIS in SARIF_SCHEMA, and jsonschema for Python"]
+fn sarif_is_valid_against_its_schema() {
+    let schema = std::env::var("SARIF_SCHEMA").expect("SARIF_SCHEMA names the schema");
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("log.sarif");
+    std::fs::write(&log, check("sarif")).expect("it is written");
+    let script = "import json, sys, jsonschema\n\
+        schema, log = (json.load(open(path, encoding='utf-8')) for path in sys.argv[1:])\n\
+        jsonschema.Draft4Validator(schema).validate(log)";
+    let output = Command::new("python3").args(["-c", script, &schema]).arg(&log).output().expect("Python");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn issues_of_gitlab_have_different_fingerprints() {
+    let issues: Value = serde_json::from_str(check("gitlab")).expect("JSON");
+    let issues = issues.as_array().expect("a list");
+    assert!(issues.len() > 300);
+    let mut seen = HashSet::new();
+    for issue in issues {
+        for name in ["description", "check_name", "fingerprint"] {
+            assert!(issue[name].as_str().is_some_and(|text| !text.is_empty()), "{name}: {issue}");
+        }
+        assert!(["info", "minor", "major"].contains(&issue["severity"].as_str().expect("a word")), "{issue}");
+        let location = &issue["location"];
+        assert!(location["path"].as_str().is_some_and(|path| path.starts_with("fixtures/")), "{issue}");
+        assert!(location["lines"]["begin"].as_u64().is_some_and(|line| line > 0), "{issue}");
+        assert!(seen.insert(issue["fingerprint"].to_string()), "twice: {issue}");
+    }
+}
+
+#[test]
+fn annotations_of_github_are_lines_of_commands() {
+    let text = check("github");
+    let (last, commands) =
+        text.lines().collect::<Vec<_>>().split_last().map(|(a, b)| (*a, b.to_vec())).expect("lines");
+    assert!(last.contains(" errors, "), "{last}");
+    assert!(commands.len() > 300);
+    for line in commands {
+        let (command, _) = line[2..].split_once("::").unwrap_or_else(|| panic!("{line}"));
+        let (level, properties) = command.split_once(' ').unwrap_or_else(|| panic!("{line}"));
+        assert!(["error", "warning", "notice"].contains(&level), "{line}");
+        for property in properties.split(',') {
+            let (name, value) = property.split_once('=').unwrap_or_else(|| panic!("{line}"));
+            match name {
+                "file" => assert!(value.starts_with("fixtures/"), "{line}"),
+                "line" | "endLine" | "col" | "endColumn" => assert!(value.parse::<u32>().is_ok(), "{line}"),
+                name => assert_eq!(name, "title", "{line}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn junit_counts_what_it_has() {
+    let text = check("junit");
+    let document = roxmltree::Document::parse(text).expect("well-formed XML");
+    let suites: Vec<_> = document.root_element().children().filter(roxmltree::Node::is_element).collect();
+    assert!(suites.len() > 100);
+    let mut has_clean = false;
+    for suite in suites {
+        let count =
+            |name: &str| suite.descendants().filter(|node| node.has_tag_name(name)).count().to_string();
+        assert_eq!(suite.attribute("tests"), Some(&*count("testcase")));
+        assert_eq!(suite.attribute("failures"), Some(&*count("failure")));
+        let names: Vec<_> = suite.children().filter_map(|case| case.attribute("name")).collect();
+        assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len(), "{names:?}");
+        has_clean |= names == ["no findings"];
+    }
+    assert!(has_clean, "the good fixtures have a case too");
+}
+
+#[test]
+fn concise_is_a_line_a_finding() {
+    let json: Value = serde_json::from_str(check("json")).expect("JSON");
+    let findings = list(&json, "findings");
+    let concise = check("concise");
+    let lines: Vec<&str> = concise.lines().collect();
+    assert_eq!(lines.len(), findings.len() + 1, "and the sum");
+    for (line, finding) in lines.iter().zip(findings) {
+        let start = ["file", "line", "column"].map(|name| finding[name].to_string().replace('"', ""));
+        let (severity, rule) = (finding["severity"].as_str(), finding["rule"].as_str());
+        let start = format!("{}: {} {}: ", start.join(":"), severity.unwrap_or(""), rule.unwrap_or(""));
+        assert!(line.starts_with(&start), "{line} is not of {finding}");
+    }
+}
+
+#[test]
+fn statistics_count_what_is_found() {
+    let broken = |arguments: &[&str]| {
+        let output = objdict(&[&["check", "--format", "json", "fixtures/broken"], arguments].concat());
+        serde_json::from_slice::<Value>(&output.stdout).expect("JSON")
+    };
+    let both = broken(&["--statistics"]);
+    let sum: u64 = list(&both, "statistics").iter().filter_map(|row| row["findings"].as_u64()).sum();
+    assert_eq!(sum, list(&both, "findings").len() as u64);
+    let only = broken(&["--statistics=only"]);
+    assert_eq!(only["statistics"], both["statistics"]);
+    assert_eq!(only["summary"], both["summary"]);
+    assert!(only.get("findings").is_none());
+    let output = objdict(&["check", "--format", "sarif", "--statistics", "fixtures/broken"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn the_same_run_gives_the_same_bytes() {
+    for format in ["sarif", "junit"] {
+        assert!(check(format) == checked(format), "{format}");
+    }
+}
+
+/// A reader that goes away, as `head` does, is no error, whatever is written.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let formats = ["text", "concise", "json", "sarif", "github", "gitlab", "junit"];
+    let checks =
+        formats.map(|format| (vec!["check", "--format", format, "fixtures/broken", "fixtures/rules"], 1));
+    let others = [
+        (vec!["check", "--statistics=only", "fixtures/broken"], 1),
+        (vec!["rules"], 0),
+        (vec!["rules", "--format", "json"], 0),
+        (vec!["explain", "cia306/duplicate-key"], 0),
+        (vec!["completions", "bash"], 0),
+    ];
+    for (arguments, code) in checks.into_iter().chain(others) {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_objdict"))
+            .args(&arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        let mut first = [0; 5];
+        child.stdout.take().expect("a pipe").read_exact(&mut first).expect("five bytes");
+        // the pipe is closed here: `take` moved its end into a temporary that is gone
+        let output = child.wait_with_output().expect("the command ends");
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}");
+        assert!(output.stderr.is_empty(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}

@@ -1,0 +1,75 @@
+//! The target `c` with `--table structs`: it lacks nothing.
+
+use std::path::Path;
+
+use objdict::generate::{CTable, Note, Options, Target, generate};
+use objdict::model::{DataType, Device, Value};
+
+use crate::compile::{c_compiler, cc};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::oracle::{facts_of, hex};
+use crate::processors::{Programs, build};
+use crate::stacks::beside;
+use crate::stacks::truth::{compare, truth};
+
+/// A limit on a node, as the harness prints it.
+fn limit(limit: Option<&Value>, data_type: DataType, node_id: u8) -> String {
+    let Some(limit) = limit else { return "-".to_owned() };
+    let on_node = limit.integer_for(node_id).and_then(|number| Value::from_integer(number, data_type));
+    hex(&on_node.as_ref().unwrap_or(limit).to_bytes(data_type).unwrap())
+}
+
+fn with_limits(device: &Device, node_id: u8) -> Vec<String> {
+    let rows = truth(device, node_id);
+    let facts: Vec<_> = facts_of(device).map(|(_, facts)| facts).collect();
+    let lines = rows.iter().zip(&facts).map(|(row, facts)| {
+        let [low, high] =
+            [&facts.low, &facts.high].map(|value| limit(value.as_ref(), facts.data_type, node_id));
+        format!("{row} {low} {high}")
+    });
+    lines.collect()
+}
+
+/// The rows on a node, with names or without, a line each, and the notes; the program that prints them is `harness`.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    (node_id, names): (u8, bool),
+) -> Result<(String, Vec<Note>), String> {
+    let mut options = Options::default();
+    options.table = CTable::Structs;
+    options.entry_names = names;
+    let generated = generate(device, Target::named("c").unwrap(), &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    let mut cc = cc(compiler, folder);
+    let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
+    cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
+    Ok((build(&cc)?.run(&[&node_id.to_string()], "")?, generated.notes))
+}
+
+#[test]
+fn the_array_of_structures_has_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        for names in [true, false] {
+            let fail = |error: String| format!("{name}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let node_id = if names { 5 } else { 127 };
+            let (dump, _) = dump(&compiler, folder.path(), device, (node_id, names)).map_err(fail)?;
+            compare(name, &truth(device, node_id), &dump)?;
+            let dump = Programs::at(&folder.path().join("harness"))
+                .run(&[&node_id.to_string(), "limits"], "")
+                .map_err(fail)?;
+            let expected = with_limits(device, node_id);
+            for (expected, line) in expected.iter().zip(dump.lines()) {
+                if expected != line {
+                    return Err(fail(format!("`{line}` where `{expected}` was expected")));
+                }
+            }
+        }
+        Ok(())
+    });
+}

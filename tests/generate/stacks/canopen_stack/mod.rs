@@ -1,0 +1,134 @@
+//! The target `canopen-stack`.
+
+use std::path::Path;
+
+use objdict::generate::{Generated, Group, Note, Options, Target, generate};
+use objdict::model::Device;
+
+use crate::compile::{c_compiler, cc, succeed};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::processors::build;
+use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, checkout};
+
+/// What the rows of the stack do not tell.
+const LACKS: [Lack; 5] = [
+    Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
+    Lack {
+        what: "one flag for mapping in both directions",
+        of: |row| row.tpdo || row.rpdo,
+        instead: |row| Some(Row { tpdo: row.read, rpdo: row.write, ..row }),
+    },
+    Lack {
+        what: "an error history that is empty at start",
+        of: |row| row.index == 0x1003 && row.sub > 0 && row.data_type.is_none() && row.size == Some(4),
+        instead: |row| Some(Row { default: None, ..row }),
+    },
+    Lack {
+        what: "1011h reads as 1 or 0",
+        of: |row| row.index == 0x1011 && row.sub > 0 && row.size == Some(4),
+        instead: |row| {
+            let any = row.default.as_ref().is_some_and(|bytes| bytes.iter().any(|&byte| byte != 0));
+            Some(Row { default: Some(vec![u8::from(any), 0, 0, 0]), ..row })
+        },
+    },
+    Lack {
+        what: "heartbeat consumers of 24 bits",
+        of: |row| row.index == 0x1016 && row.sub > 0 && row.size == Some(4),
+        instead: |row| {
+            let default = row.default.map(|bytes| [&bytes[..3], &[0]].concat());
+            Some(Row { default, ..row })
+        },
+    },
+];
+
+pub(crate) fn options(node_id: u8, grouped: bool) -> Options {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    options.file_stem = "device".to_owned();
+    if grouped {
+        let group = |text: &str| text.parse::<Group>().unwrap();
+        options.groups = vec![group("1000-1FFF=COMM"), group("2000-9FFF=APP"), group("2100=ram")];
+    }
+    options
+}
+
+fn write(folder: &Path, device: &Device, options: &Options) -> Generated {
+    let target = Target::named("canopen-stack").unwrap();
+    let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated
+}
+
+/// The rows that the stack shall have; without 1200h, its own.
+fn expected(device: &Device, node_id: u8) -> Vec<Row> {
+    let mut rows = without(&LACKS, truth(device, node_id));
+    if !rows.iter().any(|row| row.index == 0x1200) {
+        for (sub, base) in [(0, 2_u16), (1, 0x600), (2, 0x580)] {
+            let size = if sub == 0 { 1 } else { 4 };
+            let value = u32::from(base) + if sub == 0 { 0 } else { u32::from(node_id) };
+            let default = Some(value.to_le_bytes()[..size].to_vec());
+            let row =
+                Row { index: 0x1200, sub, data_type: None, kind: None, size: Some(size), default, ..rows[0] };
+            rows.push(Row { read: true, write: false, tpdo: false, rpdo: false, ..row });
+        }
+        rows.sort_by_key(|row| (row.index, row.sub));
+    }
+    rows
+}
+
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    options: &Options,
+) -> Result<(String, Vec<Note>), String> {
+    let notes = write(folder, device, options).notes;
+    let mut cc = cc(compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
+    cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
+    Ok((build(cc.arg(beside("canopen_stack", "harness.c")))?.run(&[], "")?, notes))
+}
+
+#[test]
+fn the_stack_reads_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    let devices = [devices(), arbitrary_devices(12)].concat();
+    for_all(&devices, |(name, device)| {
+        for (node_id, grouped) in [(5, false), (127, true)] {
+            let fail = |error: String| format!("{name}, node {node_id}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let options = options(node_id, grouped);
+            let (dump, _) = dump(&compiler, folder.path(), device, &options).map_err(fail)?;
+            compare(name, &expected(device, node_id), &dump).map_err(fail)?;
+        }
+        Ok(())
+    });
+}
+
+/// `OBJDICT_CANOPEN_STACK_DIR` names a checkout of the stack.
+#[test]
+fn the_headers_of_the_real_stack_take_the_files() {
+    let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPEN_STACK_DIR"), c_compiler()) else { return };
+    let mut folders = vec![stack.join("src")];
+    let mut at = 0;
+    while let Some(folder) = folders.get(at).cloned() {
+        let inside = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        folders.extend(inside.filter(|path| path.is_dir()));
+        at += 1;
+    }
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        write(folder.path(), device, &options(5, true));
+        let mut cc = cc(&compiler, folder.path());
+        for folder in &folders {
+            cc.arg("-isystem").arg(folder);
+        }
+        cc.args(["-DCO_RPDO_N=512", "-DCO_TPDO_N=512", "-DCO_SSDO_N=128", "-DCO_CSDO_N=128"]);
+        cc.args(["-fsyntax-only", "device_od.c", "device_od_spec.c"]);
+        succeed(&mut cc, "").map_err(|error| format!("{name}: {error}")).map(drop)
+    });
+}

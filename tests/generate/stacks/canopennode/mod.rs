@@ -1,0 +1,214 @@
+//! The target `canopennode`: `OD.h` and `OD.c` of CANopenNode 4.
+
+mod output;
+mod real;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use objdict::generate::{Note, Options, Target, generate};
+use objdict::model::{Device, TypeKind};
+
+use crate::compile::{c_compiler, cc, succeed};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::oracle::{Answer, Dictionary, Facts, facts_of, hex};
+use crate::processors::build;
+use crate::script::edges;
+use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, checkout};
+
+/// The node that everything runs on.
+const NODE_ID: u8 = 5;
+
+/// What the stack does not have.
+const LACKS: &[Lack] = &[
+    Lack {
+        what: "the tables do not tell data types",
+        of: |_| true,
+        instead: |row| Some(Row { data_type: None, ..row }),
+    },
+    Lack {
+        what: "blocks of bytes have no room to grow",
+        of: |row| matches!(row.kind, Some(TypeKind::OctetString | TypeKind::Domain)),
+        instead: |row| Some(Row { size: row.default.as_ref().map(Vec::len), ..row }),
+    },
+    Lack {
+        what: "texts end at a zero",
+        of: |row| matches!(row.kind, Some(TypeKind::VisibleString | TypeKind::UnicodeString)),
+        instead: |row| Some(Row { default: row.default.clone().map(up_to_zeros), ..row }),
+    },
+    Lack {
+        what: "COB-IDs without a node-ID are those of the pre-defined connection set",
+        of: |row| predefined(row).is_some(),
+        instead: |row| Some(Row { default: predefined(&row), ..row }),
+    },
+];
+
+fn up_to_zeros(mut bytes: Vec<u8>) -> Vec<u8> {
+    while bytes.last() == Some(&0) {
+        bytes.pop();
+    }
+    bytes
+}
+
+/// What the stack puts in the place of a COB-ID.
+fn predefined(row: &Row) -> Option<Vec<u8>> {
+    let bytes: [u8; 4] = row.default.as_deref()?.try_into().ok()?;
+    let value = u32::from_le_bytes(bytes);
+    let function = match (row.index, row.sub) {
+        (0x1200, 1) => return Some((0x600 + u32::from(NODE_ID)).to_le_bytes().to_vec()),
+        (0x1200, 2) => return Some((0x580 + u32::from(NODE_ID)).to_le_bytes().to_vec()),
+        (0x1014, 0) => 0x80,
+        (0x1400..=0x1403, 1) => 0x200 + 0x100 * u32::from(row.index - 0x1400),
+        (0x1800..=0x1803, 1) => 0x180 + 0x100 * u32::from(row.index - 0x1800),
+        _ => return None,
+    };
+    (value & 0x7FF == function).then(|| (value + u32::from(NODE_ID)).to_le_bytes().to_vec())
+}
+
+/// The entries as the stack has them: objects have 255 at most.
+fn expected(device: &Device) -> Vec<Row> {
+    let mut rows = truth(device, NODE_ID);
+    let mut counts: BTreeMap<u16, usize> = BTreeMap::new();
+    rows.iter().for_each(|row| *counts.entry(row.index).or_default() += 1);
+    rows.retain(|row| row.sub != 0xFF || counts[&row.index] < 256);
+    without(LACKS, rows)
+}
+
+fn generate_into(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
+    let target = Target::named("canopennode").unwrap();
+    let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated.notes
+}
+
+/// A compiler's command that finds our declarations and the generated files.
+fn with_declarations(compiler: &str, folder: &Path) -> Command {
+    let mut command = cc(compiler, folder);
+    command.arg("-I").arg(beside("canopennode", "include")).arg("-I.");
+    command
+}
+
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(String, Vec<Note>), String> {
+    let notes = generate_into(folder, device, &Options::default());
+    let mut cc = with_declarations(compiler, folder);
+    cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
+    Ok((build(&cc)?.run(&["dump", &NODE_ID.to_string()], "")?, notes))
+}
+
+#[test]
+fn the_tables_hold_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    let entries = AtomicUsize::new(0);
+    let stack = checkout("OBJDICT_CANOPENNODE_DIR");
+    let devices = [devices(), arbitrary_devices(8)].concat();
+    for_all(&devices, |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let fail = |error: String| format!("{name}: {error}");
+        let (output, notes) = dump(&compiler, folder, device).map_err(fail)?;
+        let expected = expected(device);
+        entries.fetch_add(expected.len(), Ordering::Relaxed);
+        compare(name, &expected, &output)?;
+        match &stack {
+            Some(stack) => real::compiles(&compiler, folder, stack, &notes).map_err(fail),
+            None => Ok(()),
+        }
+    });
+    let entries = entries.into_inner();
+    assert!(entries > 5_000, "only {entries} entries were compared");
+}
+
+fn with_limits() -> Options {
+    let mut options = Options::default();
+    options.limits = true;
+    options
+}
+
+/// Whether limits of an entry are kept: the stack writes communication parameters itself.
+fn is_kept(index: u16, facts: &Facts) -> bool {
+    index >= 0x2000 && facts.access.is_writable() && (facts.low.is_some() || facts.high.is_some())
+}
+
+#[test]
+fn limits_are_kept_where_it_is_asked_for() {
+    let Some(compiler) = c_compiler() else { return };
+    let writes = AtomicUsize::new(0);
+    let options = with_limits();
+    for_all(&devices(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let fail = |error: String| format!("{name}: {error}");
+        generate_into(folder, device, &options);
+        let mut cc = with_declarations(&compiler, folder);
+        cc.args(["-DWITH_LIMITS", "-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
+        let programs = build(&cc).map_err(fail)?;
+        let mut dictionary = Dictionary::new(device, NODE_ID);
+        let (mut input, mut expected) = (String::new(), Vec::new());
+        for ((index, sub), facts) in facts_of(device).filter(|((index, _), facts)| is_kept(*index, facts)) {
+            for bytes in edges(&facts).into_iter().filter(|bytes| !is_no_truth(&facts, bytes)) {
+                input.push_str(&format!("{index:04X} {sub:02X} {}\n", hex(&bytes)));
+                let answer: Answer = dictionary.write(index, sub, &bytes);
+                let answer = answer.err().unwrap_or(0);
+                expected.push(format!("{index:04X} {sub:02X} {}: {answer:08X}", hex(&bytes)));
+            }
+        }
+        writes.fetch_add(expected.len(), Ordering::Relaxed);
+        let output = programs.run(&["write", &NODE_ID.to_string()], &input).map_err(fail)?;
+        let answers: Vec<String> =
+            input.lines().zip(output.lines()).map(|(line, answer)| format!("{line}: {answer}")).collect();
+        if answers == expected {
+            return Ok(());
+        }
+        let wrong = answers.iter().zip(&expected).find(|(answer, expected)| answer != expected);
+        Err(fail(format!("{wrong:?}")))
+    });
+    let writes = writes.into_inner();
+    assert!(writes > 400, "only {writes} writes were compared");
+}
+
+/// A BOOLEAN that is neither true nor false, which the stack takes.
+fn is_no_truth(facts: &Facts, bytes: &[u8]) -> bool {
+    facts.kind == Some(TypeKind::Boolean) && bytes.iter().any(|&byte| byte > 1)
+}
+
+#[test]
+fn several_dictionaries_go_into_one_program_and_into_cpp() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let healthy = |ending: &str| {
+        let all = devices();
+        all.into_iter().find(|(name, _)| name == ending).map(|(_, device)| device).unwrap()
+    };
+    let mut motor = with_limits();
+    motor.prefix = Some("motor".to_owned());
+    generate_into(folder, &healthy("drive-402.eds"), &motor);
+    generate_into(folder, &crate::odd::device(), &with_limits());
+    let mut cc = with_declarations(&compiler, folder);
+    cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "MOTOR.c"]);
+    build(cc.arg(beside("canopennode", "several.c"))).unwrap().run(&[], "").unwrap();
+
+    let cpp = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
+    if Command::new(&cpp).arg("--version").output().is_err() {
+        eprintln!("skipped: no C++ compiler `{cpp}`");
+        return;
+    }
+    std::fs::write(folder.join("headers.cpp"), "#include \"OD.h\"\n#include \"MOTOR.h\"\n").unwrap();
+    let mut command = Command::new(cpp);
+    command.current_dir(folder).args([
+        "-std=c++11",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Werror",
+        "-fsyntax-only",
+    ]);
+    command.arg("-I").arg(beside("canopennode", "include")).args(["-I.", "headers.cpp"]);
+    succeed(&mut command, "").unwrap();
+}

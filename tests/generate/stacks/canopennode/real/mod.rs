@@ -1,0 +1,122 @@
+//! The real stack, where `OBJDICT_CANOPENNODE_DIR` names a checkout of it: it compiles with the tables, starts, and its SDO
+//! server answers what the description says.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use objdict::diagnostic::Severity;
+use objdict::generate::{Note, Options};
+use objdict::model::TypeKind;
+
+use super::{NODE_ID, expected, generate_into};
+use crate::compile::{c_compiler, succeed};
+use crate::devices::{devices, for_all};
+use crate::oracle::hex;
+use crate::stacks::truth::Row;
+use crate::stacks::{beside, checkout};
+
+/// The files of the stack beside `CANopen.c`, which do not see the tables.
+const SOURCES: [&str; 12] = [
+    "301/CO_Emergency",
+    "301/CO_HBconsumer",
+    "301/CO_NMT_Heartbeat",
+    "301/CO_ODinterface",
+    "301/CO_PDO",
+    "301/CO_SDOclient",
+    "301/CO_SDOserver",
+    "301/CO_SYNC",
+    "301/CO_TIME",
+    "303/CO_LEDs",
+    "305/CO_LSSslave",
+    "storage/CO_storage",
+];
+
+/// Compiles the tables with the headers of the real stack, and the stack with the tables: it compiles just where no note
+/// says that it does not.
+pub(super) fn compiles(compiler: &str, folder: &Path, stack: &Path, notes: &[Note]) -> Result<(), String> {
+    let cc = |flags: &[&str]| {
+        let mut cc = Command::new(compiler);
+        cc.current_dir(folder).args(["-std=c99", "-fsyntax-only", "-I."]).arg("-I").arg(stack);
+        cc.arg("-I").arg(stack.join("example")).args(flags);
+        cc
+    };
+    succeed(&mut cc(&["-Wall", "-Wextra", "-Werror", "OD.c"]), "")?;
+    succeed(cc(&["-DCO_MULTIPLE_OD", "-include", "OD.h"]).arg(stack.join("CANopen.c")), "")?;
+    let refused: Vec<&Note> = notes.iter().filter(|note| note.message.contains("not compile")).collect();
+    match (succeed(cc(&[]).arg(stack.join("CANopen.c")), ""), refused.as_slice()) {
+        (Ok(_), []) | (Err(_), [_, ..]) => Ok(()),
+        (Err(error), []) => Err(format!("no note says why\n{error}")),
+        (Ok(_), [note, ..]) if note.message.contains("takes other objects") => Ok(()),
+        (Ok(_), [note, ..]) => Err(format!("the stack compiles, although {note}")),
+    }
+}
+
+/// A compiler's command for the stack with a port of ours.
+fn with_port(compiler: &str, folder: &Path, stack: &Path) -> Command {
+    let mut cc = Command::new(compiler);
+    cc.current_dir(folder).args(["-std=c99", "-I."]).arg("-I").arg(beside("canopennode", "real"));
+    cc.arg("-I").arg(stack);
+    cc
+}
+
+/// What the SDO server answers to the upload of an entry; `None` where that is decided by the stack.
+fn answer(row: &Row) -> Option<String> {
+    let is_unicode = row.kind == Some(TypeKind::UnicodeString); // cut at its first zero
+    // the history is empty, and the error register tells what the stack found wrong, the silence of other nodes among it
+    let lives = (row.index == 0x1003 && row.sub > 0) || row.index == 0x1001;
+    let history = [0].to_vec();
+    let default = match (row.index, row.sub) {
+        (0x1003, 0) => Some(&history),
+        _ => row.default.as_ref().filter(|default| !default.is_empty()),
+    };
+    let text = match default {
+        _ if !row.read => "abort 06010001".to_owned(),
+        Some(default) if !is_unicode && !lives => hex(default),
+        _ => return None,
+    };
+    Some(format!("{:04X} {:02X} {text}", row.index, row.sub))
+}
+
+#[test]
+fn the_sdo_server_of_the_real_stack_answers_what_the_description_says() {
+    let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPENNODE_DIR"), c_compiler()) else { return };
+    let objects = tempfile::tempdir().unwrap();
+    let sources: Vec<PathBuf> = SOURCES.iter().map(|source| stack.join(source).with_extension("c")).collect();
+    succeed(with_port(&compiler, objects.path(), &stack).arg("-c").args(&sources), "").unwrap();
+    let objects: Vec<PathBuf> =
+        objects.path().read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    let started = AtomicUsize::new(0);
+    for_all(&devices(), |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let fail = |error: String| format!("{name}: {error}");
+        let notes = generate_into(folder, device, &Options::default());
+        let is_grave = |note: &Note| {
+            note.severity > Severity::Note || note.message.contains("reports an error when it starts")
+        };
+        if notes.iter().any(is_grave) {
+            return Ok(()); // it does not start, or not as it is described, and that is said
+        }
+        let mut cc = with_port(&compiler, folder, &stack);
+        cc.args(["-Wall", "-Wextra", "-o", "node", "OD.c"]).arg(stack.join("CANopen.c"));
+        succeed(cc.arg(beside("canopennode", "real/node.c")).args(&objects), "").map_err(fail)?;
+        let mut node = Command::new(folder.join("node"));
+        let output = succeed(node.arg(NODE_ID.to_string()), "").map_err(fail)?;
+        let lines: Vec<&str> = output.lines().collect();
+        if let Some(line) = lines.iter().find(|line| line.starts_with("CO_")) {
+            return Err(fail(format!("no note says why `{line}`")));
+        }
+        let expected: Vec<String> = expected(device).iter().filter_map(answer).collect();
+        let missing: Vec<&String> = expected.iter().filter(|line| !lines.contains(&line.as_str())).collect();
+        if let Some(missing) = missing.first() {
+            let address = missing.get(..7).unwrap_or_default();
+            let answered = lines.iter().find(|line| line.starts_with(address));
+            return Err(fail(format!("`{missing}` expected, {answered:?}; {} in all", expected.len())));
+        }
+        started.fetch_add(1, Ordering::Relaxed);
+        Ok(())
+    });
+    let started = started.into_inner();
+    assert!(started > 3, "only {started} nodes started");
+}

@@ -1,0 +1,145 @@
+//! What the plain table in C costs on a processor of 32 bits, beside that of CANopenNode for the same description: one of
+//! 76 objects with 157 entries, as many as the device has that the project's figures are about.
+
+use std::path::Path;
+
+use objdict::generate::{Options, Target, generate};
+use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
+
+use crate::compile::{c_compiler, cc, succeed};
+use crate::processors::build;
+use crate::stacks::beside;
+use crate::stacks::measure::{Measured, tools};
+
+/// What CANopenNode's own generator makes of that device takes on a Cortex-M4, in bytes: constants, and the values with the
+/// list of objects. Values that do not begin with zeros are in flash too.
+const CONSTANTS: usize = 1_716;
+const VALUES: usize = 1_376;
+
+const TYPES: [DataType; 5] = [
+    DataType::UNSIGNED32,
+    DataType::UNSIGNED16,
+    DataType::INTEGER16,
+    DataType::UNSIGNED8,
+    DataType::INTEGER32,
+];
+
+/// An entry of one of the types, each third with limits.
+fn entry(name: String, number: u16) -> Entry {
+    let mut entry = Entry {
+        name: name.into(),
+        object_type: Some(ObjectType::Var),
+        data_type: Some(TYPES[usize::from(number) % TYPES.len()]),
+        access: Some(Access::Rw),
+        default: Some(Value::Unsigned(u64::from(number % 100))),
+        ..Entry::default()
+    };
+    if number.is_multiple_of(3) {
+        entry.low_limit = Some(Value::Unsigned(0));
+        entry.high_limit = Some(Value::Unsigned(120));
+    }
+    entry
+}
+
+/// So many VARs, and so many RECORDs with three members and their number.
+fn device(vars: u16, records: u16) -> Device {
+    let mut device = Device::default();
+    for number in 0..vars {
+        let main = entry(format!("Parameter {number}"), number);
+        device.objects.insert(0x2000 + 7 * number, Object { main, ..Object::default() });
+    }
+    for number in 0..records {
+        let main = Entry {
+            name: format!("Axis {number}").into(),
+            object_type: Some(ObjectType::Record),
+            ..Entry::default()
+        };
+        let count = Entry {
+            data_type: Some(DataType::UNSIGNED8),
+            access: Some(Access::Const),
+            default: Some(Value::Unsigned(3)),
+            ..entry("Highest sub-index supported".to_owned(), 1)
+        };
+        let subs = (1..=3).map(|sub: u8| (sub, entry(format!("Gain {sub}"), 3 * number + u16::from(sub))));
+        let subs = std::iter::once((0, count)).chain(subs).collect();
+        device.objects.insert(0x6000 + 16 * number, Object { main, subs, ..Object::default() });
+    }
+    device
+}
+
+fn write(folder: &Path, device: &Device, target: &str) {
+    let target = Target::named(target).unwrap();
+    for file in generate(device, target, &Options::default()).unwrap().files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+}
+
+#[test]
+fn the_plain_table_takes_no_more_than_that_of_canopennode() {
+    let Some(tools) = tools() else { return };
+    let device = device(49, 27);
+    let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
+    assert_eq!((device.objects.len(), entries), (76, 157));
+    let measured = |target: &str, sources: &[&str]| -> Measured {
+        let folder = tempfile::tempdir().unwrap();
+        write(folder.path(), &device, target);
+        std::fs::write(folder.path().join("data.c"), "#include \"od.h\"\nod_data_t data;\n").unwrap();
+        let mut cc = tools.cc(folder.path());
+        cc.arg("-I.").arg(format!("-I{}", beside("canopennode", "include").display())).args(sources);
+        succeed(&mut cc, "").unwrap();
+        tools.measure(folder.path()).unwrap()
+    };
+    // tables only: what serves them is in the stack of the one, and in `od.c` of the other, once for any number of entries
+    let plain = measured("c", &["od.c", "data.c"]);
+    let stack = measured("canopennode", &["OD.c"]);
+    assert!(plain.flash <= stack.flash && plain.ram <= stack.ram, "{plain:?}, {stack:?}");
+    assert!(plain.flash <= CONSTANTS + VALUES && plain.ram <= VALUES, "{plain:?}");
+    assert!(plain.flash <= 16 * entries, "{plain:?}");
+    let all = |measured: Measured| measured.flash + measured.ram + measured.code;
+    assert!(all(plain) <= all(stack), "{plain:?}, {stack:?}"); // even with the code that serves it
+}
+
+const COUNTS: &str = r#"
+#include <stdio.h>
+static unsigned long compared;
+#include "od.c"
+
+int main(void)
+{
+    unsigned long worst = 0u;
+    unsigned long key;
+    for (key = 0u; key <= 0xFFFFFFul; key += 1u + (key % 5u)) {
+        compared = 0u;
+        (void)od_find((uint16_t)(key >> 8), (uint8_t)(key & 0xFFu));
+        worst = compared > worst ? compared : worst;
+    }
+    for (key = 0u; key < OD_ENTRY_COUNT; key++) {
+        compared = 0u;
+        (void)od_find(od_entries[key].index, od_entries[key].sub);
+        worst = compared > worst ? compared : worst;
+    }
+    printf("%lu", worst);
+    return 0;
+}
+"#;
+
+/// A copy of the source counts how often it orders two keys; that they are equal is asked once more at the end.
+#[test]
+fn an_entry_is_found_with_log2_of_n_comparisons() {
+    let Some(compiler) = c_compiler() else { return };
+    for (vars, records) in [(1, 0), (2, 0), (3, 0), (64, 0), (65, 0), (49, 27), (500, 200)] {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        write(folder, &device(vars, records), "c");
+        let source = std::fs::read_to_string(folder.join("od.c")).unwrap();
+        let ordered = "if (od_key(entry[half].index, entry[half].sub) <= key)";
+        assert_eq!(source.matches(ordered).count(), 1);
+        let counting = source.replace(ordered, &format!("compared++;\n        {ordered}"));
+        std::fs::write(folder.join("od.c"), counting).unwrap();
+        std::fs::write(folder.join("counts.c"), COUNTS).unwrap();
+        let programs = build(cc(&compiler, folder).args(["-O1", "-I.", "-o", "counts", "counts.c"])).unwrap();
+        let worst: f64 = programs.run(&[], "").unwrap().parse().unwrap();
+        let entries = f64::from(vars) + 4.0 * f64::from(records);
+        assert!(worst <= entries.log2() + 1.0, "{worst} comparisons among {entries} entries");
+    }
+}

@@ -1,0 +1,106 @@
+//! The target `microcanopen`.
+
+use std::path::Path;
+
+use objdict::generate::{Generated, Note, Options, Target, generate};
+use objdict::model::{Device, TypeKind};
+
+use crate::compile::{c_compiler, cc};
+use crate::devices::{arbitrary_devices, device, devices, for_all};
+use crate::processors::{Programs, build};
+use crate::stacks::beside;
+use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::support::fixtures;
+
+/// Whether a value has as many bytes as its length says.
+fn is_text(row: &Row) -> bool {
+    use TypeKind::{Domain, OctetString, UnicodeString, VisibleString};
+    matches!(row.kind, Some(VisibleString | OctetString | UnicodeString | Domain))
+}
+
+/// Whether the entry is no part of the process image, so that nobody can write it.
+fn is_reply(row: &Row) -> bool {
+    row.index < 0x2000 || is_text(row)
+}
+
+/// What the tables do not have.
+const LACKS: [Lack; 5] = [
+    Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
+    Lack {
+        what: "no flags for mapping",
+        of: |_| true,
+        instead: |row| Some(Row { tpdo: false, rpdo: false, ..row }),
+    },
+    Lack {
+        what: "error register and heartbeat time are in the stack",
+        of: |row| matches!((row.index, row.sub), (0x1001 | 0x1017, 0)),
+        instead: |_| None,
+    },
+    Lack {
+        what: "nothing is written outside of the process image",
+        of: is_reply,
+        instead: |row| {
+            let size = row.default.as_ref().map(Vec::len);
+            row.read.then_some(Row { write: false, size, ..row })
+        },
+    },
+    Lack {
+        what: "values of 1 to 4 bytes",
+        of: |row| !(1..=4).contains(&row.size.unwrap_or(0)),
+        instead: |_| None,
+    },
+];
+
+fn write(folder: &Path, device: &Device, node_id: u8) -> Generated {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    options.file_stem = "device".to_owned();
+    let generated = generate(device, Target::named("microcanopen").unwrap(), &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated
+}
+
+fn built(compiler: &str, folder: &Path) -> Result<Programs, String> {
+    let mut cc = cc(compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("microcanopen", "include").display()));
+    cc.args(["-o", "harness", "device_mco.c"]).arg(beside("microcanopen", "harness.c"));
+    build(&cc)
+}
+
+/// The entries as the stack finds them, a line each, and the notes.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    node_id: u8,
+) -> Result<(String, Vec<Note>), String> {
+    let notes = write(folder, device, node_id).notes;
+    Ok((built(compiler, folder)?.run(&[], "")?, notes))
+}
+
+#[test]
+fn a_client_reads_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        for node_id in [5, 127] {
+            let fail = |error: String| format!("{name}, node {node_id}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
+            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn pdos_are_initialised_with_what_lies_in_the_image() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let generated = write(folder.path(), &device(&fixtures().join("eds/io-401.eds")), 5);
+    let calls = built(&compiler, folder.path()).unwrap().run(&["pdos"], "").unwrap();
+    insta::assert_snapshot!("calls", calls);
+    let notes: String = generated.notes.iter().map(|note| format!("{note}\n")).collect();
+    insta::assert_snapshot!("notes", notes);
+}

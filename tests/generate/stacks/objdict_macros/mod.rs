@@ -1,0 +1,83 @@
+//! The target `objdict-macros`.
+
+use std::path::Path;
+
+use objdict::generate::{Note, Options, Target, generate};
+use objdict::model::{Device, PdoKind};
+
+use crate::compile::{c_compiler, cc};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::processors::{Programs, build};
+use crate::stacks::beside;
+use crate::stacks::truth::{Lack, Row, compare, truth, without};
+
+/// What the rows do not have.
+const LACKS: [Lack; 3] = [
+    Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
+    Lack {
+        what: "mapping in one direction",
+        of: |row| row.tpdo && row.rpdo,
+        instead: |row| Some(Row { tpdo: false, ..row }),
+    },
+    Lack {
+        what: "one length",
+        of: |_| true,
+        instead: |mut row| {
+            if let (Some(default), Some(size)) = (&mut row.default, row.size) {
+                default.resize(size, 0);
+            }
+            Some(row)
+        },
+    },
+];
+
+/// The mapping as the harness prints it.
+fn mapping(device: &Device) -> String {
+    let mut text = String::new();
+    for kind in PdoKind::ALL {
+        let last = device.pdos().filter(|pdo| pdo.kind == kind).map(|pdo| pdo.number).max().unwrap_or(0);
+        for number in 1..=last {
+            let pdo = device.pdo(kind, number);
+            let mapped = pdo.iter().flat_map(|pdo| pdo.mapped().take(8).collect::<Vec<_>>());
+            let mapped = mapped.map(|to| format!(" {:04X}.{:02X}.{}", to.index, to.sub, to.bits));
+            text.push_str(&format!("{kind} {number}:{}\n", mapped.collect::<String>()));
+        }
+    }
+    text
+}
+
+/// The rows, a line each, and the notes; the program that prints them is `harness`.
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    node_id: u8,
+) -> Result<(String, Vec<Note>), String> {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    let generated = generate(device, Target::named("objdict-macros").unwrap(), &options).unwrap();
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    let mut cc = cc(compiler, folder);
+    let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
+    Ok((build(cc.arg(beside("objdict_macros", "harness.c")))?.run(&[], "")?, generated.notes))
+}
+
+#[test]
+fn the_rows_have_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        for node_id in [5, 127] {
+            let fail = |error: String| format!("{name}, node {node_id}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
+            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
+            let maps = Programs::at(&folder.path().join("harness")).run(&["mapping"], "").map_err(fail)?;
+            if maps != mapping(device) {
+                return Err(fail(format!("{maps}\nwhere this was expected:\n{}", mapping(device))));
+            }
+        }
+        Ok(())
+    });
+}

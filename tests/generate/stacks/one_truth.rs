@@ -1,0 +1,154 @@
+//! One description, one truth: the dumps of all targets that compile here are compared with each other.
+
+use std::path::Path;
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use objdict::model::Device;
+
+use crate::compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::stacks::columns::{Aspect, Column, agree};
+use crate::stacks::truth::truth;
+use crate::stacks::{c_structs, canopen_stack, canopennode, microcanopen, objdict_macros};
+
+/// The node that everything runs on.
+const NODE_ID: u8 = 5;
+
+/// The devices with the most unlike entries; each target by itself is tried on all.
+const DEVICES: [&str; 9] = [
+    "all-types.eds",
+    "constant",
+    "drive-402.eds",
+    "hostile-unicode.eds",
+    "hostile.eds",
+    "io-401-node5.dcf",
+    "manager-302-node1.dcf",
+    "microcanopen.eds",
+    "odd",
+];
+
+/// A line of the drivers of the plain targets as one of a dump; a formula of their tables stands without the node-ID.
+fn dumped(line: &str) -> Option<String> {
+    let words: Vec<&str> = line.split(' ').collect();
+    let [index, sub, data_type, flags, size, default, ..] = words[..] else { return None };
+    let flags: Vec<bool> = flags.bytes().map(|flag| flag == b'1').collect();
+    let [read, write, tpdo, rpdo, formula] = flags[..] else { return None };
+    let access: String = [(read, 'r'), (write, 'w'), (tpdo, 't'), (rpdo, 'p')]
+        .map(|(has, letter)| if has { letter } else { '-' })
+        .iter()
+        .collect();
+    let default = if formula {
+        let digits: Vec<&str> =
+            (0..default.len()).step_by(2).filter_map(|at| default.get(at..at + 2)).rev().collect();
+        let value = u64::from_str_radix(&digits.concat(), 16).ok()? + u64::from(NODE_ID);
+        value.to_le_bytes()[..digits.len()].iter().map(|byte| format!("{byte:02X}")).collect()
+    } else {
+        default.to_owned()
+    };
+    Some(format!("{index} {sub} {data_type} {size} {access} {default}\n"))
+}
+
+/// What the driver of a plain target prints of its table.
+fn plain(
+    target: &'static str,
+    program: &Path,
+    notes: Vec<objdict::generate::Note>,
+) -> Result<Column, String> {
+    let printed = succeed(&mut Command::new(program), &format!("i {NODE_ID:02X}\nt\n"))?;
+    let dump: Option<String> = printed.lines().map(dumped).collect();
+    Ok(Column::of_dump(target, &dump.ok_or("the driver prints no table")?, notes))
+}
+
+fn columns(compiler: &str, folder: &Path, device: &Device) -> Result<Vec<Column>, String> {
+    let folder = |name: &str| {
+        let folder = folder.join(name);
+        std::fs::create_dir(&folder).map_err(|error| error.to_string()).map(|()| folder)
+    };
+    let mut columns = vec![Column::of_rows("the description", &truth(device, NODE_ID), Vec::new())];
+
+    let at = folder("rust")?;
+    let notes = generate_into(&at, device, "rust").notes;
+    succeed(rustc(&at).arg(driver("driver.rs")).args(["-o", "driver"]), "")?;
+    columns.push(plain("rust", &at.join("driver"), notes)?);
+
+    let at = folder("c")?;
+    let notes = generate_into(&at, device, "c").notes;
+    succeed(cc(compiler, &at).args(["-I.", "-o", "driver", "od.c"]).arg(driver("driver.c")), "")?;
+    columns.push(plain("c", &at.join("driver"), notes)?);
+
+    let (dump, notes) = c_structs::dump(compiler, &folder("structs")?, device, (NODE_ID, true))?;
+    columns.push(Column::of_dump("c --table structs", &dump, notes));
+
+    let (dump, notes) = canopennode::dump(compiler, &folder("canopennode")?, device)?;
+    let column = Column::of_dump("canopennode", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Type], excuses: OF_CANOPENNODE, ..column });
+
+    let options = canopen_stack::options(NODE_ID, false);
+    let (dump, notes) = canopen_stack::dump(compiler, &folder("canopen-stack")?, device, &options)?;
+    let mut column = Column::of_dump("canopen-stack", &dump, notes);
+    for (_, cell) in column.cells.iter_mut().filter(|((index, sub), _)| *index == 0x1003 && *sub > 0) {
+        if cell[4] == "-" {
+            cell[4] = "00000000".to_owned(); // an error history of zeros is one without errors, which cannot be read
+        }
+    }
+    columns.push(Column { untold: &[Aspect::Type], excuses: OF_CANOPEN_STACK, ..column });
+
+    let (dump, notes) = microcanopen::dump(compiler, &folder("microcanopen")?, device, NODE_ID)?;
+    let column = Column::of_dump("microcanopen", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Type, Aspect::Mapping], excuses: OF_MICROCANOPEN, ..column });
+
+    let (dump, notes) = objdict_macros::dump(compiler, &folder("objdict-macros")?, device, NODE_ID)?;
+    let column = Column::of_dump("objdict-macros", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Type], excuses: OF_OBJDICT_MACROS, ..column });
+    Ok(columns)
+}
+
+const OF_CANOPENNODE: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "an object of the stack has 255 entries at most"),
+    (Aspect::Size, "of the stack has always the same length"),
+    (Aspect::Size, "without default has no room in the tables"),
+    (Aspect::Default, "ends a UNICODE_STRING at its first zero byte"),
+    (Aspect::Default, "ends a text at its first zero"),
+    (Aspect::Default, "the stack adds the node-ID to"),
+    (Aspect::Default, "the stack sets it to"),
+    (Aspect::Default, "a NaN comes out as"),
+];
+
+const OF_CANOPEN_STACK: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "without 1200h the stack has no SDO server; it is added"),
+    (Aspect::Mapping, "its row has one flag for both directions"),
+    (Aspect::Default, "the error history is empty when the stack begins"),
+    (Aspect::Default, "its value has no bit 0, so no SDO"),
+    (Aspect::Default, "the stack answers 1 or 0 and nothing else"),
+    (Aspect::Default, "the stack does not add the node-ID here"),
+    (Aspect::Default, "the stack does not keep bits 24 to 31"),
+];
+
+const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "so the entry is left out"),
+    (Aspect::Entry, "the stack serves the entry by itself"),
+    (Aspect::Access, "outside of the process image nothing can be written"),
+    (Aspect::Size, "outside of the process image nothing can be written"),
+];
+
+const OF_OBJDICT_MACROS: &[(Aspect, &str)] =
+    &[(Aspect::Mapping, "a row is mapped in one direction only"), (Aspect::Default, "a row has one length")];
+
+#[test]
+fn every_target_has_what_every_other_has() {
+    let Some(compiler) = c_compiler() else { return };
+    let chosen = devices().into_iter().filter(|(name, _)| DEVICES.contains(&name.as_str()));
+    let devices: Vec<(String, Device)> = chosen.chain(arbitrary_devices(4)).collect();
+    assert_eq!(devices.len(), DEVICES.len() + 4);
+    let cells = AtomicUsize::new(0);
+    for_all(&devices, |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let columns =
+            columns(&compiler, folder.path(), device).map_err(|error| format!("{name}: {error}"))?;
+        cells.fetch_add(agree(name, &columns)?, Ordering::Relaxed);
+        Ok(())
+    });
+    let cells = cells.into_inner();
+    assert!(cells > 10_000, "only {cells} pairs of cells were compared");
+}

@@ -1,0 +1,155 @@
+//! The examples on the pages of the targets compile with what is generated.
+
+use std::path::Path;
+use std::process::Command;
+
+use objdict::generate::{CTable, Options, Target, generate};
+
+use crate::compile::{c_compiler, cc, succeed};
+use crate::devices::device;
+use crate::stacks::beside;
+use crate::support::fixtures;
+
+/// What the examples of a page are about.
+struct Page {
+    name: &'static str,
+    fixture: &'static str,
+    /// Under which name the fixture is generated from.
+    stem: &'static str,
+    table: CTable,
+    /// Where the declarations of the stack are.
+    stack: Option<&'static str>,
+    /// What stands around an example that is no file by itself; it is compiled between the two.
+    around: Option<(&'static str, &'static str)>,
+    /// What the example prints, where it is a program.
+    prints: Option<&'static str>,
+}
+
+const PLAIN: Page = Page {
+    name: "",
+    fixture: "eds/dspic-sensors.eds",
+    stem: "sensors",
+    table: CTable::Compact,
+    stack: None,
+    around: None,
+    prints: None,
+};
+
+const PAGES: [Page; 5] = [
+    Page {
+        name: "c-structs",
+        fixture: "eds/minimal.eds",
+        table: CTable::Structs,
+        around: Some((
+            "#include <stdio.h>\n#include \"od.h\"\nint main(void)\n{\nod_init(5);\n",
+            "return 0;\n}\n",
+        )),
+        prints: Some("Producer heartbeat time: 1000\n"),
+        ..PLAIN
+    },
+    Page { name: "canopennode", stack: Some("canopennode"), ..PLAIN },
+    Page { name: "canopen-stack", stack: Some("canopen_stack"), ..PLAIN },
+    Page {
+        name: "microcanopen",
+        fixture: "eds/io-401.eds",
+        stack: Some("microcanopen"),
+        around: Some((
+            "#include \"sensors_pimg.h\"\nvoid MCO_Init(UNSIGNED16 baud_rate, UNSIGNED8 node_id, UNSIGNED16 heartbeat);\nvoid MCOUSER_ResetCommunication(void);\n",
+            "",
+        )),
+        ..PLAIN
+    },
+    Page { name: "objdict-macros", fixture: "eds/encoder-406.eds", ..PLAIN },
+];
+
+fn page(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/targets").join(name);
+    std::fs::read_to_string(path).unwrap()
+}
+
+/// The examples of a page in a language.
+fn examples<'t>(page: &'t str, language: &str) -> Vec<&'t str> {
+    let fence = format!("```{language}\n");
+    page.split(&fence).skip(1).filter_map(|rest| rest.split("```").next()).collect()
+}
+
+#[test]
+fn the_examples_of_the_pages_compile() {
+    let Some(compiler) = c_compiler() else { return };
+    for about in PAGES {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        let mut options = Options::default();
+        options.node_id = Some(5);
+        options.file_stem = about.stem.to_owned();
+        options.table = about.table;
+        let target = Target::named(if about.name == "c-structs" { "c" } else { about.name }).unwrap();
+        let generated = generate(&device(&fixtures().join(about.fixture)), target, &options).unwrap();
+        let mut sources = Vec::new();
+        let mut text = String::new();
+        for file in &generated.files {
+            std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+            text.push_str(std::str::from_utf8(&file.contents).unwrap());
+            sources.extend(file.path.ends_with(".c").then_some(file.path.as_str()));
+        }
+        let page = page(&format!("{}.md", about.name));
+        let examples = examples(&page, "c");
+        assert!(!examples.is_empty(), "{}: no example", about.name);
+        for example in examples {
+            if about.around.is_none() && !example.contains("#include") {
+                // a piece of the output
+                for line in example.lines().filter(|line| !line.is_empty()) {
+                    assert!(text.contains(line), "{}: `{line}` is not in the output", about.name);
+                }
+                continue;
+            }
+            let (before, behind) = about.around.unwrap_or_default();
+            std::fs::write(folder.join("example.c"), format!("{before}{example}{behind}")).unwrap();
+            let mut cc = cc(&compiler, folder);
+            cc.arg("-I.");
+            if let Some(stack) = about.stack {
+                cc.arg("-I").arg(beside(stack, "include"));
+            }
+            match about.prints {
+                None => {
+                    succeed(cc.args(["-c", "example.c"]), "").unwrap();
+                }
+                Some(prints) => {
+                    succeed(cc.args(["-o", "example", "example.c"]).args(&sources), "").unwrap();
+                    let printed = succeed(&mut Command::new(folder.join("example")), "").unwrap();
+                    assert_eq!(printed, prints, "{}", about.name);
+                }
+            }
+        }
+    }
+}
+
+/// A page with an example in C is one of those above; the crates of others are compiled in tests/crates, with the examples.
+#[test]
+fn every_example_is_tried() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/targets");
+    for entry in folder.read_dir().unwrap() {
+        let name = entry.unwrap().file_name().to_string_lossy().into_owned();
+        let page = page(&name);
+        let is_known = PAGES.iter().any(|known| name == format!("{}.md", known.name));
+        assert!(is_known || examples(&page, "c").is_empty(), "{name}: an example that nobody compiles");
+        assert_eq!(examples(&page, "rust").len(), 0, "{name}: an example that nobody compiles");
+        for example in examples(&page, "rust,ignore") {
+            let tests = match name.as_str() {
+                "canopen-rs.md" => include_str!("../../crates/tests/read_back/canopen_rs.rs").to_owned(),
+                "zencan.md" => include_str!("../../crates/build.rs").to_owned(),
+                _ => panic!("{name}: an example that nobody compiles"),
+            };
+            for call in calls(example) {
+                assert!(tests.contains(call), "{name}: tests/crates does not call `{call}`");
+            }
+        }
+    }
+}
+
+/// What the lines of an example call, as far as it is the same in every program: up to the first argument.
+fn calls(example: &str) -> impl Iterator<Item = &str> {
+    let lines = example.lines().map(str::trim).filter(|line| !line.starts_with("//"));
+    let called = lines.filter_map(|line| Some(line.split_once('(')?.0));
+    called.map(|called| called.rsplit([' ', '(']).next().unwrap_or(called))
+}

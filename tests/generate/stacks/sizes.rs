@@ -1,0 +1,132 @@
+//! The report of sizes says what the compiler makes of the tables, to the byte, for every target of C.
+
+use std::path::Path;
+
+use objdict::generate::{CTable, Group, Options, SizeReport, Sizes, Target, generate, size};
+use objdict::model::Device;
+
+use crate::compile::succeed;
+use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::stacks::beside;
+use crate::stacks::measure::{Measured, Tools, tools};
+
+/// A target with options: how it is called, and the folder of its declarations.
+struct Case {
+    target: &'static str,
+    declarations: &'static str,
+    options: fn(&mut Options),
+}
+
+const CASES: [Case; 8] = [
+    Case { target: "c", declarations: "c_structs", options: |_| {} },
+    Case { target: "c", declarations: "c_structs", options: |options| options.table = CTable::Structs },
+    Case {
+        target: "c",
+        declarations: "c_structs",
+        options: |options| {
+            options.table = CTable::Structs;
+            options.entry_names = false;
+        },
+    },
+    Case { target: "canopennode", declarations: "canopennode/include", options: |_| {} },
+    Case {
+        target: "canopennode",
+        declarations: "canopennode/include",
+        options: |options| options.limits = true,
+    },
+    Case {
+        target: "canopen-stack",
+        declarations: "canopen_stack/include",
+        options: |options| {
+            let group = |text: &str| text.parse::<Group>().unwrap();
+            options.groups = vec![group("1000-1FFF=COMM"), group("2000-9FFF=APP"), group("2100=ram")];
+        },
+    },
+    Case { target: "microcanopen", declarations: "microcanopen/include", options: |_| {} },
+    Case { target: "objdict-macros", declarations: "objdict_macros", options: |_| {} },
+];
+
+/// A row of limits of `canopennode`.
+const ONLY_LIMIT: usize = 24;
+
+impl Case {
+    fn options(&self, node_id: Option<u8>) -> Options {
+        let mut options = Options::default();
+        options.node_id = node_id;
+        (self.options)(&mut options);
+        options
+    }
+
+    /// What the compiler makes of the files; of plain `c`, with a variable for the values, which the application has.
+    fn measured(
+        &self,
+        tools: &Tools,
+        folder: &Path,
+        device: &Device,
+        options: &Options,
+    ) -> Result<Measured, String> {
+        let target = Target::named(self.target).unwrap();
+        let mut cc = tools.cc(folder);
+        cc.arg("-I.").arg(format!("-I{}", beside(self.declarations, "").display()));
+        for file in generate(device, target, options).unwrap().files {
+            std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+            let is_skeleton = file.path.ends_with("_spec.c");
+            if file.path.ends_with(".c") && !is_skeleton {
+                cc.arg(file.path);
+            }
+        }
+        if self.target == "c" && options.table == CTable::Compact {
+            std::fs::write(folder.join("data.c"), "#include \"od.h\"\nod_data_t data;\n").unwrap();
+            cc.arg("data.c");
+        }
+        succeed(&mut cc, "")?;
+        tools.measure(folder)
+    }
+}
+
+fn report(device: &Device, target: &str, options: &Options) -> SizeReport {
+    match size(device, Target::named(target).unwrap(), options).unwrap() {
+        Sizes::Known(report) => report,
+        Sizes::Unknown(why) => panic!("no sizes of `{target}`: {why}"),
+    }
+}
+
+#[test]
+fn the_report_is_what_the_compiler_makes_of_the_files() {
+    let Some(tools) = tools() else { return };
+    for_all(&[devices(), arbitrary_devices(8)].concat(), |(name, device)| {
+        for (number, case) in CASES.iter().enumerate() {
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let options = case.options((number % 2 == 0).then_some(5));
+            let fail = |error: String| format!("{name}, {} ({number}): {error}", case.target);
+            let measured = case.measured(&tools, folder.path(), device, &options).map_err(fail)?;
+            let mut total = report(device, case.target, &options).total;
+            if options.limits && total.flash == measured.flash + ONLY_LIMIT {
+                total.flash = measured.flash; // the compiler puts the only row into the code
+            }
+            if (total.flash, total.ram) != (measured.flash, measured.ram) {
+                return Err(fail(format!("{total:?} reported, {measured:?} measured")));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// Of some targets nobody knows, and that is said.
+#[test]
+fn where_sizes_are_not_known_the_reason_is() {
+    let device = crate::odd::device();
+    for target in Target::all() {
+        match size(&device, target, &Options::default()).unwrap() {
+            Sizes::Known(report) => {
+                assert!(!report.counted.is_empty());
+                let sum = report.objects.iter().fold(report.rest, |sum, object| sum + object.size);
+                assert_eq!(sum, report.total, "{}", target.name());
+            }
+            Sizes::Unknown(why) => {
+                assert!(["zencan", "canopen-rs", "concise", "template"].contains(&target.name()));
+                assert!(why.starts_with(char::is_lowercase) && !why.ends_with('.'), "{why}");
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! `objdict fmt`: order and spelling change, and nothing else. Every EDS and DCF of the fixtures is put in order, the damaged
+//! ones before all.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use objdict::format::{self, Description, Format};
+use objdict::source::{SourceFile, SourceOptions};
+
+use crate::support;
+
+fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        if path.is_dir() {
+            folders(&path, files);
+        } else if ["eds", "dcf"].contains(&ending) {
+            files.push(path);
+        }
+    }
+}
+
+fn descriptions() -> impl Iterator<Item = Description> {
+    let mut files = Vec::new();
+    folders(&support::fixtures(), &mut files);
+    assert!(files.len() > 200);
+    files.into_iter().filter_map(|path| format::open(&path, &SourceOptions::default()).ok())
+}
+
+fn read(like: &Description, bytes: Vec<u8>) -> Description {
+    let mut options = SourceOptions::default();
+    options.encoding = Some(like.source().encoding());
+    format::read(SourceFile::from_bytes(like.source().name(), bytes, &options).unwrap(), like.format())
+}
+
+/// The lines that are neither blank nor a key nor a header, sorted: comments, and what is no line of an EDS.
+fn notes(description: &Description) -> BTreeMap<String, usize> {
+    let mut notes = BTreeMap::new();
+    let document = description.document().unwrap();
+    for line in document.lines() {
+        use objdict::format::ini::LineKind;
+        if matches!(line.kind, LineKind::Comment | LineKind::Junk) {
+            *notes.entry(line.span.of(document.text()).trim().to_owned()).or_default() += 1;
+        }
+    }
+    notes
+}
+
+#[test]
+fn what_is_read_stays_the_same() {
+    for description in descriptions() {
+        let name = description.source().name();
+        let bytes = description.arranged().unwrap();
+        if description.source().is_read_only() {
+            assert!(bytes.is_err(), "{name}");
+            continue;
+        }
+        let arranged = read(&description, bytes.unwrap());
+        let sorted = |description: &Description| {
+            let mut device = description.device().clone();
+            device.extra.sort_by_key(|section| section.name.to_ascii_lowercase());
+            device
+        };
+        assert_eq!(sorted(&arranged), sorted(&description), "{name}");
+        for (note, count) in notes(&description) {
+            assert!(notes(&arranged).get(&note) >= Some(&count), "{name}: `{note}` is lost");
+        }
+    }
+}
+
+#[test]
+fn what_is_in_order_stays_as_it_is() {
+    for description in descriptions().filter(|description| !description.source().is_read_only()) {
+        let once = description.arranged().unwrap().unwrap();
+        let twice = read(&description, once.clone()).arranged().unwrap().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        assert_eq!(text(&once), text(&twice), "{}", description.source().name());
+    }
+}
+
+fn arrange(text: &str) -> String {
+    let description = format::read(SourceFile::from_text("test.eds", text), Format::Eds);
+    String::from_utf8(description.arranged().unwrap().unwrap()).unwrap()
+}
+
+#[test]
+fn sections_take_their_comments_with_them() {
+    let text = "; made by hand\n\n; of 2000h\n[2000] ; a remark\n; its type\ndatatype=7\n\
+        PARAMETERNAME = Speed\n; behind\n\n[tools data]\nX y = 1\n\n; --- the file ---\n\n; of the file\n[fileinfo]\nFileName=test.eds\n\n; last";
+    let expected = "; made by hand\n\n; --- the file ---\n\n; of the file\n[FileInfo]\nFileName=test.eds\n\n; of 2000h\n; a remark\n[2000]\nParameterName=Speed\n; its type\nDataType=0x0007\n; behind\n\n\
+        [tools data]\nX y=1\n\n; last\n";
+    assert_eq!(arrange(text), expected);
+}
+
+#[test]
+fn values_are_spelled_alike_where_they_say_the_same() {
+    let text = "[1A00]\nParameterName=x\nObjectType=7\nDataType=0X7\nAccessType=RW\n\
+        DefaultValue= 0xab + $nodeid\nLowLimit=010\nObjFlags=0x0a\n\n[2000]\nParameterName=0xab\nDataType=9\n\
+        DefaultValue=0xab\n";
+    let expected = "[1A00]\nParameterName=x\nObjectType=0x7\nDataType=0x0007\nAccessType=rw\n\
+        DefaultValue=$NODEID+0xAB\nLowLimit=010\nObjFlags=0x0A\n\n[2000]\nParameterName=0xab\nDataType=0x0009\n\
+        DefaultValue=0xab\n";
+    assert_eq!(arrange(text), expected);
+}

@@ -1,0 +1,113 @@
+//! Findings about other tools: only where they are asked for, and of those alone that are asked about.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use objdict::compat::{Effect, REACTIONS};
+use objdict::diagnostic::{Findings, Severity, Tool};
+use objdict::format;
+use objdict::lint::Options;
+use objdict::registry;
+use objdict::source::SourceOptions;
+
+use crate::support;
+
+fn check(path: &Path, tools: &[Tool]) -> Findings {
+    let description = format::open(path, &SourceOptions::default()).unwrap();
+    let mut options = Options::default();
+    options.tools.extend(tools);
+    objdict::check_with(&description, &options)
+}
+
+/// The bad fixtures of the group.
+fn fixtures() -> Vec<PathBuf> {
+    let folders = std::fs::read_dir(support::fixtures().join("rules/portability")).unwrap();
+    let files = folders.flat_map(|folder| std::fs::read_dir(folder.unwrap().path()).unwrap());
+    let mut files: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
+    files.retain(|path| path.file_name().unwrap().to_string_lossy().starts_with("bad"));
+    files.sort();
+    files
+}
+
+#[test]
+fn the_table_is_of_rules_that_exist_and_has_all_rules_about_tools() {
+    let causes: BTreeSet<&str> = REACTIONS.iter().map(|reaction| reaction.rule).collect();
+    for cause in &causes {
+        assert!(registry::rule(cause).is_some(), "there is no rule `{cause}`");
+    }
+    for rule in registry::rules().iter().filter(|rule| rule.group() == "portability") {
+        let worst = REACTIONS.iter().filter(|reaction| reaction.rule == rule.id);
+        let worst = worst.map(|reaction| reaction.effect.severity()).max();
+        assert_eq!(worst, Some(rule.severity), "{}", rule.id);
+    }
+    assert!(REACTIONS.is_sorted_by_key(|reaction| reaction.rule), "the table is in the order of the rules");
+    assert!(REACTIONS.iter().all(|reaction| !reaction.tools.is_empty() && !reaction.what.is_empty()));
+}
+
+#[test]
+fn nothing_is_said_of_tools_unless_they_are_asked_for() {
+    for path in fixtures() {
+        let findings = check(&path, &[]);
+        assert!(findings.iter().all(|finding| finding.rule.group() != "portability"), "{}", path.display());
+    }
+}
+
+#[test]
+fn only_the_tools_of_the_selection_are_named() {
+    for path in fixtures() {
+        let mut named = 0;
+        for tool in Tool::ALL {
+            for finding in &check(&path, &[tool]) {
+                assert!(finding.message.contains(tool.name()), "{}: {}", path.display(), finding.message);
+                let others = Tool::ALL.into_iter().filter(|other| *other != tool);
+                for other in others {
+                    let names = format!("{other}: ");
+                    assert!(!finding.message.contains(&names), "{}: {}", path.display(), finding.message);
+                }
+                named += 1;
+            }
+        }
+        assert!(named > 0, "{}", path.display());
+    }
+}
+
+#[test]
+fn a_finding_of_another_rule_says_what_tools_do_and_is_as_grave_as_that() {
+    let path = support::fixtures().join("torture/05_unknown_key.eds");
+    let plain = check(&path, &[]);
+    assert!(plain.iter().all(|finding| finding.severity == Severity::Note));
+    let findings = check(&path, &[Tool::DcfTools]);
+    assert_eq!(findings.len(), plain.len());
+    for finding in &findings {
+        assert_eq!(finding.severity, Severity::Warning);
+        assert!(finding.help.as_ref().unwrap().ends_with("; dcf-tools: the file is refused"));
+    }
+    for finding in &check(&path, &[Tool::PythonCanopen]) {
+        assert_eq!(finding.severity, Effect::Dropped.severity());
+        assert!(finding.help.as_ref().unwrap().ends_with("; python-canopen: the key is lost"));
+    }
+    let silent = check(&path, &[Tool::Codesys]);
+    assert_eq!(
+        silent.iter().map(|f| &f.help).collect::<Vec<_>>(),
+        plain.iter().map(|f| &f.help).collect::<Vec<_>>()
+    );
+}
+
+#[test]
+fn what_a_tool_does_may_depend_on_the_text() {
+    let help = |file: &str| {
+        let findings = check(&support::fixtures().join("torture").join(file), &[Tool::CanOpenEditor]);
+        findings.iter().next().and_then(|finding| finding.help.clone()).unwrap_or_default()
+    };
+    assert!(help("02_latin1.eds").ends_with("canopeneditor: each such letter becomes U+FFFD"));
+    assert!(!help("03_bom.eds").contains("canopeneditor"));
+}
+
+#[test]
+fn an_xdd_is_none_of_their_texts() {
+    // CANopenNode is compiled with what an XDD says as well as with any other
+    let readers = Tool::ALL.into_iter().filter(|tool| *tool != Tool::CanOpenNode).collect::<Vec<_>>();
+    for path in support::files("xdd", &["xdd"]) {
+        assert!(check(&path, &readers).is_empty(), "{}", path.display());
+    }
+}

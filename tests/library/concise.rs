@@ -1,0 +1,90 @@
+//! Concise DCF of the healthy configurations: planned, encoded, decoded.
+
+use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope};
+use objdict::format::{self, concise};
+use objdict::generate::{Options, Target, generate};
+use objdict::model::{Device, Value};
+use objdict::source::SourceOptions;
+
+use crate::support;
+
+fn device(name: &str) -> Device {
+    let path = support::fixtures().join(name);
+    format::open(&path, &SourceOptions::default()).unwrap().into_device()
+}
+
+fn read(file: &NeededFile) -> std::io::Result<Vec<u8>> {
+    std::fs::read(support::fixtures().join("dcf").join(&*file.name))
+}
+
+fn configuration(device: &Device, options: &PlanOptions) -> ConciseDcf {
+    ConciseDcf::plan(device, options).unwrap_or_else(|error| panic!("{error}")).into_concise(read).unwrap()
+}
+
+#[test]
+fn every_configured_node_has_a_stream_that_reads_back() {
+    for path in support::files("dcf", &["dcf"]) {
+        let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
+        let configuration = configuration(&device, &PlanOptions::default());
+        let stream = configuration.write().unwrap();
+        assert_eq!(ConciseDcf::parse(&stream).as_ref(), Ok(&configuration));
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        insta::assert_snapshot!(name, concise::table(&configuration));
+    }
+}
+
+#[test]
+fn every_device_can_be_written_in_full() {
+    let all = PlanOptions { node_id: Some(5), scope: Scope::All, commands: true };
+    for path in support::good_devices() {
+        let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
+        let configuration = configuration(&device, &all);
+        let stream = configuration.write().unwrap();
+        assert_eq!(ConciseDcf::parse(&stream), Ok(configuration), "{}", path.display());
+    }
+}
+
+/// The manager keeps the configuration of node 3 in 1F22h.
+#[test]
+fn the_stream_in_a_manager_is_read() {
+    let manager = device("dcf/manager-302-node1.dcf");
+    let entry = manager.entry(0x1F22, 3).unwrap();
+    let Some(Value::Bytes(stream)) = entry.configured_value() else { panic!("{entry:?}") };
+    let configuration = ConciseDcf::parse(stream).unwrap();
+    insta::assert_snapshot!(concise::table(&configuration));
+}
+
+#[test]
+fn the_target_concise_writes_the_stream() {
+    let device = device("dcf/manager-302-node1.dcf");
+    let mut options = Options::default();
+    options.file_stem = "manager".to_owned();
+    let generated = generate(&device, Target::named("concise").unwrap(), &options).unwrap();
+    assert_eq!(generated.files[0].path, "manager.cdcf");
+    let stream = ConciseDcf::parse(&generated.files[0].contents).unwrap();
+    let mut expected = configuration(&device, &PlanOptions::default());
+    expected.0.retain(|download| download.index != 0x2101);
+    assert_eq!(stream, expected);
+    let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        notes,
+        ["0x2101sub0: not part of the stream: its data are in the file `manager-302-node1-routes.bin`"]
+    );
+}
+
+#[test]
+fn a_type_of_device_has_an_empty_stream() {
+    let generated =
+        generate(&device("eds/minimal.eds"), Target::named("concise").unwrap(), &Options::default()).unwrap();
+    assert_eq!(generated.files[0].contents, [0; 4]);
+    assert!(generated.notes[0].message.contains("the stream is empty"));
+}
+
+#[test]
+fn what_a_stream_cannot_carry_is_named() {
+    let mut device = device("dcf/io-401-node5.dcf");
+    device.commissioning = None;
+    let error = generate(&device, Target::named("concise").unwrap(), &Options::default()).unwrap_err();
+    let expected = "0x1400sub1: `$NODEID+0x200` has no value without the node-ID";
+    assert!(error.to_string().starts_with(expected), "{error}");
+}

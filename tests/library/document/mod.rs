@@ -1,0 +1,228 @@
+//! Documentation in its three forms: what it looks like, and that every text of a description comes out of it as that text.
+mod read;
+
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use objdict::document::{self, Finding, Form, Options, Site, Subject};
+use objdict::format::Description;
+use objdict::model::Device;
+use objdict::report::Location;
+
+fn open(path: &str) -> Description {
+    objdict::format::open(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(path),
+        &Default::default(),
+    )
+    .unwrap()
+}
+
+/// The documentation of a fixture.
+fn unchecked(path: &str, form: Form, options: &Options) -> String {
+    let description = open(path);
+    let (device, format) = (description.device(), description.format().name());
+    document::write(&Subject { device, file: path, format, findings: None }, form, options)
+}
+
+/// The documentation of a fixture with what `check` finds in it.
+fn page(path: &str, form: Form, options: &Options) -> String {
+    let description = open(path);
+    let findings: Vec<Finding> = objdict::check_with(&description, &Default::default())
+        .iter()
+        .map(|finding| Finding::new(finding, Location::line_of((&description).into(), finding)))
+        .collect();
+    let subject = Subject {
+        device: description.device(),
+        file: Path::new(path).file_name().unwrap().to_str().unwrap(),
+        format: description.format().name(),
+        findings: Some(&findings),
+    };
+    document::write(&subject, form, options)
+}
+
+fn german() -> Options {
+    Options { language: Some("de".to_owned()), ..Options::default() }
+}
+
+#[test]
+fn pages_look_like_this() {
+    for (path, options) in [
+        ("eds/io-401.eds", Options::default()),
+        ("dcf/drive-402-node8.dcf", Options::default()),
+        ("xdd/press-402.xdd", german()),
+    ] {
+        let name = Path::new(path).file_name().unwrap().to_str().unwrap();
+        insta::assert_snapshot!(format!("{name}.html"), without_style(&page(path, Form::Html, &options)));
+        insta::assert_snapshot!(format!("{name}.md"), page(path, Form::Markdown, &options));
+        insta::assert_snapshot!(format!("{name}.csv"), page(path, Form::Csv, &options).replace('\r', ""));
+    }
+}
+
+/// A page without its style and script, which are looked at in a browser.
+fn without_style(page: &str) -> String {
+    let mut rest = page.to_owned();
+    for element in ["style", "script"] {
+        let (start, end) = (format!("<{element}>"), format!("</{element}>"));
+        let (before, after) = rest.split_once(&start).unwrap();
+        rest = format!("{before}{start}{end}{}", after.split_once(&end).unwrap().1);
+    }
+    rest
+}
+
+/// The texts of a device that tries to leave its places: each ends with a number of its own.
+fn hostile_texts(device: &Device) -> BTreeSet<String> {
+    fn collect(value: &serde_json::Value, texts: &mut BTreeSet<String>) {
+        match value {
+            serde_json::Value::String(text) => {
+                let number = text.split('\r').next().unwrap().rsplit_once(" t").map(|(_, number)| number);
+                if number.is_some_and(|number| {
+                    !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+                }) {
+                    texts.insert(text.clone());
+                }
+            }
+            serde_json::Value::Array(values) => values.iter().for_each(|value| collect(value, texts)),
+            serde_json::Value::Object(fields) => fields.values().for_each(|value| collect(value, texts)),
+            _ => {}
+        }
+    }
+    let mut texts = BTreeSet::new();
+    collect(&serde_json::to_value(device).unwrap(), &mut texts);
+    texts
+}
+
+/// A text as readers see it: what steers a terminal or the direction of a text is U+FFFD.
+fn seen(text: &str) -> String {
+    let is_seen = |c: char| {
+        c == '\n'
+            || !(c.is_control()
+                || ('\u{202A}'..='\u{202E}').contains(&c)
+                || ('\u{2066}'..='\u{2069}').contains(&c))
+    };
+    text.replace("\r\n", "\n").chars().map(|c| if is_seen(c) { c } else { '\u{FFFD}' }).collect()
+}
+
+/// Every text comes out as itself: in HTML and Markdown the same ones; in CSV those of entries.
+#[test]
+fn hostile_texts_stay_texts() {
+    for (path, shown_at_least) in [("document/hostile.dcf", 55), ("document/hostile.xdd", 45)] {
+        let description = open(path);
+        let texts = hostile_texts(description.device());
+        let html = read::html(&page(path, Form::Html, &Options::default()));
+        let markdown = read::markdown(&page(path, Form::Markdown, &Options::default()));
+        let csv = read::csv(&page(path, Form::Csv, &Options::default()));
+        let shown = |page: &str| -> BTreeSet<&String> {
+            texts.iter().filter(|text| page.contains(&seen(text))).collect()
+        };
+        let (in_html, in_markdown) = (shown(&html), shown(&markdown));
+        assert_eq!(in_html, in_markdown, "{path}");
+        assert!(in_html.len() >= shown_at_least, "{path}: {} of {texts:#?}", in_html.len());
+
+        let fields: Vec<String> = csv.concat().iter().map(|field| field.replace('\'', "")).collect();
+        let in_field = |text: &String| {
+            let text = seen(text).replace('\'', "").replace('\n', " ");
+            fields.iter().any(|field| field.contains(&text))
+        };
+        let names: Vec<String> =
+            description.device().objects.values().map(|object| object.name().to_owned()).collect();
+        assert!(names.iter().filter(|name| texts.contains(*name)).all(in_field), "{path}");
+        assert!(csv.iter().all(|line| line.len() == csv[0].len()), "{path}");
+    }
+}
+
+/// No field of a table is a formula, wherever a spreadsheet thinks that it begins.
+#[test]
+fn spreadsheets_compute_nothing() {
+    for path in
+        ["document/hostile.dcf", "document/hostile.xdd", "eds/hostile.eds", "broken/hostile-unicode.eds"]
+    {
+        for field in read::csv(&page(path, Form::Csv, &Options::default())).concat() {
+            for part in field.split(';') {
+                let is_number = part.parse::<f64>().is_ok();
+                assert!(
+                    is_number || !part.trim_start().starts_with(['=', '+', '-', '@']),
+                    "{path}: {field:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The same lines and fields come out of Python's reader.
+#[test]
+fn python_reads_the_tables() {
+    const SCRIPT: &str = "import csv, io, json, sys\n\
+        text = io.TextIOWrapper(sys.stdin.buffer, encoding='utf-8-sig', newline='')\n\
+        print(json.dumps(list(csv.reader(text, strict=True))))";
+    for path in
+        ["document/hostile.dcf", "document/hostile.xdd", "xdd/press-402.xdd", "dcf/drive-402-node8.dcf"]
+    {
+        let table = unchecked(path, Form::Csv, &german());
+        let python =
+            Command::new("python3").args(["-c", SCRIPT]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+        let Ok(mut python) = python else {
+            eprintln!("skipped: there is no python3");
+            assert!(std::env::var_os("CI").is_none(), "CI has Python");
+            return;
+        };
+        python.stdin.take().unwrap().write_all(table.as_bytes()).unwrap();
+        let lines: Vec<Vec<String>> =
+            serde_json::from_slice(&python.wait_with_output().unwrap().stdout).unwrap();
+        assert_eq!(lines, read::csv(&table), "{path}");
+    }
+}
+
+/// The columns are a promise: they may grow at the end.
+#[test]
+fn columns_stay() {
+    let table = unchecked("eds/io-401.eds", Form::Csv, &german());
+    let header = table.lines().next().unwrap().trim_start_matches('\u{FEFF}');
+    let promised = "index,sub,object_name,name,object_type,data_type,bits,access,pdo,default,value,changed,low_limit,\
+        high_limit,unit,meaning,denotation,description,object_description,name_in_file,object_name_in_file,default_formula,value_formula,mapped_in,\
+        named_values,bit_fields,groups,facts,keys,object_facts,object_keys,links";
+    assert!(header.starts_with(promised), "{header}");
+}
+
+/// Every entry of a device is in every form.
+#[test]
+fn nothing_is_left_out() {
+    for path in ["eds/all-types.eds", "eds/compact.eds", "dcf/manager-302-node1.dcf", "xdd/drive-402.xdd"] {
+        let description = open(path);
+        let objects = &description.device().objects;
+        let count: usize = objects.values().map(|object| object.entries().count().max(1)).sum();
+        assert_eq!(read::csv(&page(path, Form::Csv, &Options::default())).len(), count + 1, "{path}");
+        let (html, markdown) =
+            (unchecked(path, Form::Html, &german()), unchecked(path, Form::Markdown, &german()));
+        for (index, object) in objects {
+            for anchor in object.entries().map(|(sub, _)| format!("id=\"{index:04X}sub{sub:X}\"")) {
+                assert!(html.contains(&anchor), "{path}: {anchor}");
+                assert!(markdown.contains(&anchor), "{path}: {anchor}");
+            }
+        }
+    }
+}
+
+#[test]
+fn several_devices_make_a_site() {
+    let files =
+        ["dcf/io-401-node5.dcf", "dcf/drive-402-node8.dcf", "document/hostile.dcf", "xdd/press-402.xdd"];
+    for form in Form::ALL {
+        let mut site = Site::new(form, &Options { title: Some("Line <1>".to_owned()), ..Options::default() });
+        for path in files {
+            let description = open(path);
+            let file = Path::new(path).file_name().unwrap().to_str().unwrap();
+            let format = description.format().name();
+            let page = site.add(&Subject { device: description.device(), file, format, findings: Some(&[]) });
+            assert_eq!(Path::new(&page.name).extension().unwrap().to_str().unwrap(), form.extension());
+        }
+        let index = site.index();
+        assert_eq!(index.name, format!("index.{}", form.extension()));
+        match form {
+            Form::Html => assert!(read::html(&index.text).contains("Line <1>")),
+            Form::Markdown => insta::assert_snapshot!("index.md", index.text),
+            Form::Csv => insta::assert_snapshot!("index.csv", index.text.replace('\r', "")),
+        }
+    }
+}

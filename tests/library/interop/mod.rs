@@ -1,0 +1,232 @@
+//! Other tools read what we write: python-canopen 2.4.1 uploads every entry, dcf-tools 2.4.2 accepts what is within its
+//! range.
+//!
+//! The test makes a Python environment below `target` and installs both packages. Without Python or network it says so
+//! and passes, except when `CI=true`.
+
+#![allow(clippy::print_stdout, reason = "says why it is skipped")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+
+use objdict::compat::{Effect, REACTIONS};
+use objdict::diagnostic::{Findings, Tool};
+use objdict::format::literal::RealSpelling;
+use objdict::format::{self, Description, WriteOptions};
+use objdict::lint::Options;
+use objdict::model::{Access, DataType, Device, TypeKind, Value};
+use objdict::source::SourceOptions;
+use serde_json::json;
+
+use crate::support;
+
+const PACKAGES: [&str; 2] = ["canopen==2.4.1", "dcf-tools==2.4.2"];
+
+/// The folder with the programs of the environment, made once; `None` when it cannot be made here.
+fn environment() -> Option<&'static Path> {
+    static ENVIRONMENT: OnceLock<Option<PathBuf>> = OnceLock::new();
+    ENVIRONMENT.get_or_init(make_environment).as_deref()
+}
+
+fn make_environment() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-venv");
+    let programs = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
+    if programs.join("dcfchk").exists() {
+        return Some(programs);
+    }
+    let made = run(Command::new("python3").args(["-m", "venv"]).arg(&folder))
+        .and_then(|()| run(Command::new(programs.join("pip")).args(["install", "--quiet"]).args(PACKAGES)));
+    match made {
+        Ok(()) => Some(programs),
+        Err(reason) if std::env::var("CI").is_ok_and(|ci| ci == "true") => {
+            panic!("no Python environment: {reason}")
+        }
+        Err(reason) => {
+            println!("skipped: no Python environment: {reason}");
+            None
+        }
+    }
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    let output = command.output().map_err(|error| error.to_string())?;
+    if output.status.success() { Ok(()) } else { Err(text_of(&output)) }
+}
+
+fn text_of(output: &Output) -> String {
+    format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
+}
+
+/// A healthy fixture, read.
+fn devices() -> Vec<(String, Description)> {
+    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    let open = |path: &PathBuf| format::open(path, &SourceOptions::default()).unwrap();
+    support::good_devices().iter().map(|path| (name(path), open(path))).collect()
+}
+
+/// Writes the canonical text of every healthy device into a new folder.
+fn write_all(devices: &[(String, Description)], folder: &str, options: &WriteOptions) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    fs::create_dir_all(&folder).unwrap();
+    for (name, description) in devices {
+        let written = format::write(description.device(), description.format(), options);
+        fs::write(folder.join(name), written.bytes).unwrap();
+    }
+    folder
+}
+
+/// What an upload of each entry shall give. Left out is what python-canopen cannot serve: entries that are write-only or
+/// have no value, definitions of types and entries of such a type, the TIME types, which it does not know, and strings
+/// with ` ;`, which it cuts there.
+fn expected_entries(device: &Device, node_id: u8) -> Vec<serde_json::Value> {
+    let mut entries = Vec::new();
+    for (&index, object) in &device.objects {
+        for (sub, entry) in object.entries() {
+            let data_type = entry.data_type.unwrap_or(DataType::DOMAIN);
+            let is_unknown = matches!(
+                data_type.kind(),
+                TypeKind::TimeOfDay | TypeKind::TimeDifference | TypeKind::Defined
+            ) || index < 0x1000
+                || matches!(entry.value(), Some(Value::Text(text)) if text.contains(" ;"));
+            let value = entry.value().and_then(|value| value.resolve(data_type, node_id));
+            let bytes = value.and_then(|value| value.to_bytes(data_type));
+            if let Some(bytes) =
+                bytes.filter(|_| !is_unknown && entry.access.is_some_and(Access::is_readable))
+            {
+                let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+                entries.push(json!({ "index": index, "sub": sub, "bytes": hex }));
+            }
+        }
+    }
+    entries
+}
+
+#[test]
+fn python_canopen_uploads_what_we_wrote() {
+    let Some(programs) = environment() else { return };
+    let devices = devices();
+    let folder = write_all(&devices, "interop-python-canopen", &WriteOptions::default());
+    let expected: Vec<_> = devices
+        .iter()
+        .map(|(name, description)| {
+            let node_id = description.device().node_id().unwrap_or(5);
+            let entries = expected_entries(description.device(), node_id);
+            json!({ "file": name, "node_id": node_id, "entries": entries })
+        })
+        .collect();
+    fs::write(folder.join("expected.json"), serde_json::to_string(&expected).unwrap()).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/read_back.py");
+    let output = Command::new(programs.join("python")).arg(script).arg(&folder).output().unwrap();
+    assert!(output.status.success(), "{}", text_of(&output));
+}
+
+/// What dcf-tools does not know, by file: the words that it refuses the file with.
+const BEYOND_DCF_TOOLS: [(&str, &str); 5] = [
+    ("all-types.eds", "unknown section in DCF: 40"),
+    ("coupler-modular.eds", "unknown section in DCF: SupportedModules"),
+    ("coupler-modular-node10.dcf", "unknown section in DCF: SupportedModules"),
+    ("manager-302.eds", "unknown section in DCF: DynamicChannels"),
+    ("manager-302-node1.dcf", "unknown section in DCF: DynamicChannels"),
+];
+
+#[test]
+fn dcf_tools_accepts_what_we_wrote() {
+    let Some(programs) = environment() else { return };
+    let devices = devices();
+    let mut options = WriteOptions::default();
+    options.real = RealSpelling::Hex;
+    let folder = write_all(&devices, "interop-dcf-tools", &options);
+    for (name, description) in &devices {
+        let node_id = description.device().node_id().unwrap_or(5).to_string();
+        let output = Command::new(programs.join("dcfchk"))
+            .args(["-n", &node_id])
+            .arg(folder.join(name))
+            .output()
+            .unwrap();
+        let text = text_of(&output);
+        match BEYOND_DCF_TOOLS.iter().find(|(file, _)| file == name) {
+            None => assert!(output.status.success() && text.is_empty(), "{name}: {text}"),
+            Some((_, words)) => assert!(text.contains(words), "{name}: not refused for `{words}`: {text}"),
+        }
+    }
+}
+
+/// The tools that a finding says refuse the file.
+fn claims(findings: &Findings, tool: Tool) -> bool {
+    let says_so = |text: &str| {
+        text.split("; ").any(|part| {
+            part.split_once(": the file is refused")
+                .is_some_and(|(tools, _)| tools.split(", ").any(|named| named == tool.name()))
+        })
+    };
+    findings
+        .iter()
+        .any(|finding| says_so(&finding.message) || finding.help.as_ref().is_some_and(|help| says_so(help)))
+}
+
+/// The bad fixtures of the rules whose findings say what other tools do, with all findings.
+fn bad_fixtures() -> Vec<(PathBuf, Findings)> {
+    let rules = support::fixtures().join("rules");
+    let causes: BTreeSet<&str> = REACTIONS.iter().map(|reaction| reaction.rule).collect();
+    let files = causes.iter().flat_map(|rule| fs::read_dir(rules.join(rule)).unwrap());
+    let files = files.map(|file| file.unwrap().path());
+    let is_bad = |path: &PathBuf| {
+        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("bad"))
+            && path.extension().is_some_and(|ending| ending == "eds" || ending == "dcf")
+    };
+    let mut options = Options::default();
+    options.tools.extend(Tool::ALL);
+    let mut fixtures: Vec<_> = files
+        .filter(is_bad)
+        .map(|path| {
+            let description = format::open(&path, &SourceOptions::default()).unwrap();
+            let findings = objdict::check_with(&description, &options);
+            (path, findings)
+        })
+        .collect();
+    fixtures.sort_by(|(left, _), (right, _)| left.cmp(right));
+    fixtures
+}
+
+#[test]
+fn tools_refuse_what_findings_say_they_refuse() {
+    let Some(programs) = environment() else { return };
+    let fixtures = bad_fixtures();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/refusals.py");
+    let mut child = Command::new(programs.join("python"))
+        .arg(script)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let paths: Vec<String> = fixtures.iter().map(|(path, _)| path.display().to_string()).collect();
+    child.stdin.take().unwrap().write_all(paths.join("\n").as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let lines = String::from_utf8(output.stdout).unwrap();
+    let answers: Vec<serde_json::Value> =
+        lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(answers.len(), fixtures.len());
+    let rules = support::fixtures().join("rules");
+    let mut wrong = Vec::new();
+    for ((path, findings), answer) in fixtures.iter().zip(&answers) {
+        for tool in [Tool::DcfTools, Tool::PythonCanopen] {
+            let claimed = claims(findings, tool);
+            let refusal = answer[tool.name()].as_str();
+            let rule =
+                path.parent().unwrap().strip_prefix(&rules).unwrap().to_string_lossy().replace('\\', "/");
+            let may_refuse = REACTIONS.iter().any(|reaction| {
+                reaction.rule == rule && reaction.effect == Effect::Refused && reaction.tools.contains(&tool)
+            });
+            // what a defect costs beside that is not told
+            let is_surprise = rule.starts_with("portability/") && !may_refuse;
+            if claimed && refusal.is_none() || is_surprise && refusal.is_some() {
+                wrong.push(format!("{}: {tool}: claimed {claimed}, is {refusal:?}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

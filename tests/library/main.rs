@@ -1,0 +1,33 @@
+//! What the library makes of descriptions: reading, checking, mending, writing. A module an area; `cargo test --test library
+//! rules` runs one.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod arrange;
+mod compat;
+mod concise;
+mod config;
+mod configure;
+mod configure_node;
+mod device_profile;
+#[cfg(feature = "document")]
+mod document;
+mod download_plan;
+mod errata;
+mod identify;
+mod ini_oracle;
+mod interop;
+mod json;
+mod lossless;
+mod mend;
+mod mutations;
+mod new;
+mod rules;
+mod structure;
+#[path = "../support/mod.rs"]
+mod support;
+mod torture;
+mod verify;
+mod write;
+mod xdd;
+mod xml_oracle;

@@ -1,0 +1,92 @@
+//! Damaged descriptions: whatever lines and bytes they have lost or won, reading, checking, mending and arranging them does
+//! not panic. The damage is the same in every run.
+
+#[path = "../../xtask/src/mutate.rs"]
+mod mutate;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{fs, thread};
+
+use objdict::diagnostic::{Safety, Tool};
+use objdict::format::{self, Format};
+use objdict::lint::Options;
+use objdict::source::{SourceFile, SourceOptions};
+
+use self::mutate::Mutator;
+
+/// Descriptions that are damaged.
+const MUTANTS: usize = 10_000;
+
+/// Larger fixtures take long and show nothing else.
+const MAX_SIZE: u64 = 6 << 10;
+
+/// Every so-many-th mutant is mended and put in order too, which reads and checks it several times.
+const MENDED: usize = 50;
+
+fn texts() -> Vec<(Format, Vec<u8>)> {
+    let mut files = Vec::new();
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures"), &mut files);
+    files.sort();
+    let small = files.into_iter().filter(|file| fs::metadata(file).unwrap().len() <= MAX_SIZE);
+    small.filter_map(|file| Some((Format::from_name(file.to_str()?)?, fs::read(file).unwrap()))).collect()
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() { collect(&path, files) } else { files.push(path) }
+    }
+}
+
+fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
+    let printed = bytes.clone();
+    let source = SourceFile::from_bytes("mutant", bytes, &SourceOptions::default()).unwrap();
+    let description = format::read(source, format);
+    assert_eq!(description.print(), printed);
+    let findings = objdict::check_with(&description, options);
+    for finding in &findings {
+        for label in &finding.labels {
+            let span = description.span_of(&label.at);
+            assert!(description.source().text().get(span.start as usize..span.end as usize).is_some());
+        }
+    }
+    if mends {
+        let _ = description.arranged();
+        objdict::mend(description, Safety::Unsafe, objdict::check);
+    }
+}
+
+#[test]
+fn no_damage_makes_it_panic() {
+    let texts = texts();
+    assert!(texts.len() > 100, "the fixtures are there");
+    let mut options = Options::default();
+    options.profiles = objdict::profile::standard().map(Arc::clone).collect();
+    options.tools = Tool::ALL.to_vec();
+    let next = AtomicUsize::new(0);
+    // a mutant is made of its number alone, so that one that fails can be made again
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= MUTANTS {
+                break;
+            }
+            let mut mutator = Mutator::new(number as u64 + 1);
+            let (format, text) = &texts[number % texts.len()];
+            let other = &texts[mutator.below(texts.len())].1;
+            let bytes = mutator.mutate(text, other);
+            let result =
+                std::panic::catch_unwind(|| examine(*format, bytes, &options, number.is_multiple_of(MENDED)));
+            assert!(result.is_ok(), "mutant {number} panics");
+        }
+    };
+    thread::scope(|scope| {
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        for thread in threads {
+            thread.join().unwrap();
+        }
+    });
+}

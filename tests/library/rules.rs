@@ -1,0 +1,327 @@
+//! Every rule has a page, a file, and fixtures that prove it.
+//!
+//! `fixtures/rules/<group>/<rule>/` holds `bad*` devices, in which the rule finds something and no other rule does, and
+//! `good*` devices that come as near as they can without being wrong, in which nothing is found. What is found in a bad
+//! one is a snapshot, for the words of a finding and its place are what the user gets.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use objdict::compat::REACTIONS;
+use objdict::config::Config;
+use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS};
+use objdict::format::xml::Tree;
+use objdict::format::{self, Description};
+use objdict::lint::Options;
+use objdict::profile::Profile;
+use objdict::registry;
+use objdict::source::{SourceFile, SourceOptions, Span};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn sorted(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths
+}
+
+fn name(path: &Path) -> &str {
+    path.file_name().unwrap().to_str().unwrap()
+}
+
+/// The folders `fixtures/rules/<group>/<rule>` with the rule's id.
+fn rule_folders() -> Vec<(String, PathBuf)> {
+    let groups = sorted(&root().join("fixtures/rules"));
+    let groups = groups.iter().filter(|path| path.is_dir());
+    let folders = groups.flat_map(|group| {
+        sorted(group).into_iter().map(move |folder| (format!("{}/{}", name(group), name(&folder)), folder))
+    });
+    folders.collect()
+}
+
+const ENDINGS: [&str; 5] = ["eds", "dcf", "xdd", "xdc", "toml"];
+
+/// The devices and configurations of a folder whose name starts with `prefix`.
+fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {
+    let is_device = |path: &PathBuf| {
+        name(path).starts_with(prefix) && ENDINGS.contains(&path.extension().unwrap().to_str().unwrap())
+    };
+    sorted(folder).into_iter().filter(is_device).collect()
+}
+
+fn open(path: &Path) -> Description {
+    format::open(path, &SourceOptions::default())
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// What a fixture is checked with: the profile beside it, and the tools that its rule is about.
+fn options(path: &Path) -> Options {
+    let mut options = Options::default();
+    if let Ok(text) = fs::read_to_string(path.with_file_name("profile.toml")) {
+        options.profiles.push(Arc::new(Profile::from_toml(&text).unwrap()));
+    }
+    if path.starts_with(root().join("fixtures/rules/portability")) {
+        let rule = path.parent().map(|folder| format!("portability/{}", name(folder))).unwrap();
+        let reactions = REACTIONS.iter().filter(|reaction| reaction.rule == rule);
+        options.tools.extend(reactions.flat_map(|reaction| reaction.tools));
+    }
+    options
+}
+
+/// A file with what is found in it.
+enum Examined {
+    Description(Box<Description>, Findings),
+    /// A file that is damaged as XML, or in its structure: what the damage is, and not what it costs.
+    Tree(Box<Tree>, Findings),
+    /// A configuration.
+    Config(Box<Config>),
+}
+
+impl Examined {
+    fn new(path: &Path) -> Self {
+        if path.extension().is_some_and(|ending| ending == "toml") {
+            return Self::Config(Box::new(Config::open(path).unwrap()));
+        }
+        let is_of = |group: &str| path.starts_with(root().join("fixtures/rules").join(group));
+        let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
+        if !is_damaged {
+            let description = open(path);
+            let findings = objdict::check_with(&description, &options(path));
+            return Self::Description(Box::new(description), findings);
+        }
+        let source = SourceFile::open(path, &SourceOptions::default()).unwrap();
+        let mut findings = Findings::new();
+        let tree = Tree::new(source, &mut findings);
+        if is_of("cia311") {
+            findings.append(format::check_structure(&tree));
+        }
+        Self::Tree(Box::new(tree), findings)
+    }
+
+    fn findings(&self) -> &Findings {
+        match self {
+            Self::Description(_, findings) | Self::Tree(_, findings) => findings,
+            Self::Config(config) => config.findings(),
+        }
+    }
+
+    fn source(&self) -> &SourceFile {
+        match self {
+            Self::Description(description, _) => description.source(),
+            Self::Tree(tree, _) => tree.source(),
+            Self::Config(config) => config.source(),
+        }
+    }
+
+    fn span_of(&self, at: &At) -> Span {
+        match (self, at) {
+            (Self::Description(description, _), at) => description.span_of(at),
+            (Self::Tree(..) | Self::Config(_), At::Span(span)) => *span,
+            (Self::Tree(..) | Self::Config(_), At::Place(place)) => panic!("there is no place {place}"),
+        }
+    }
+}
+
+/// All findings in a file, a block of lines each: place, severity, rule, message; what the place shows; related places;
+/// advice.
+fn report(path: &Path) -> String {
+    let examined = Examined::new(path);
+    let mut report = String::new();
+    for finding in examined.findings() {
+        report_finding(&examined, finding, &mut report);
+    }
+    report
+}
+
+fn report_finding(examined: &Examined, finding: &Diagnostic, report: &mut String) {
+    let source = examined.source();
+    for (number, label) in finding.labels.iter().enumerate() {
+        let span = examined.span_of(&label.at);
+        let at = source.line_column(span.start);
+        let shown: String = span.of(source.text()).chars().take(60).collect();
+        if number == 0 {
+            let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
+            writeln!(report, "{}:{} {severity} {rule}: {message}", at.line, at.column).unwrap();
+            writeln!(report, "  at {shown:?}").unwrap();
+        } else {
+            writeln!(report, "  {}:{} {shown:?} {}", at.line, at.column, label.text).unwrap();
+        }
+    }
+    if let Some(help) = &finding.help {
+        writeln!(report, "  help: {help}").unwrap();
+    }
+}
+
+/// The ids of the rules that find something in a file.
+fn fired(path: &Path) -> BTreeSet<&'static str> {
+    Examined::new(path).findings().iter().map(|finding| finding.rule.id).collect()
+}
+
+fn assert_clean(path: &Path) {
+    if path.ends_with("fixtures/eds/hostile.eds") {
+        // its names are there to be hard on generators
+        let others: Vec<&str> = fired(path).into_iter().filter(|id| !id.starts_with("naming/")).collect();
+        assert!(others.is_empty(), "{}: {others:?}", path.display());
+        return;
+    }
+    let report = report(path);
+    assert!(report.is_empty(), "{} is healthy, but:\n{report}", path.display());
+}
+
+#[test]
+fn every_rule_has_fixtures_and_every_fixture_a_rule() {
+    let folders = rule_folders();
+    for (id, folder) in &folders {
+        assert!(registry::rule(id).is_some(), "{}: there is no rule `{id}`", folder.display());
+        for prefix in ["bad", "good"] {
+            assert!(!devices(folder, prefix).is_empty(), "{id} has no `{prefix}` fixture");
+        }
+        for file in sorted(folder) {
+            let known = ["bad", "good", "profile.toml"].iter().any(|prefix| name(&file).starts_with(prefix));
+            assert!(known, "{}: no test reads it", file.display());
+        }
+    }
+    let folders: BTreeSet<&str> = folders.iter().map(|(id, _)| id.as_str()).collect();
+    for rule in registry::rules() {
+        assert!(folders.contains(rule.id), "`{}` has no folder in fixtures/rules", rule.id);
+    }
+}
+
+#[test]
+fn every_rule_file_is_registered() {
+    let mut files = 0;
+    for group in sorted(&root().join("src/lint/rules")).iter().filter(|path| path.is_dir()) {
+        for file in sorted(group) {
+            let stem = file.file_stem().unwrap().to_str().unwrap().replace('_', "-");
+            let id = format!("{}/{stem}", name(group));
+            assert!(registry::rule(&id).is_some(), "{} is no registered rule", file.display());
+            files += 1;
+        }
+    }
+    assert!(files > 0);
+}
+
+#[test]
+fn ids_are_unique_and_in_kebab_case() {
+    let mut seen = BTreeSet::new();
+    for rule in registry::rules() {
+        assert!(seen.insert(rule.id), "`{}` is there twice", rule.id);
+        let is_kebab = rule.name().split('-').all(|word| {
+            !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
+        });
+        assert!(is_kebab && !rule.group().is_empty(), "`{}` is not of the form group/kebab-case", rule.id);
+    }
+}
+
+#[test]
+fn every_rule_has_a_page_with_the_fixed_headings() {
+    for rule in registry::rules() {
+        let id = rule.id;
+        let headings: Vec<&str> =
+            rule.docs.lines().map(str::trim).filter(|line| line.starts_with('#')).collect();
+        assert_eq!(headings, HEADINGS, "{id}");
+        let summary = rule.summary();
+        assert!(!summary.is_empty() && !summary.ends_with('.'), "{id}: `{summary}`");
+        assert!(!summary.starts_with(char::is_uppercase), "{id}: `{summary}`");
+        assert_eq!(rule.docs.lines().nth(1).map(str::trim), Some(""), "{id}: the summary is one line");
+        let paragraphs = rule.docs.split("## ").skip(1);
+        for paragraph in paragraphs {
+            let (heading, text) = paragraph.split_once('\n').unwrap();
+            assert!(!text.trim().is_empty(), "{id}: `{heading}` has no text");
+        }
+    }
+}
+
+#[test]
+fn a_bad_fixture_shows_its_rule_and_no_other() {
+    for (id, folder) in rule_folders() {
+        for path in devices(&folder, "bad") {
+            let fired: Vec<&str> = fired(&path).into_iter().collect();
+            assert_eq!(fired, [id.as_str()], "{}:\n{}", path.display(), report(&path));
+        }
+    }
+}
+
+#[test]
+fn a_good_fixture_is_clean() {
+    for (_, folder) in rule_folders() {
+        for path in devices(&folder, "good") {
+            assert_clean(&path);
+        }
+    }
+}
+
+#[test]
+fn a_rule_offers_the_fixes_that_it_declares() {
+    let mut offered = BTreeSet::new();
+    for (id, folder) in rule_folders() {
+        let rule = registry::rule(&id).unwrap();
+        for path in devices(&folder, "bad") {
+            let Examined::Description(description, findings) = Examined::new(&path) else { continue };
+            for fix in findings.iter().filter_map(|finding| finding.fix.as_ref()) {
+                assert!(rule.fix >= Some(fix.safety), "{id} declares no such fix: {}", fix.title);
+                if description.can_mend(fix) {
+                    offered.insert(rule.id);
+                }
+            }
+        }
+    }
+    let declared = registry::rules().into_iter().filter(|rule| rule.fix.is_some());
+    let declared: BTreeSet<&str> = declared.map(|rule| rule.id).collect();
+    let missing: Vec<_> = declared.difference(&offered).collect();
+    assert!(missing.is_empty(), "no bad fixture shows a fix of {missing:?}");
+    assert!(declared.len() >= 60, "{} rules have fixes", declared.len());
+}
+
+/// What a device lacks whose structure lacks it.
+const COMPANIONS: [&str; 2] = ["cia301/missing-mandatory-object", "cia306/no-baud-rate"];
+
+#[test]
+fn what_the_structure_shows_is_not_said_of_the_model_again() {
+    let folders = rule_folders().into_iter().filter(|(id, _)| id.starts_with("cia311/"));
+    for path in folders.flat_map(|(_, folder)| devices(&folder, "bad")) {
+        let description = open(&path);
+        let findings = objdict::check(&description);
+        for finding in &findings {
+            let rule = finding.rule;
+            let is_expected = rule.group() == "cia311" || COMPANIONS.contains(&rule.id);
+            assert!(is_expected, "{}: {}: {}", path.display(), rule.id, finding.message);
+        }
+    }
+}
+
+#[test]
+fn the_healthy_devices_are_clean() {
+    let mut files = 0;
+    for folder in ["fixtures/eds", "fixtures/dcf", "fixtures/xdd"] {
+        for path in devices(&root().join(folder), "") {
+            assert_clean(&path);
+            files += 1;
+        }
+    }
+    assert!(files > 0);
+}
+
+#[test]
+fn findings_say_what_is_wrong_where() {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("snapshots/rules");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    for (id, folder) in rule_folders() {
+        let reports =
+            devices(&folder, "bad").into_iter().map(|path| format!("{}\n{}", name(&path), report(&path)));
+        let reports: Vec<String> = reports.collect();
+        settings.bind(|| insta::assert_snapshot!(id.replace('/', "__"), reports.join("\n")));
+    }
+    for snapshot in sorted(&root().join("tests/library/snapshots/rules")) {
+        let id = snapshot.file_stem().unwrap().to_str().unwrap().replace("__", "/");
+        assert!(registry::rule(&id).is_some(), "{}: there is no rule `{id}`", snapshot.display());
+    }
+}
