@@ -194,29 +194,22 @@ pub mod cli;
 pub mod compare;
 pub mod compat;
 pub mod config;
-pub mod configure;
-pub mod decoded;
-pub mod diagnostic;
-#[cfg(feature = "document")]
-pub mod document;
-pub mod download;
 pub mod format;
-pub mod generate;
-mod language;
-pub mod lint;
 mod mend;
-pub mod model;
-pub mod modular;
 mod production;
-pub mod profile;
 pub mod registry;
 pub mod report;
 pub mod skeleton;
-pub mod source;
 
 pub use check::{check, check_with};
-pub use language::Language;
 pub use mend::{Mended, Repair, mend};
+#[cfg(feature = "document")]
+pub use objdict_document::{self as document, decoded};
+pub use objdict_generate as generate;
+pub use objdict_lint as lint;
+pub use objdict_model::{Language, diagnostic, model, source};
+pub use objdict_node::{configure, download, modular};
+pub use objdict_profile as profile;
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

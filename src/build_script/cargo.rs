@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use crate::report::one_line;
+use crate::diagnostic::one_line;
 
 /// Lines for Cargo.
 pub(super) struct Cargo<W> {

@@ -1,7 +1,7 @@
 //! What is said of a download beside its bytes.
 
 use crate::decoded::Decoder;
-use crate::download::Download;
+use crate::download::{Download, transferred_type};
 use crate::format::concise::Annotation;
 use crate::model::{DataType, Device, Value};
 
@@ -19,7 +19,7 @@ impl Described<'_> {
         let Some(device) = self.device else {
             return Annotation { data_type: unsigned(download.data.len()), comment: String::new() };
         };
-        let data_type = device.transferred_type(index, sub).or_else(|| unsigned(download.data.len()));
+        let data_type = transferred_type(device, index, sub).or_else(|| unsigned(download.data.len()));
         let value = data_type.and_then(|data_type| Value::from_bytes(&download.data, data_type));
         let meaning = value.and_then(|value| Decoder::english(device, self.node_id).of(index, sub, &value));
         let said = [self.name_of(index, sub), meaning.unwrap_or_default()];

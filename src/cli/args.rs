@@ -291,11 +291,11 @@ impl CanonicalArgs {
     pub(super) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
         let mut options = WriteOptions::default();
         if self.real == Some(Real::Bits) {
-            options.real = RealSpelling::Hex;
+            options.eds.real = RealSpelling::Hex;
         }
-        options.quote_strings = self.quote_strings;
-        options.compact = self.compact;
-        options.encoding = self.output_encoding.or(read_in);
+        options.eds.quote_strings = self.quote_strings;
+        options.eds.compact = self.compact;
+        options.eds.encoding = self.output_encoding.or(read_in);
         options
     }
 }

@@ -7,7 +7,7 @@ use similar::{Algorithm, TextDiff};
 
 use super::Failure;
 use super::output::Output;
-use crate::report::visible;
+use crate::diagnostic::visible;
 use crate::source::SourceFile;
 
 /// So long the shortest difference is looked for; then a longer one will do.

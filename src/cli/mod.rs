@@ -41,7 +41,7 @@ use clap::Parser;
 
 use self::args::{Args, Command};
 use self::output::Output;
-use crate::report::visible;
+use crate::diagnostic::visible;
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::report::visible;
+use crate::diagnostic::visible;
 
 /// Columns with a heading; a column that is empty in every row is left out, and the headings when there are none.
 pub(in crate::cli) struct Table<const N: usize> {

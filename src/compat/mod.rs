@@ -4,16 +4,13 @@
 //! ([`Options::tools`](crate::lint::Options::tools)), each finding that one of them chokes on says so, and is no less grave
 //! than what happens there. Rules of the group `portability` are silent but for that.
 
-pub(crate) mod canopennode;
 mod reactions;
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, Tool};
 use crate::format::Description;
+use crate::lint::PORTABILITY;
 
 pub use reactions::REACTIONS;
-
-/// The group of the rules that speak of nothing but tools.
-pub(crate) const GROUP: &str = "portability";
 
 /// What tools do with a file in which a rule finds something.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +76,7 @@ pub(crate) fn react(findings: Findings, description: &Description, tools: &[Tool
                 && reaction.when.is_none_or(|when| (when.holds)(description, &finding))
         };
         let reactions: Vec<&Reaction> = reactions.filter(of_these).collect();
-        let is_own = finding.rule.group() == GROUP;
+        let is_own = finding.rule.group() == PORTABILITY;
         match reactions.iter().map(|reaction| reaction.effect.severity()).max() {
             None => (!is_own).then_some(finding),
             Some(severity) => Some(with_reactions(finding, &reactions, severity, tools)),
@@ -98,7 +95,7 @@ fn with_reactions(
         format!("{}: {}", names.collect::<Vec<_>>().join(", "), reaction.what)
     });
     let text = text.collect::<Vec<_>>().join("; ");
-    if finding.rule.group() == GROUP {
+    if finding.rule.group() == PORTABILITY {
         finding.message = format!("{}; {text}", finding.message);
         finding.severity = severity;
     } else {

@@ -1,13 +1,13 @@
 //! The table: rule, tools, what they do. Tried with dcf-tools 2.4.2 and canopen 2.4.1 for Python, read in the source of
 //! CANopenEditor of July 2026, in that of CANopenNode 4 (which is also tried) and in the manual of CODESYS.
 
-use super::canopennode::{Cause, unmet};
 use super::{Effect, Reaction, When};
 use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, PythonCanopen};
 use crate::diagnostic::{At, Diagnostic, Tool};
 use crate::format::Description;
 use crate::model::{Part, Place};
 use crate::source::Encoding;
+use objdict_model::canopennode::{Cause, unmet};
 
 use Effect::{Dropped, Refused, Wrong};
 

@@ -9,12 +9,9 @@ use serde_json::Value;
 use crate::compare::{Change, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
 use crate::model::{
-    Characteristic, CharacteristicsList, Device, DeviceFunction, Entry, Extra, ExtraSection, Labels, Part,
-    Place, Property,
+    CARRIED_SECTION, Characteristic, CharacteristicsList, Device, DeviceFunction, Entry, Extra, ExtraSection,
+    Labels, Part, Place, Property,
 };
-
-/// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC.
-pub(crate) const NAME: &str = "ObjdictCarried";
 
 /// What stands before the path in the name of a property.
 const PREFIX: &str = "objdict:";
@@ -63,7 +60,8 @@ pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
     let refused = apply(device, changes);
     for change in &refused {
         let message = format!("the carried `{}` is of a part that was changed since", change.path);
-        let finding = Diagnostic::new(&STALE_CARRIED_DATA, Place::of(Part::Section(NAME.into())), message);
+        let finding =
+            Diagnostic::new(&STALE_CARRIED_DATA, Place::of(Part::Section(CARRIED_SECTION.into())), message);
         findings.push(finding.help("remove the item, or convert the file again"));
     }
     if !refused.is_empty() {
@@ -83,7 +81,7 @@ pub(super) fn embed(device: &mut Device, changes: &[Change], room: Room) {
                     entries.push(&key, &piece);
                 }
             }
-            device.extra.push(ExtraSection { name: NAME.into(), entries });
+            device.extra.push(ExtraSection { name: CARRIED_SECTION.into(), entries });
         }
         Room::Properties => {
             let mut characteristics = Vec::new();
@@ -101,7 +99,8 @@ pub(super) fn embed(device: &mut Device, changes: &[Change], room: Room) {
                 }
             }
             if !characteristics.is_empty() {
-                let list = CharacteristicsList { category: Labels::name("en", NAME), characteristics };
+                let list =
+                    CharacteristicsList { category: Labels::name("en", CARRIED_SECTION), characteristics };
                 if device.functions.is_empty() {
                     device.functions.push(DeviceFunction::default());
                 }
@@ -115,12 +114,12 @@ pub(super) fn embed(device: &mut Device, changes: &[Change], room: Room) {
 pub(super) fn extract(device: &mut Device) -> Vec<Change> {
     let mut changes = Vec::new();
     device.extra.retain(|section| {
-        let ours = &*section.name == NAME;
+        let ours = &*section.name == CARRIED_SECTION;
         !(ours && from_section(&section.entries).map(|found| changes.extend(found)).is_some())
     });
     for function in &mut device.functions {
         function.characteristics.retain(|list| {
-            let ours = list.category.names().any(|(_, name)| name == NAME);
+            let ours = list.category.names().any(|(_, name)| name == CARRIED_SECTION);
             !(ours && from_characteristics(list).map(|found| changes.extend(found)).is_some())
         });
     }
@@ -308,8 +307,10 @@ mod tests {
     fn what_is_not_ours_stays() {
         let mut entries = Extra::default();
         entries.push("/comments", "no JSON");
-        let mut device =
-            Device { extra: vec![ExtraSection { name: NAME.into(), entries }], ..Device::default() };
+        let mut device = Device {
+            extra: vec![ExtraSection { name: CARRIED_SECTION.into(), entries }],
+            ..Device::default()
+        };
         assert_eq!(extract(&mut device), []);
         assert_eq!(device.extra.len(), 1);
     }

@@ -1,19 +1,13 @@
 //! Description files: what a file is, and from its bytes to the model.
 
 pub(crate) mod carried;
-pub mod concise;
 mod configured;
 mod description;
-pub(crate) mod eds;
 pub mod identify;
-pub mod ini;
 pub mod input;
 pub mod json;
-pub mod literal;
 pub mod nodelist;
 mod write;
-pub(crate) mod xdd;
-pub mod xml;
 
 use std::path::Path;
 
@@ -22,74 +16,18 @@ pub use self::description::Description;
 use self::identify::Identification;
 use self::identify::identify_source;
 pub use self::write::{Fate, Loss, WriteOptions, Written};
-pub use self::xdd::XddVersion;
 use crate::diagnostic::{Findings, RuleInfo};
-use crate::model::{Device, DeviceKind};
+use crate::model::Device;
 pub use crate::source::EditError;
 use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
-
-/// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Format {
-    /// Electronic data sheet: a type of device (CiA 306-1).
-    Eds,
-    /// Device configuration file: a node (CiA 306-1).
-    Dcf,
-    /// XML device description: a type of device (CiA 311).
-    Xdd,
-    /// XML device configuration: a node (CiA 311).
-    Xdc,
-}
-
-impl Format {
-    /// The format of a file name: what its last known ending says, so `drive.eds.txt` is an EDS.
-    pub fn from_name(name: &str) -> Option<Self> {
-        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
-            "eds" => Some(Self::Eds),
-            "dcf" => Some(Self::Dcf),
-            "xdd" | "nxdd" | "xpd" => Some(Self::Xdd),
-            "xdc" | "nxdc" => Some(Self::Xdc),
-            _ => None,
-        })
-    }
-
-    /// What a file of this format describes.
-    pub const fn kind(self) -> DeviceKind {
-        match self {
-            Self::Eds | Self::Xdd => DeviceKind::Type,
-            Self::Dcf | Self::Xdc => DeviceKind::Node,
-        }
-    }
-
-    /// How a file of this format is built.
-    pub const fn syntax(self) -> Syntax {
-        match self {
-            Self::Eds | Self::Dcf => Syntax::Ini,
-            Self::Xdd | Self::Xdc => Syntax::Xml,
-        }
-    }
-
-    /// What the format is called.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Eds => "EDS",
-            Self::Dcf => "DCF",
-            Self::Xdd => "XDD",
-            Self::Xdc => "XDC",
-        }
-    }
-}
-
-/// How a file is built.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Syntax {
-    /// Sections and keys.
-    Ini,
-    /// Elements and attributes.
-    Xml,
-}
+pub(crate) use objdict_eds::eds;
+pub use objdict_eds::eds::Style;
+pub use objdict_eds::ini;
+pub use objdict_model::{Format, Syntax, literal};
+pub use objdict_node::concise;
+pub(crate) use objdict_xdd::xdd;
+pub use objdict_xdd::xdd::XddVersion;
+pub use objdict_xdd::xml;
 
 /// Why a file is no description.
 #[derive(Debug, thiserror::Error)]
@@ -160,6 +98,7 @@ pub fn check_structure(tree: &xml::Tree) -> Findings {
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     ini::findings::RULES
         .iter()
+        .chain(literal::RULES)
         .chain(xml::findings::RULES)
         .chain(eds::findings::RULES)
         .chain(eds::portability::RULES)

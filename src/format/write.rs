@@ -8,9 +8,8 @@ use serde_json::Value;
 
 use super::carried::{self, Room};
 use super::ini::Document;
-use super::literal::RealSpelling;
 use super::xml::Tree;
-use super::{Format, Syntax, XddVersion, eds, xdd};
+use super::{Format, Style, Syntax, XddVersion, eds, xdd};
 use crate::compare::{Change, Difference, differences};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
@@ -20,32 +19,13 @@ use crate::source::{Encoding, SourceFile, SourceOptions};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WriteOptions {
-    /// How REAL numbers are spelled in an EDS or DCF.
-    pub real: RealSpelling,
-    /// Whether strings that are values stand in quotes in an EDS or DCF, as dcfgen and dcf2dev demand.
-    pub quote_strings: bool,
-    /// Whether what is stored compactly stays so in an EDS or DCF (`CompactSubObj`), with the names of all entries;
-    /// otherwise every entry gets a section, for many readers know nothing else.
-    pub compact: bool,
-    /// The encoding of an EDS or DCF; `None` for ISO 646, as the standard demands. What it lacks is written in other
-    /// letters.
-    pub encoding: Option<Encoding>,
+    /// How an EDS or DCF is written.
+    pub eds: Style,
     /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
     pub xdd_version: XddVersion,
     /// Whether what the format has no place for is kept in sections or properties of a manufacturer, which other tools
     /// pass over and objdict reads (docs/formats.md).
     pub carry: bool,
-}
-
-impl WriteOptions {
-    /// Whether the encoding has a character.
-    pub(super) fn can_write(&self, c: char) -> bool {
-        match self.encoding {
-            None => c.is_ascii(),
-            Some(_) if c.is_ascii() => true,
-            Some(encoding) => encoding.encode(c.encode_utf8(&mut [0; 4])).is_ok(),
-        }
-    }
 }
 
 /// A written description.
@@ -172,16 +152,16 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     let kept = kept(device, format);
     let mut losses = told(differences(device, &kept), Fate::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
-    let wanted = match options.compact || options.carry {
+    let wanted = match options.eds.compact || options.carry {
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
     };
     let mut bytes = encode(&wanted, format, options);
-    let mut lost = differences(&wanted, &decode(&bytes, format, options.encoding));
+    let mut lost = differences(&wanted, &decode(&bytes, format, options.eds.encoding));
     if options.carry && !lost.is_empty() {
         let plain = lost;
         bytes = encode_with(&wanted, format, options, &plain);
-        let mut read = decode(&bytes, format, options.encoding);
+        let mut read = decode(&bytes, format, options.eds.encoding);
         carried::restore(&mut read, &mut Findings::new());
         lost = differences(&wanted, &read);
         let carried = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
@@ -202,7 +182,7 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
         let mut carrier = wanted.clone();
         carried::embed(&mut carrier, &needed, room(format));
         bytes = encode(&carrier, format, options);
-        let mut read = decode(&bytes, format, options.encoding);
+        let mut read = decode(&bytes, format, options.eds.encoding);
         carried::extract(&mut read);
         let found = changes(&differences(wanted, &read));
         if found == needed {
@@ -264,7 +244,7 @@ const fn room(format: Format) -> Room {
 
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format {
-        Format::Eds | Format::Dcf => eds::write(device, options),
+        Format::Eds | Format::Dcf => eds::write(device, &options.eds),
         Format::Xdd | Format::Xdc => xdd::write(device, options.xdd_version).into_bytes(),
     }
 }

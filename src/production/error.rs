@@ -5,11 +5,12 @@ use std::io;
 use std::path::PathBuf;
 
 use crate::diagnostic::counted;
+use crate::diagnostic::one_line;
 use crate::format::input::InputError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
 use crate::profile::OpenError;
-use crate::report::{one_line, problem};
+use crate::report::problem;
 use crate::source::SourceError;
 
 /// Why a build script generated nothing.

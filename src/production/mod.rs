@@ -21,6 +21,7 @@ pub(crate) use self::error::told;
 pub(crate) use self::save::Saved;
 pub(crate) use self::save::save;
 use crate::config::{Config, Project};
+use crate::diagnostic::one_line;
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::input::{Input, InputError, Reading};
@@ -30,7 +31,7 @@ use crate::generate::{
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
-use crate::report::{Location, Subject, listed, one_line};
+use crate::report::{Location, Subject, listed};
 use crate::source::hash;
 
 /// So many errors are shown of a file; the rest is counted.

@@ -2,8 +2,9 @@
 
 use std::io::{self, Write};
 
-use super::{Detail, Location, Report, Statistics, Subject, Tally, one_line};
+use super::{Detail, Location, Report, Statistics, Subject, Tally};
 use crate::diagnostic::Findings;
+use crate::diagnostic::one_line;
 
 /// Findings as a line each, and a sum at the end.
 #[derive(Debug)]

@@ -4,7 +4,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::path::Base;
-use super::{Location, Report, Subject, Tally, one_line};
+use super::{Location, Report, Subject, Tally};
+use crate::diagnostic::one_line;
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 
 /// Findings as a workflow command each, and a sum for the log at the end.

@@ -6,7 +6,8 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::path::Base;
-use super::{Fingerprint, Location, Report, Subject, fingerprints, one_line};
+use super::{Fingerprint, Location, Report, Subject, fingerprints};
+use crate::diagnostic::one_line;
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 
 /// Findings as a JSON list, one a line.

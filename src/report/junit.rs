@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::path::Base;
-use super::{Location, Report, Subject, one_line};
+use super::{Location, Report, Subject};
+use crate::diagnostic::one_line;
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::format::xml::XmlWriter;
 

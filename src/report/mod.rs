@@ -201,25 +201,6 @@ pub(crate) fn plural(count: usize, word: &str) -> String {
     if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
 }
 
-/// A character, or U+FFFD for one that steers the terminal or the direction of the text.
-pub(crate) fn visible(character: char) -> char {
-    match character {
-        '\t' => character,
-        '\u{061C}'
-        | '\u{200B}'..='\u{200F}'
-        | '\u{2028}'..='\u{202E}'
-        | '\u{2060}'..='\u{2069}'
-        | '\u{FEFF}' => char::REPLACEMENT_CHARACTER,
-        _ if character.is_control() => char::REPLACEMENT_CHARACTER,
-        _ => character,
-    }
-}
-
-/// A text as one line without what steers the terminal: it may quote anything that stands in a file.
-pub(crate) fn one_line(text: &str) -> String {
-    text.chars().map(|character| if character == '\t' { ' ' } else { visible(character) }).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,8 +2,9 @@
 
 use std::io;
 
-use super::{Location, Subject, one_line};
+use super::{Location, Subject};
 use crate::diagnostic::Findings;
+use crate::diagnostic::one_line;
 use crate::source::{SourceFile, Span};
 
 /// Findings, a line each, with their advice below.

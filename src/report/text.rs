@@ -10,7 +10,8 @@ use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
 use self::excerpt::Excerpts;
 pub(crate) use self::problem::problem;
-use super::{Detail, Report, Statistics, Subject, Tally, visible};
+use super::{Detail, Report, Statistics, Subject, Tally};
+use crate::diagnostic::visible;
 use crate::diagnostic::{Diagnostic, Findings, Safety, Severity};
 use crate::format::Description;
 

@@ -196,7 +196,7 @@ fn every_rule_has_fixtures_and_every_fixture_a_rule() {
 #[test]
 fn every_rule_file_is_registered() {
     let mut files = 0;
-    for group in sorted(&root().join("src/lint/rules")).iter().filter(|path| path.is_dir()) {
+    for group in sorted(&root().join("crates/objdict-lint/src/rules")).iter().filter(|path| path.is_dir()) {
         for file in sorted(group) {
             let stem = file.file_stem().unwrap().to_str().unwrap().replace('_', "-");
             let id = format!("{}/{stem}", name(group));

@@ -102,7 +102,7 @@ fn assert_same(read: &Device, expected: &Device, what: &dyn std::fmt::Display) {
 fn assert_reads_back(device: &Device, options: &WriteOptions, what: &dyn std::fmt::Display) {
     let written = write(device, options);
     let again = read(&written.bytes, format_of(device));
-    let expected = if options.compact { with_all_names(device) } else { device.expanded().into_owned() };
+    let expected = if options.eds.compact { with_all_names(device) } else { device.expanded().into_owned() };
     assert_eq!(written.losses, [], "{what}");
     assert_same(&again, &expected, what);
 }
@@ -111,9 +111,9 @@ fn every_style() -> Vec<WriteOptions> {
     let mut styles = Vec::new();
     for bits in 0..8 {
         styles.push(options(|options| {
-            options.compact = bits & 1 != 0;
-            options.quote_strings = bits & 2 != 0;
-            options.real = if bits & 4 != 0 { RealSpelling::Hex } else { RealSpelling::Decimal };
+            options.eds.compact = bits & 1 != 0;
+            options.eds.quote_strings = bits & 2 != 0;
+            options.eds.real = if bits & 4 != 0 { RealSpelling::Hex } else { RealSpelling::Decimal };
         }));
     }
     styles
@@ -134,7 +134,7 @@ fn every_good_device_is_written_without_a_finding() {
         let device = open(&path);
         let name = path.file_name().unwrap().to_str().unwrap();
         for compact in [false, true] {
-            let written = write(&device, &options(|options| options.compact = compact));
+            let written = write(&device, &options(|options| options.eds.compact = compact));
             let source = SourceFile::from_bytes(name, written.bytes, &SourceOptions::default()).unwrap();
             let findings = objdict::check(&format::read(source, format_of(&device)));
             let findings: Vec<_> = findings
@@ -150,7 +150,7 @@ fn every_good_device_is_written_without_a_finding() {
 
 #[test]
 fn every_damaged_device_reads_back_equal() {
-    let utf8 = options(|options| options.encoding = Some(Encoding::Utf8));
+    let utf8 = options(|options| options.eds.encoding = Some(Encoding::Utf8));
     for path in support::devices_of_all_folders() {
         let device = open(&path);
         let written = write(&device, &utf8);
@@ -232,9 +232,9 @@ fn the_canonical_style() {
     );
     insta::assert_snapshot!(canonical.replace('\r', ""));
     let dense = options(|options| {
-        options.compact = true;
-        options.quote_strings = true;
-        options.real = RealSpelling::Hex;
+        options.eds.compact = true;
+        options.eds.quote_strings = true;
+        options.eds.real = RealSpelling::Hex;
     });
     insta::assert_snapshot!(text(&dense).replace('\r', ""));
 }
@@ -273,10 +273,10 @@ fn other_letters_stand_in_for_those_that_the_encoding_lacks() {
     let ascii = "Uebertemperatur in degC, ?";
     assert_eq!(name(&WriteOptions::default()), (ascii.to_owned(), vec![loss(ascii)]));
     let latin = "Übertemperatur in °C, ?";
-    let windows = options(|options| options.encoding = Some(Encoding::Windows1252));
+    let windows = options(|options| options.eds.encoding = Some(Encoding::Windows1252));
     assert_eq!(name(&windows), (latin.to_owned(), vec![loss(latin)]));
     for encoding in [Encoding::Utf8, Encoding::Utf16Le] {
-        let (written, losses) = name(&options(|options| options.encoding = Some(encoding)));
+        let (written, losses) = name(&options(|options| options.eds.encoding = Some(encoding)));
         assert_eq!((written.as_str(), losses.len()), ("Übertemperatur in °C, 水", 0));
     }
 }
@@ -373,7 +373,7 @@ proptest! {
         let options = WriteOptions::clone(&every_style()[style]);
         let options = self::options(|own| {
             *own = options;
-            own.encoding = utf8.then_some(Encoding::Utf8);
+            own.eds.encoding = utf8.then_some(Encoding::Utf8);
         });
         let written = write(&device, &options);
         let again = read(&written.bytes, format_of(&device));

@@ -11,7 +11,8 @@ use std::path::Path;
 
 use super::path::{Base, uri};
 use super::utf16::Columns;
-use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints, visible};
+use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints};
+use crate::diagnostic::visible;
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity};
 use crate::model::Place;
 use crate::source::{Encoding, SourceFile, Span};

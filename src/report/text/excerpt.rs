@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
-use crate::report::visible;
+use crate::diagnostic::visible;
 use crate::source::{SourceFile, Span};
 
 /// The most bytes of a line that are shown; of a longer one a window around the label.

@@ -138,7 +138,7 @@ fn dcf_tools_accepts_what_we_wrote() {
     let Some(programs) = environment() else { return };
     let devices = devices();
     let mut options = WriteOptions::default();
-    options.real = RealSpelling::Hex;
+    options.eds.real = RealSpelling::Hex;
     let folder = write_all(&devices, "interop-dcf-tools", &options);
     for (name, description) in &devices {
         let node_id = description.device().node_id().unwrap_or(5).to_string();

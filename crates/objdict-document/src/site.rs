@@ -1,0 +1,275 @@
+//! Several devices as one site: a page for each, and an index that leads to them.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+use askama::Template;
+
+use super::network::{self, Network, Node};
+use super::page::{Context, Page};
+use super::texts::Texts;
+use super::{Form, Options, Subject, csv, write_page};
+use crate::Language;
+use crate::diagnostic::Severity;
+use crate::model::PdoKind;
+
+/// A site in the making: its pages are written one after the other, and only what the index says of them is kept.
+///
+/// ```
+/// use objdict_document::{Form, Options, Site, Subject};
+///
+/// # let mut device = objdict_model::model::Device::default();
+/// # device.objects.insert(0x6000, objdict_model::model::Object::default());
+/// let mut site = Site::new(Form::Markdown, &Options::default());
+/// let page = site.add(&Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None });
+/// assert_eq!(page.name, "io-401.md");
+/// assert!(site.index().text.contains("(io-401.md)"));
+/// ```
+#[derive(Debug)]
+pub struct Site {
+    form: Form,
+    options: Options,
+    title: Option<String>,
+    /// How many pages have a name, by the name in small letters.
+    taken: BTreeMap<String, usize>,
+    devices: Vec<Listed>,
+    nodes: Vec<Node>,
+}
+
+/// A file of a site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SiteFile {
+    /// Its name; all lie in one folder.
+    pub name: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// What the index says of a device.
+#[derive(Debug)]
+pub(crate) struct Listed {
+    /// The address of its page.
+    link: String,
+    title: String,
+    file: String,
+    format: String,
+    vendor: String,
+    profile: String,
+    node_id: Option<u8>,
+    node_name: String,
+    objects: usize,
+    entries: usize,
+    rpdos: usize,
+    tpdos: usize,
+    /// Errors, warnings and notes; `None` where nobody checked.
+    findings: Option<[usize; 3]>,
+}
+
+impl Site {
+    /// A site without pages. The title is that of the site, its pages are called after their products.
+    pub fn new(form: Form, options: &Options) -> Self {
+        Self {
+            form,
+            title: options.title.clone(),
+            options: Options { title: None, ..options.clone() },
+            taken: BTreeMap::from([("index".to_owned(), 1)]),
+            devices: Vec::new(),
+            nodes: Vec::new(),
+        }
+    }
+
+    /// The page of a device. It is called as the file is, with a number where several files are called so.
+    pub fn add(&mut self, subject: &Subject<'_>) -> SiteFile {
+        let name = self.page_name(subject.file);
+        let link = address(&name);
+        let context = Context::new(subject.device, &self.options);
+        let page = Page::new(subject, &self.options, &context);
+        self.nodes.extend(Node::new(&context, &page.title, &link));
+        self.devices.push(Listed::new(subject, &context, &page, link));
+        SiteFile { name, text: write_page(&page, subject.device, self.form) }
+    }
+
+    fn page_name(&mut self, file: &str) -> String {
+        let stem = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        loop {
+            let count = self.taken.entry(stem.to_lowercase()).or_default();
+            *count += 1;
+            let name = if *count == 1 { stem.clone() } else { format!("{stem}-{count}") };
+            // a file may be called as another one is with its number
+            if name == stem || self.taken.insert(name.to_lowercase(), 1).is_none() {
+                return format!("{name}.{}", self.form.extension());
+            }
+        }
+    }
+
+    /// The index, when all pages are written.
+    pub fn index(&self) -> SiteFile {
+        let language = self.options.own_language();
+        let index = Index {
+            language,
+            texts: Texts::of(language),
+            title: self.title.as_deref().unwrap_or(Texts::of(language).devices),
+            devices: &self.devices,
+            networks: network::networks(&self.nodes),
+            version: env!("CARGO_PKG_VERSION"),
+        };
+        // a String takes every text, and no filter of the templates fails
+        let text = match self.form {
+            Form::Html => HtmlIndex { index: &index }.render().unwrap_or_default() + "\n",
+            Form::Markdown => MarkdownIndex { index: &index }.render().unwrap_or_default() + "\n",
+            Form::Csv => index_csv(&self.devices),
+        };
+        SiteFile { name: format!("index.{}", self.form.extension()), text }
+    }
+}
+
+impl Listed {
+    fn new(subject: &Subject<'_>, context: &Context<'_>, page: &Page<'_>, link: String) -> Self {
+        let device = subject.device;
+        let info = device.device_info.as_ref();
+        let node = device.commissioning.as_ref();
+        let found = |severity| {
+            move |findings: &[super::Finding]| {
+                findings.iter().filter(|finding| finding.severity == severity).count()
+            }
+        };
+        Self {
+            link,
+            title: page.title.clone(),
+            file: subject.file.to_owned(),
+            format: subject.format.to_owned(),
+            vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
+            profile: match device.profile() {
+                None | Some(0) => String::new(),
+                Some(0xFFFF) => context.language.pick("several", "mehrere").to_owned(),
+                Some(profile) => format!("CiA {profile}"),
+            },
+            node_id: device.node_id().and(context.node_id),
+            node_name: node.and_then(|node| node.node_name.clone()).unwrap_or_default(),
+            objects: page.object_count(),
+            entries: page.entry_count(),
+            rpdos: device.pdo_count(PdoKind::Rpdo),
+            tpdos: device.pdo_count(PdoKind::Tpdo),
+            findings: subject.findings.map(|findings| {
+                [Severity::Error, Severity::Warning, Severity::Note].map(|severity| found(severity)(findings))
+            }),
+        }
+    }
+
+    /// `5 pump`; empty for a type of device.
+    fn node(&self) -> String {
+        let id = self.node_id.map(|id| id.to_string()).unwrap_or_default();
+        format!("{id} {}", self.node_name.trim()).trim().to_owned()
+    }
+}
+
+/// What the index says.
+struct Index<'a> {
+    language: Language,
+    texts: &'static Texts,
+    title: &'a str,
+    devices: &'a [Listed],
+    networks: Vec<Network<'a>>,
+    version: &'static str,
+}
+
+impl Index<'_> {
+    /// Whether any device is a configured node.
+    fn has_nodes(&self) -> bool {
+        self.devices.iter().any(|device| !device.node().is_empty())
+    }
+}
+
+#[derive(Template)]
+#[template(path = "html/index.html")]
+struct HtmlIndex<'a> {
+    index: &'a Index<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "markdown/index.md")]
+struct MarkdownIndex<'a> {
+    index: &'a Index<'a>,
+}
+
+/// One line for each device. As in the other tables, columns are never renamed, moved or dropped.
+fn index_csv(devices: &[Listed]) -> String {
+    const COLUMNS: [&str; 15] = [
+        "file",
+        "format",
+        "table",
+        "name",
+        "vendor",
+        "profile",
+        "node_id",
+        "node_name",
+        "objects",
+        "entries",
+        "rpdos",
+        "tpdos",
+        "errors",
+        "warnings",
+        "notes",
+    ];
+    let mut text = "\u{FEFF}".to_owned();
+    csv::line(&mut text, COLUMNS.map(Cow::Borrowed));
+    for device in devices {
+        let found = device.findings.map(|counts| counts.map(|count| count.to_string())).unwrap_or_default();
+        let counts =
+            [device.objects, device.entries, device.rpdos, device.tpdos].map(|count| count.to_string());
+        let node_id = device.node_id.map(|id| id.to_string()).unwrap_or_default();
+        let texts = [
+            &device.file,
+            &device.format,
+            &device.link,
+            &device.title,
+            &device.vendor,
+            &device.profile,
+            &node_id,
+            &device.node_name,
+        ];
+        csv::line(
+            &mut text,
+            texts.into_iter().chain(&counts).chain(&found).map(|text| Cow::Borrowed(text.as_str())),
+        );
+    }
+    text
+}
+
+/// The address of a file in the same folder: whatever its name, it is no other address.
+fn address(name: &str) -> String {
+    let mut address = String::with_capacity(name.len());
+    for &byte in name.as_bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
+            _ => {
+                let _ = write!(address, "%{byte:02X}"); // a String takes every text
+            }
+        }
+    }
+    address
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pages_have_names_of_their_own() {
+        let mut site = Site::new(Form::Html, &Options::default());
+        let files = ["io.eds", "io.dcf", "IO.xdd", "io-2.eds", "index.eds", "-", "a b#c.eds"];
+        let names = files.map(|file| site.page_name(file));
+        let expected =
+            ["io.html", "io-2.html", "IO-3.html", "io-2-2.html", "index-2.html", "-.html", "a b#c.html"];
+        assert_eq!(names, expected);
+    }
+
+    #[test]
+    fn addresses_stay_in_the_folder() {
+        assert_eq!(address("javascript:alert(1).html"), "javascript%3Aalert%281%29.html");
+        assert_eq!(address("a b#c?.md"), "a%20b%23c%3F.md");
+        assert_eq!(address("Größe.md"), "Gr%C3%B6%C3%9Fe.md");
+    }
+}

@@ -1,0 +1,107 @@
+//! What a text must get so that it describes a device with more objects: as changes, so that all else stays.
+
+use super::section::SectionName;
+use super::write;
+use crate::diagnostic::Change;
+use crate::eds::Style;
+use crate::ini::{Document, Section};
+use crate::model::{Device, Field, Object, Part, Place, Value};
+use crate::source::{SourceFile, Span};
+
+/// The changes that make the text of `before` one of `after`, which has objects and sub-indexes besides, other lists,
+/// other counts and other connected modules. `None` where an object that grew is stored compactly: its text has no place
+/// for single entries.
+pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
+    let mut changes = Vec::new();
+    let mut new = Device { kind: after.kind, ..Device::default() };
+    for (&index, object) in &after.objects {
+        match before.object(index) {
+            None => {
+                new.objects.insert(index, object.clone());
+            }
+            Some(old) if old.compact.is_some() && has_grown(old, object) => return None,
+            Some(old) => {
+                changes.extend(grown(index, old, object));
+                let added = object.subs.iter().filter(|(sub, _)| old.subs.get(*sub).is_none());
+                let subs: Vec<_> = added.map(|(sub, entry)| (sub, entry.clone())).collect();
+                if !subs.is_empty() {
+                    let main = object.main.clone();
+                    new.objects.insert(
+                        index,
+                        Object { main, subs: subs.into_iter().collect(), ..Object::default() },
+                    );
+                }
+            }
+        }
+    }
+    changes.extend(sections(&new).into_iter().filter_map(|(part, fields)| match part {
+        Part::Object(index) if before.objects.contains_key(&index) => None,
+        Part::Object(_) | Part::Entry(..) => Some(Change::Add(part, fields)),
+        _ => None,
+    }));
+    for list in crate::model::ObjectList::ALL {
+        if before.lists.get(list) != after.lists.get(list) {
+            changes.push(Change::List(list, after.lists.get(list).to_vec()));
+        }
+    }
+    changes.extend(connected(before, after));
+    Some(changes)
+}
+
+/// Whether a compactly stored object has entries that it had not.
+fn has_grown(old: &Object, new: &Object) -> bool {
+    let count = |object: &Object| object.compact.as_ref().map(|compact| compact.count);
+    count(old) != count(new) || old.subs.len() != new.subs.len()
+}
+
+/// What an object says of itself that is another thing now: how many entries it has.
+fn grown(index: u16, old: &Object, new: &Object) -> Vec<Change> {
+    let mut changes = Vec::new();
+    if let Some(count) =
+        new.sub_number.filter(|_| old.sub_number.is_some() && old.sub_number != new.sub_number)
+    {
+        changes.push(Change::Set(Place::object(index).field(Field::SubNumber), count.to_string()));
+    }
+    for (sub, entry) in new.subs.iter() {
+        let Some(before) = old.subs.get(sub) else { continue };
+        let default = entry.default.as_ref().filter(|_| entry.default != before.default);
+        if let Some(number) = default.and_then(Value::as_integer) {
+            changes
+                .push(Change::Set(Place::entry(index, sub).field(Field::DefaultValue), number.to_string()));
+        }
+    }
+    changes
+}
+
+/// The section with the connected modules: new, or with other numbers.
+fn connected(before: &Device, after: &Device) -> Vec<Change> {
+    let of = |device: &Device| device.modules.as_ref().and_then(|modules| modules.connected.clone());
+    let (old, new) = (of(before), of(after));
+    let Some(numbers) = new.filter(|new| old.as_ref() != Some(new)) else { return Vec::new() };
+    let items = (1_u32..).zip(&numbers).map(|(item, number)| (Field::Item(item), number.to_string()));
+    let fields = std::iter::once((Field::NrOfEntries, numbers.len().to_string())).chain(items);
+    let Some(old) = old else { return vec![Change::Add(Part::ConnectedModules, fields.collect())] };
+    let place = |field| Place::of(Part::ConnectedModules).field(field);
+    let set = fields.map(|(field, value)| Change::Set(place(field), value));
+    let gone = (numbers.len() + 1..=old.len()).filter_map(|item| u32::try_from(item).ok());
+    set.chain(gone.map(|item| Change::Remove(place(Field::Item(item))))).collect()
+}
+
+/// The sections that describe a device's objects, with their keys.
+fn sections(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
+    let text = String::from_utf8(write::write(device, &Style { compact: true, ..Style::default() }));
+    let document = Document::new(SourceFile::from_text("additions", text.unwrap_or_default()));
+    let text = document.text();
+    let mut sections = Vec::new();
+    document.visit(
+        |section: &Section| {
+            let Some(header) = section.header else { return };
+            let field = |key: Span| Field::from_name(key.of(text));
+            let fields =
+                section.entries.iter().map(|entry| (field(entry.key), entry.value.of(text).to_owned()));
+            sections.push((SectionName::parse(header.name.of(text)).part, fields.collect()));
+        },
+        |_| {},
+    );
+    sections
+}

@@ -1,0 +1,93 @@
+//! One section of an arranged text.
+
+use std::borrow::Cow;
+
+use super::{Extent, Text, spell};
+use crate::eds::keys::Key;
+use crate::eds::order::{COUNTERS, Rank, key_rank};
+use crate::model::{Device, ModulePart, Part};
+
+/// A section with what moves with it.
+pub(super) struct Block<'a> {
+    pub(super) rank: Rank,
+    pub(super) part: Part,
+    pub(super) name: String,
+    /// The paragraphs above the header.
+    pub(super) above: Vec<Vec<&'a str>>,
+    /// Whether the last of them stands right above it.
+    pub(super) is_above: bool,
+    /// What stood behind the header.
+    pub(super) remark: Option<&'a str>,
+    pub(super) entries: Vec<Entry<'a>>,
+    /// The lines behind the last key.
+    pub(super) behind: Vec<&'a str>,
+}
+
+/// A key with the lines above it.
+pub(super) struct Entry<'a> {
+    pub(super) notes: Vec<&'a str>,
+    pub(super) key: &'a str,
+    pub(super) value: &'a str,
+}
+
+impl Block<'_> {
+    pub(super) fn write(&self, device: &Device, extent: Extent, text: &mut Text) {
+        for (number, paragraph) in self.above.iter().enumerate() {
+            text.lines(paragraph);
+            if number + 1 < self.above.len() || !self.is_above {
+                text.line("");
+            }
+        }
+        if let Some(remark) = self.remark {
+            text.line(&format!("; {remark}"));
+        }
+        text.line(&format!("[{}]", self.name));
+        let mut entries: Vec<&Entry<'_>> = self.entries.iter().collect();
+        if extent.keys {
+            entries.sort_by_key(|entry| self.rank_of(entry.key));
+        }
+        for entry in entries {
+            text.lines(&entry.notes);
+            let value = match extent.values {
+                true => spell::value(device, &self.part, entry.key, entry.value),
+                false => Cow::Borrowed(entry.value),
+            };
+            let key = if extent.names { self.key(entry.key) } else { Cow::Borrowed(entry.key) };
+            text.line(&format!("{key}={value}"));
+        }
+        text.lines(&self.behind);
+    }
+
+    /// The place of a key. Of lists only the count has one, for their items are read in the order of the text; what the
+    /// standard does not have comes last.
+    fn rank_of(&self, key: &str) -> u32 {
+        let has_order = matches!(
+            self.part,
+            Part::FileInfo
+                | Part::DeviceInfo
+                | Part::Commissioning
+                | Part::Object(_)
+                | Part::Entry(..)
+                | Part::Module(
+                    _,
+                    ModulePart::Info
+                        | ModulePart::Fixed(_)
+                        | ModulePart::FixedEntry(..)
+                        | ModulePart::SubExt(_)
+                )
+        );
+        match Key::find(key).map(Key::field) {
+            Some(_) if has_order => key_rank(key).unwrap_or(u32::MAX),
+            Some(field) if COUNTERS.contains(field) && !matches!(self.part, Part::Section(_)) => 0,
+            _ => u32::MAX,
+        }
+    }
+
+    /// A key of the standard in its spelling.
+    fn key<'k>(&self, key: &'k str) -> Cow<'k, str> {
+        match Key::find(key) {
+            Some(found) if !matches!(self.part, Part::Section(_)) => found.field().name(),
+            _ => Cow::Borrowed(key),
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! EDS to DCF and back, by edits of the text: comments, order, spelling, line ends and encoding stay.
+
+use super::section::SectionName;
+use crate::ini::{Document, Editor, Section};
+use crate::model::{Commissioning, Part};
+use crate::source::EditError;
+
+/// The keys that only a DCF has (CiA 306-1 §5.3.1).
+const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"];
+
+/// The bytes of `document` as a DCF called `file_name` for the node `node`. What the node says replaces what the
+/// document says of it; `last_eds` is the file that it was made from.
+///
+/// # Errors
+/// When the document cannot be written in its encoding.
+pub fn to_dcf(
+    document: &Document,
+    file_name: &str,
+    last_eds: Option<&str>,
+    node: &Commissioning,
+) -> Result<Vec<u8>, EditError> {
+    let sections = Sections::of(document);
+    let mut editor = Editor::new(document);
+    let mut facts = vec![("FileName", file_name.to_owned())];
+    facts.extend(last_eds.map(|name| ("LastEDS", name.to_owned())));
+    match sections.find(&Part::FileInfo) {
+        Some(section) => facts.iter().for_each(|(key, value)| editor.set(section, key, value)),
+        None => editor.insert_section(None, "FileInfo", &facts),
+    }
+    let settings = settings(node);
+    match sections.find(&Part::Commissioning) {
+        Some(section) => settings.iter().for_each(|(key, value)| editor.set(section, key, value)),
+        None => {
+            let behind = [Part::Comments, Part::DummyUsage, Part::DeviceInfo, Part::FileInfo];
+            let behind = behind.iter().find_map(|part| sections.find(part));
+            editor.insert_section(behind, "DeviceComissioning", &settings);
+        }
+    }
+    editor.to_bytes()
+}
+
+/// The bytes of `document` as an EDS called `file_name`: without the node and what was configured for it.
+///
+/// # Errors
+/// When the document cannot be written in its encoding.
+pub fn to_eds(document: &Document, file_name: &str) -> Result<Vec<u8>, EditError> {
+    let sections = Sections::of(document);
+    let mut editor = Editor::new(document);
+    for (part, section) in &sections.all {
+        match part {
+            Part::Commissioning
+            | Part::ConnectedModules
+            | Part::CompactValues(_)
+            | Part::CompactDenotations(_) => editor.remove_section(section),
+            Part::FileInfo => {
+                editor.set(section, "FileName", file_name);
+                editor.remove_key(section, "LastEDS");
+            }
+            Part::Object(_) | Part::Entry(..) => {
+                DCF_KEYS.iter().for_each(|key| editor.remove_key(section, key));
+            }
+            _ => {}
+        }
+    }
+    editor.to_bytes()
+}
+
+/// All sections that have a header, with what they describe.
+struct Sections {
+    all: Vec<(Part, Section)>,
+}
+
+impl Sections {
+    fn of(document: &Document) -> Self {
+        let mut all = Vec::new();
+        document.visit(
+            |section| {
+                if let Some(header) = section.header {
+                    all.push((SectionName::parse(header.name.of(document.text())).part, section.clone()));
+                }
+            },
+            |_| {},
+        );
+        Self { all }
+    }
+
+    fn find(&self, part: &Part) -> Option<&Section> {
+        self.all.iter().find(|(other, _)| other == part).map(|(_, section)| section)
+    }
+}
+
+/// The keys of `DeviceComissioning` (CiA 306-1 §5.4): those that readers ask for always, the others where they are set.
+fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
+    let number = |number: Option<u32>| number.unwrap_or_default().to_string();
+    let text = |text: &Option<String>| text.clone().unwrap_or_default();
+    let mut settings = vec![
+        ("NodeID", number(node.node_id.map(u32::from))),
+        ("NodeName", text(&node.node_name)),
+        ("Baudrate", number(node.baud_rate.map(u32::from))),
+        ("NetNumber", number(node.net_number)),
+        ("NetworkName", text(&node.network_name)),
+        ("CANopenManager", number(node.manager.map(u32::from))),
+        ("LSS_SerialNumber", number(node.lss_serial_number)),
+    ];
+    let designators =
+        [("NodeRefd", &node.node_reference_designator), ("NetRefd", &node.net_reference_designator)];
+    settings
+        .extend(designators.into_iter().filter_map(|(key, value)| value.clone().map(|value| (key, value))));
+    settings
+}

@@ -1,0 +1,77 @@
+//! The rule that needs the name under which a file was opened, which the model does not know.
+
+use crate::diagnostic::{Diagnostic, Findings, Fix, text_rule};
+use crate::model::{Device, Field, Part, Place};
+use objdict_model::Format;
+
+text_rule! {
+    /// the file has another name than it says
+    ///
+    /// ## What it checks
+    /// Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name. The share of files is high because whoever collected them gave them other names; before that one in five differed: a copy of another device's file, a title in the place of the name, or a `FileName` of the computer that it was made on.
+    ///
+    /// ## Why it matters
+    /// The file was copied or renamed, and people look for a file that does not exist. Perhaps it is a changed copy that still passes for the original.
+    ///
+    /// ## Example
+    /// `FileName=drive.eds` in `drive_v2.eds`
+    ///
+    /// ## How to mend
+    /// Write the name of the file into `FileName`, or give the file its name back.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.4
+    FILE_NAME = "cia306/file-name", Note, fix Safe
+}
+
+/// Compares `FileName` with the name that a file was opened by. A name without an ending that we know is nobody's file.
+pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
+    let Some(stated) = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()) else { return };
+    let (actual, stated) = (base_name(opened_as), base_name(stated));
+    if stated.is_empty() || Format::from_name(actual).is_none() || same(actual, stated) {
+        return;
+    }
+    let place = Place::of(Part::FileInfo).field(Field::FileName);
+    let message = format!("the file is called `{actual}`, not `{stated}`");
+    let title = format!("write `{}={actual}`", Field::FileName);
+    let fix = Fix::safe(title.clone()).set(place.clone(), actual);
+    findings.push(Diagnostic::new(&FILE_NAME, place, message).help(title).fix(fix));
+}
+
+/// The name behind the last separator of either kind: files go from one system to the other.
+fn base_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path).trim()
+}
+
+fn same(a: &str, b: &str) -> bool {
+    a.eq_ignore_ascii_case(b) || a.to_lowercase() == b.to_lowercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::FileInfo;
+
+    fn messages(opened_as: &str, stated: &str) -> Vec<String> {
+        let file_info = FileInfo { file_name: Some(stated.to_owned()), ..FileInfo::default() };
+        let device = Device { file_info: Some(file_info), ..Device::default() };
+        let mut findings = Findings::new();
+        check(&device, opened_as, &mut findings);
+        findings.iter().map(|finding| finding.message.clone()).collect()
+    }
+
+    #[test]
+    fn only_the_name_itself_counts() {
+        assert_eq!(messages("vendor/DRIVE.EDS", r"C:\eds\drive.eds"), [""; 0]);
+        assert_eq!(
+            messages("a/drive2.eds", "drive.eds"),
+            ["the file is called `drive2.eds`, not `drive.eds`"]
+        );
+    }
+
+    #[test]
+    fn what_has_no_file_name_is_not_compared() {
+        assert_eq!(messages("<stdin>", "drive.eds"), [""; 0]);
+        assert_eq!(messages("drive.eds", ""), [""; 0]);
+    }
+}

@@ -1,0 +1,206 @@
+//! The findings as they are raised, with their words and fixes.
+
+use super::{
+    COMMISSIONING_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
+    SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
+};
+use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted};
+use crate::eds::read::Item;
+use crate::eds::section::{SectionName, Spelling};
+use crate::model::{Field, ObjectType, Place};
+use crate::source::Span;
+
+/// `item` repeats `first`.
+pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
+    let same = item.value == first.value;
+    let message = if same {
+        format!("`{}` stands twice with the same value", item.name)
+    } else {
+        format!(
+            "`{}` stands twice, with `{}` and `{}`; the first one is read",
+            item.name, first.value, item.value
+        )
+    };
+    Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
+        .severity(if same { Severity::Warning } else { Severity::Error })
+        .label(first.name_at, "first here")
+        .help("keep one of the two lines")
+        .fix(remove_line(item, same))
+}
+
+/// Takes a line away that is not read; whether that is meant is only certain where it says the same.
+fn remove_line(item: &Item<'_>, same: bool) -> Fix {
+    let title = "remove the second line, which is not read";
+    let fix = if same { Fix::safe(title) } else { Fix::risky(title) };
+    fix.with(Change::RemoveLine(item.name_at))
+}
+
+/// What a section is to the one of the same name before it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::eds) enum Twin {
+    /// Both are read as one.
+    Joined,
+    /// It says the same and is not read.
+    Equal,
+    /// It says something else, or nobody knows, and is not read.
+    Other,
+}
+
+/// A section was there before; `first` is its place in the model.
+pub(in crate::eds) fn duplicate_section(name: &str, at: Span, first: Place, twin: Twin) -> Diagnostic {
+    let read = if twin == Twin::Joined { "both are read" } else { "the first one is read" };
+    let finding = Diagnostic::new(&DUPLICATE_SECTION, at, format!("section `[{name}]` stands twice; {read}"))
+        .label(first, "first here")
+        .help("keep one of the two sections");
+    let title = "remove the second section, which is not read";
+    match twin {
+        Twin::Joined => finding,
+        Twin::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))),
+        Twin::Other => finding.fix(Fix::risky(title).with(Change::RemoveSection(at))),
+    }
+}
+
+pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
+    let hint = looks_like_object(name);
+    let finding = Diagnostic::new(
+        if hint { &SECTION_SPELLING } else { &UNKNOWN_SECTION },
+        at,
+        if hint {
+            format!("`[{name}]` looks like an object, but is none")
+        } else {
+            format!("the standard has no section `[{name}]`; it is kept")
+        },
+    );
+    if hint {
+        finding
+            .severity(Severity::Error)
+            .help("an index has up to four hex digits, a sub-index up to FFh: `[1018sub1]`")
+    } else {
+        finding.help("check the spelling; some tools refuse unknown sections")
+    }
+}
+
+/// Whether someone meant an object: hex digits, perhaps behind `0x`, alone or with `sub` behind them.
+fn looks_like_object(name: &str) -> bool {
+    let name = name.strip_prefix("0x").unwrap_or(name);
+    let digits = name.bytes().take_while(u8::is_ascii_hexdigit).count();
+    let rest = name[digits..].trim_ascii_start();
+    let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
+    digits > 0
+        && is_number
+        && (rest.is_empty() || rest.get(..3).is_some_and(|word| word.eq_ignore_ascii_case("sub")))
+}
+
+pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
+    let message = match item.key {
+        Some(_) => format!("`{}` does not belong into `[{section}]`; it is kept", item.name),
+        None => format!("the standard has no key `{}` in `[{section}]`; it is kept", item.name),
+    };
+    let finding = Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
+        .help("check the spelling; some tools refuse unknown keys");
+    match meant(item).filter(|_| item.key.is_none()) {
+        Some(name) => finding.fix(Fix::risky(format!("write `{name}`")).replace(item.name_at, name)),
+        None => finding,
+    }
+}
+
+/// The key that the standard has and is the same but for blanks and the like.
+fn meant(item: &Item<'_>) -> Option<&'static str> {
+    let mut names = Field::NAMED.iter().map(|(name, _)| *name);
+    names.find(|name| letters(name).eq(letters(item.name)))
+}
+
+/// What a name is but for blanks, the like, and case.
+fn letters(name: &str) -> impl Iterator<Item = u8> {
+    name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
+}
+
+/// What a name's spelling shows.
+pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
+    let (rule, message) = match parsed.spelling {
+        Spelling::Standard => return None,
+        Spelling::CorrectCommissioning => {
+            (&COMMISSIONING_SPELLING, format!("the standard spells `[{name}]` with one m"))
+        }
+        Spelling::LeadingZero => (&SECTION_SPELLING, format!("`[{name}]` has a leading zero")),
+        Spelling::Decorated => (&SECTION_SPELLING, format!("`[{name}]` is not the name of an object")),
+    };
+    let grave = parsed.spelling == Spelling::Decorated;
+    let finding =
+        Diagnostic::new(rule, at, message).severity(if grave { Severity::Error } else { Severity::Warning });
+    let title = format!("write `[{parsed}]`");
+    let fix = Fix::safe(title.clone()).replace(at, parsed.to_string());
+    Some(finding.help(title).fix(fix))
+}
+
+/// The count `item`, or a missing one, of `actual` numbered keys.
+pub(in crate::eds) fn wrong_count(
+    item: Option<&Item<'_>>,
+    key: &str,
+    (section, section_at): (&str, Span),
+    actual: usize,
+) -> Diagnostic {
+    let part = SectionName::parse(section).part;
+    let entries = counted(actual, "entry follows", "entries follow");
+    let (at, message) = match item {
+        Some(item) if !item.value.is_empty() => {
+            (item.value_at, format!("`{key}` is `{}`, but {entries}", item.value))
+        }
+        Some(item) => (item.name_at, format!("`{key}` is empty, but {entries}")),
+        None => (section_at, format!("`{key}` is missing")),
+    };
+    let title = format!("write `{key}={actual}`");
+    let fix = Fix::safe(title.clone());
+    let fix = match item {
+        Some(item) => fix.replace(item.value_at, actual.to_string()),
+        None => fix.set(Place::of(part).field(Field::from_name(key)), actual.to_string()),
+    };
+    Diagnostic::new(&WRONG_COUNT, at, message).help(title).fix(fix)
+}
+
+/// The keys of a list do not count from 1; `item` is the first that is wrong.
+pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: u32, fix: Fix) -> Diagnostic {
+    let message = format!("`{}` stands where `{expected}` should", item.name);
+    Diagnostic::new(&LIST_NUMBERING, item.name_at, message)
+        .help("number the entries 1, 2, 3 … in decimal, without leading zeros")
+        .fix(fix)
+}
+
+pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>) -> Diagnostic {
+    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, format!("`{}` is no index", item.value))
+        .help("write an index from 0x1 to 0xFFFF")
+}
+
+/// An `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` without a compact object.
+pub(in crate::eds) fn stray_compact_section(
+    name: &str,
+    at: Span,
+    object_type: Option<ObjectType>,
+) -> Diagnostic {
+    let message = match object_type {
+        Some(_) => format!("`[{name}]` belongs to an object without `CompactSubObj`"),
+        None => format!("`[{name}]` belongs to no object"),
+    };
+    Diagnostic::new(&STRAY_COMPACT_SECTION, at, message)
+        .help("give the object `CompactSubObj`, or write the values into its sub-indexes")
+}
+
+/// A number in such a section that the compact object does not have.
+pub(in crate::eds) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnostic {
+    let message = format!("`{}` is no sub-index of an object with `CompactSubObj={count}`", item.name);
+    Diagnostic::new(&STRAY_COMPACT_SECTION, item.name_at, message)
+        .help(format!("use the numbers 1 to {count}"))
+}
+
+/// A name or the like in quotes.
+pub(in crate::eds) fn quoted_name(item: &Item<'_>) -> Diagnostic {
+    let message = format!("`{}` stands in quotes, which become a part of the text", item.value);
+    let inner = item.value.trim_matches('"').trim_ascii();
+    let finding = Diagnostic::new(crate::literal::QUOTED, item.value_at, message).help("remove the quotes");
+    let is_plain = !inner.is_empty() && inner.len() + 2 == item.value.len();
+    if is_plain {
+        finding.fix(Fix::risky("remove the quotes").replace(item.value_at, inner))
+    } else {
+        finding
+    }
+}

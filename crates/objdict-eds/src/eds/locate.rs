@@ -1,0 +1,141 @@
+//! Places to spans. Nothing is stored per datum: the place names its section and key, and the text is searched for
+//! them when a finding is shown. A clean file pays nothing.
+
+use std::collections::HashMap;
+use std::hash::{BuildHasher, RandomState};
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+use super::order::Rank;
+use super::section::SectionName;
+use crate::ini::{Document, LineKind, Lines, Section, headers};
+use crate::model::{Field, Part, Place};
+use crate::source::Span;
+
+/// The headers of a document, sorted by what they stand for.
+#[derive(Debug)]
+pub struct Locator {
+    state: RandomState,
+    /// Hash of the part, and where its header line starts.
+    headers: Vec<(u32, u32)>,
+    /// The keys of the sections that were asked for, by where their header line starts. A long list with many findings
+    /// would be read from its start for each of them.
+    keys: Mutex<HashMap<u32, Keys>>,
+    /// The place of each section in the canonical order, for those who add some.
+    outline: OnceLock<Vec<(Rank, u32)>>,
+}
+
+/// Hash of each key of a section in lower case, and where its line starts, in order of the hashes.
+type Keys = Vec<(u32, u32)>;
+
+impl Locator {
+    /// Finds the sections of a document.
+    pub fn new(document: &Document) -> Self {
+        let state = RandomState::new();
+        let mut found = Vec::new();
+        for line in headers(document.text()) {
+            if let LineKind::Section { name } = line.kind {
+                let part = SectionName::parse(name.of(document.text())).part;
+                found.push((hash(&state, &part), line.span.start));
+            }
+        }
+        found.sort_unstable();
+        Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
+    }
+
+    /// The span of a place: the value of its key where that is not empty, else the key; the name of its section where
+    /// the key is missing. `None` for the device as a whole and for sections that are not there.
+    pub fn locate(&self, document: &Document, place: &Place) -> Option<Span> {
+        let text = document.text();
+        let hash = hash(&self.state, &place.part);
+        let from = self.headers.partition_point(|(other, _)| *other < hash);
+        let mut header = None;
+        for &(other, start) in &self.headers[from..] {
+            if other != hash {
+                break;
+            }
+            let header_line = Lines::from(text, start).next();
+            let Some(LineKind::Section { name }) = header_line.map(|line| line.kind) else { continue };
+            if SectionName::parse(name.of(text)).part != place.part {
+                continue;
+            }
+            header.get_or_insert(name);
+            let Some(field) = &place.field else { break };
+            if let Some(span) = self.find_key(text, start, field) {
+                return Some(span);
+            }
+        }
+        header.or_else(|| self.stand_in(document, &place.part))
+    }
+
+    /// The sections in the order of the text: where each would stand, and where its header line starts.
+    pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
+        let text = document.text();
+        self.outline.get_or_init(|| {
+            let ranked = headers(text).filter_map(|line| match line.kind {
+                LineKind::Section { name } => {
+                    Some((Rank::of(&SectionName::parse(name.of(text)).part), line.span.start))
+                }
+                _ => None,
+            });
+            ranked.collect()
+        })
+    }
+
+    /// The sections of a part, in their order; more than one where it stands twice.
+    pub(crate) fn sections(&self, document: &Document, part: &Part) -> Vec<Section> {
+        let text = document.text();
+        let hash = hash(&self.state, part);
+        let from = self.headers.partition_point(|(other, _)| *other < hash);
+        let headers = self.headers[from..].iter().take_while(|(other, _)| *other == hash);
+        let sections = headers.filter_map(|&(_, start)| document.section_at(start));
+        let is_of_part = |section: &Section| {
+            section.header.is_some_and(|header| SectionName::parse(header.name.of(text)).part == *part)
+        };
+        sections.filter(is_of_part).collect()
+    }
+
+    /// The value of a key, or the key where it has none, in the section whose header line starts at `header`.
+    fn find_key(&self, text: &str, header: u32, field: &Field) -> Option<Span> {
+        let name = field.name();
+        let hash = hash(&self.state, &name.to_ascii_lowercase());
+        let mut sections = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        let keys = sections.entry(header).or_insert_with(|| self.read_keys(text, header));
+        let from = keys.partition_point(|(other, _)| *other < hash);
+        let candidates = keys[from..].iter().take_while(|(other, _)| *other == hash);
+        candidates.filter_map(|&(_, start)| Lines::from(text, start).next()).find_map(|line| {
+            match line.kind {
+                LineKind::Entry { key, value } if key.of(text).eq_ignore_ascii_case(&name) => {
+                    Some(if value.is_empty() { key } else { value })
+                }
+                _ => None,
+            }
+        })
+    }
+
+    fn read_keys(&self, text: &str, header: u32) -> Keys {
+        let mut keys = Keys::new();
+        for line in Lines::from(text, header).skip(1) {
+            match line.kind {
+                LineKind::Section { .. } => break,
+                LineKind::Entry { key, .. } => {
+                    keys.push((hash(&self.state, &key.of(text).to_ascii_lowercase()), line.span.start));
+                }
+                _ => {}
+            }
+        }
+        keys.sort_unstable();
+        keys
+    }
+
+    /// An entry without a section of its own stands in its object's.
+    fn stand_in(&self, document: &Document, part: &Part) -> Option<Span> {
+        match *part {
+            Part::Entry(index, _) => self.locate(document, &Place::object(index)),
+            _ => None,
+        }
+    }
+}
+
+fn hash<T: std::hash::Hash>(state: &RandomState, item: &T) -> u32 {
+    state.hash_one(item) as u32
+}

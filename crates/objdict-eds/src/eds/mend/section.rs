@@ -1,0 +1,139 @@
+//! Edits of the keys of one section.
+
+use super::key_line;
+use crate::eds::order::{COUNTERS, key_rank};
+use crate::eds::section::SectionName;
+use crate::ini::{Document, Entry, Section};
+use crate::model::Field;
+use crate::source::{Edits, Span};
+
+/// A section that gets other keys.
+pub(super) struct SectionEdit {
+    section: Section,
+    lines: Vec<KeyLine>,
+    /// Whether its items are counted, and the count was right.
+    counter: Option<Field>,
+}
+
+/// A key as it was, as it shall be, or new.
+pub(super) struct KeyLine {
+    /// Where it stands; none for a new one.
+    pub entry: Option<Entry>,
+    pub key: String,
+    /// The value where it becomes another.
+    pub value: Option<String>,
+    pub is_removed: bool,
+}
+
+impl SectionEdit {
+    pub(super) fn new(document: &Document, section: Section) -> Self {
+        let text = document.text();
+        let lines: Vec<KeyLine> = section
+            .entries
+            .iter()
+            .map(|entry| KeyLine {
+                entry: Some(*entry),
+                key: entry.key.of(text).to_owned(),
+                value: None,
+                is_removed: false,
+            })
+            .collect();
+        let part = section.header.map(|header| SectionName::parse(header.name.of(text)).part);
+        let counter = part.as_ref().and_then(super::counter_of).filter(|counter| {
+            let items = lines.iter().filter(|line| Field::item(&line.key).is_some()).count();
+            let stated = section.entries.iter().find(|entry| is_key(entry.key.of(text), counter));
+            stated.is_some_and(|entry| entry.value.of(text) == items.to_string())
+        });
+        Self { section, lines, counter }
+    }
+
+    /// Gives a key a value: where it stands, else in a new line behind what comes before it in the canonical order.
+    pub(super) fn set(&mut self, key: String, value: String) {
+        let same = |line: &&mut KeyLine| !line.is_removed && line.key.eq_ignore_ascii_case(&key);
+        if let Some(line) = self.lines.iter_mut().find(same) {
+            line.value = Some(value);
+            return;
+        }
+        let position = self.position_of(&key);
+        self.lines.insert(position, KeyLine { entry: None, key, value: Some(value), is_removed: false });
+    }
+
+    /// Takes a key away, wherever it stands; false where it does not.
+    pub(super) fn remove(&mut self, key: &str) -> bool {
+        let mut found = false;
+        for line in self.lines.iter_mut().filter(|line| line.key.eq_ignore_ascii_case(key)) {
+            line.is_removed = true;
+            found = true;
+        }
+        found
+    }
+
+    /// The keys, to change them all.
+    pub(super) fn lines_mut(&mut self) -> &mut Vec<KeyLine> {
+        // whoever changes them all counts them too
+        self.counter = None;
+        &mut self.lines
+    }
+
+    /// Behind the last key that comes before `key`, or behind all where `key` has no place of its own.
+    fn position_of(&self, key: &str) -> usize {
+        let Some(rank) = key_rank(key) else { return self.lines.len() };
+        let before = self
+            .lines
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| key_rank(&line.key).is_some_and(|other| other <= rank));
+        let last = before.max_by_key(|(position, line)| (key_rank(&line.key), *position));
+        last.map_or(0, |(position, _)| position + 1)
+    }
+
+    fn count(&mut self) {
+        let Some(counter) = self.counter.take() else { return };
+        let is_item = |line: &&KeyLine| !line.is_removed && Field::item(&line.key).is_some();
+        let items = self.lines.iter().filter(is_item).count();
+        self.set(counter.name().into_owned(), items.to_string());
+    }
+
+    /// Makes the edits; `None` where a new line would not be read as what it says.
+    pub(super) fn finish(mut self, document: &Document, edits: &mut Edits<'_>) -> Option<()> {
+        self.count();
+        let text = document.text();
+        let line_end = document.line_end();
+        let mut at = self.section.header?.line.end;
+        for line in &self.lines {
+            let value = line.value.as_deref();
+            match line.entry {
+                Some(entry) if line.is_removed => {
+                    let whole = document.line_at(entry.key.start)?;
+                    edits.replace(Span::new(whole.span.start, whole.next), "");
+                }
+                Some(entry) => {
+                    if entry.key.of(text) != line.key {
+                        edits.replace(entry.key, line.key.as_str());
+                    }
+                    if let Some(value) = value.filter(|value| entry.value.of(text) != *value) {
+                        key_line(&line.key, value)?;
+                        edits.replace(entry.value, value);
+                    }
+                    at = document.line_at(entry.key.start)?.span.end;
+                }
+                None if line.is_removed => {}
+                None => {
+                    let new = key_line(&line.key, value.unwrap_or_default())?;
+                    edits.replace(Span::empty(at), format!("{line_end}{new}"));
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+/// Whether a key is that of a field.
+pub(super) fn is_key(key: &str, field: &Field) -> bool {
+    key.eq_ignore_ascii_case(&field.name())
+}
+
+/// Whether a key counts others.
+pub(super) fn is_counter(key: &str) -> bool {
+    COUNTERS.iter().any(|counter| is_key(key, counter))
+}

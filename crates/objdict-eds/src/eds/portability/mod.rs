@@ -1,0 +1,145 @@
+//! The rules of the group `portability` that need the text of an EDS or DCF: how a line is spelt, and which comes first.
+//!
+//! They are raised when a check is asked for tools, and say nothing of these: `compat` knows who suffers.
+
+mod rules;
+mod spelling;
+mod structure;
+mod values;
+
+use super::keys::Key;
+use super::section::{SectionName, Spelling, section_name};
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::ini::{self, Document};
+use crate::model::{Device, Entry, Field, Part};
+pub use crate::source::Span;
+
+pub use rules::RULES;
+
+/// Adds what the text shows of `device`, which was read from it.
+pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
+    let mut spelling = spelling::Spellings::default();
+    let mut values = values::Values::default();
+    let mut order = structure::Order::default();
+    let text = document.text();
+    document.visit(
+        |section| {
+            let Some(header) = section.header else { return };
+            let name = header.name.of(text);
+            let parsed = SectionName::parse(name);
+            let section = Section { text, device, header, name, parsed: &parsed, ini: section };
+            spelling.check(&section, findings);
+            values.check(&section, findings);
+            order.check(&section, findings);
+        },
+        |_| {},
+    );
+    spelling.finish(findings);
+    values.finish(findings);
+    structure::commented_sections(document, findings);
+}
+
+/// A section with what it stands for.
+struct Section<'a> {
+    text: &'a str,
+    device: &'a Device,
+    header: ini::Header,
+    /// The name as written.
+    name: &'a str,
+    parsed: &'a SectionName,
+    ini: &'a ini::Section,
+}
+
+/// A line of a section.
+#[derive(Clone, Copy)]
+struct Line<'a> {
+    key: Option<Key>,
+    name: &'a str,
+    value: &'a str,
+    name_at: Span,
+    value_at: Span,
+}
+
+impl<'a> Section<'a> {
+    fn part(&self) -> &Part {
+        &self.parsed.part
+    }
+
+    fn lines(&self) -> impl Iterator<Item = Line<'a>> {
+        let text = self.text;
+        self.ini.entries.iter().map(move |entry| {
+            let name = entry.key.of(text);
+            Line {
+                key: Key::find(name),
+                name,
+                value: entry.value.of(text),
+                name_at: entry.key,
+                value_at: entry.value,
+            }
+        })
+    }
+
+    /// The entry of the device that the section describes.
+    fn entry(&self) -> Option<&'a Entry> {
+        match *self.part() {
+            Part::Object(index) | Part::CompactValues(index) => {
+                self.device.object(index).map(|object| &object.main)
+            }
+            Part::Entry(index, sub) => self.device.object(index)?.subs.get(sub),
+            _ => None,
+        }
+    }
+
+    /// The name in the spelling of the standard.
+    fn standard_name(&self) -> Option<String> {
+        section_name(self.part()).filter(|_| self.parsed.spelling == Spelling::Standard)
+    }
+}
+
+impl Line<'_> {
+    fn field(&self) -> Option<&'static Field> {
+        self.key.map(Key::field)
+    }
+}
+
+/// Places of one cause, reported together as one finding at the first.
+#[derive(Default)]
+struct Together {
+    first: Option<(Span, String)>,
+    others: usize,
+    edits: Vec<(Span, String)>,
+}
+
+impl Together {
+    fn add(&mut self, at: Span, message: impl FnOnce() -> String) {
+        match self.first {
+            Some(_) => self.others += 1,
+            None => self.first = Some((at, message())),
+        }
+    }
+
+    fn mend(&mut self, at: Span, text: impl Into<String>) {
+        self.edits.push((at, text.into()));
+    }
+
+    /// The finding of all; `title` says what its fix does.
+    fn finish(
+        self,
+        rule: &'static crate::diagnostic::RuleInfo,
+        help: &'static str,
+        title: &'static str,
+        findings: &mut Findings,
+    ) {
+        let Some((at, message)) = self.first else { return };
+        let message = match self.others {
+            0 => message,
+            others => format!("{message}, and so {}", crate::diagnostic::counted(others, "other", "others")),
+        };
+        let mut finding = Diagnostic::new(rule, at, message).help(help);
+        if !self.edits.is_empty() {
+            let fix = Fix::safe(title);
+            finding.fix = Some(self.edits.into_iter().fold(fix, |fix, (at, text)| fix.replace(at, text)));
+        }
+        findings.push(finding);
+    }
+}

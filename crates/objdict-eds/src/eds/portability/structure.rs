@@ -1,0 +1,123 @@
+//! Sections in an order, or with gaps, that some tools do not expect.
+
+use std::collections::HashSet;
+
+use super::rules::{COMMENTED_SECTION, DUMMY_USAGE, SPARSE_NAMES, SUB_BEFORE_OBJECT};
+use super::{Section, Together};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::ini::{Document, LineKind};
+use crate::model::{Field, Part, Place};
+use crate::source::Span;
+
+/// The objects whose own section was met, and those that were reported.
+#[derive(Default)]
+pub(super) struct Order {
+    met: HashSet<u16>,
+    reported: HashSet<u16>,
+}
+
+impl Order {
+    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+        match *section.part() {
+            Part::Object(index) => {
+                self.met.insert(index);
+            }
+            Part::Entry(index, _) => self.check_order(index, section, findings),
+            Part::CompactNames(index) => {
+                self.check_order(index, section, findings);
+                check_names(index, section, findings);
+            }
+            Part::DummyUsage => check_dummies(section, findings),
+            _ => {}
+        }
+    }
+
+    fn check_order(&mut self, index: u16, section: &Section<'_>, findings: &mut Findings) {
+        let exists = section.device.object(index).is_some_and(|object| !object.orphan);
+        if exists && !self.met.contains(&index) && self.reported.insert(index) {
+            let message = format!("`[{}]` stands before `[{index:X}]`", section.name);
+            let finding = Diagnostic::new(&SUB_BEFORE_OBJECT, section.header.name, message)
+                .label(Place::object(index), "the object");
+            findings.push(finding.help(format!("put `[{index:X}]` above it")));
+        }
+    }
+}
+
+/// The names from 1 to `NrOfEntries` are asked for one by one.
+fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
+    let Some(object) = section.device.object(index) else { return };
+    let Some(compact) = &object.compact else { return };
+    let Some(highest) = compact.names.iter().map(|(sub, _)| *sub).max() else { return };
+    // a gap is either below the highest name or behind it
+    let missing: Vec<u8> =
+        (1..=highest).filter(|sub| compact.names.iter().all(|(named, _)| named != sub)).collect();
+    let counts = section.lines().any(|line| line.field() == Some(&Field::NrOfEntries));
+    if missing.first().is_none_or(|&first| usize::from(first) > compact.names.len()) || !counts {
+        return;
+    }
+    let place = Place::of(Part::CompactNames(index));
+    let name = |sub: u8| format!("{}{sub}", object.name());
+    let fix = Fix::safe("add the names that the standard gives the others")
+        .set(place.clone().field(Field::NrOfEntries), highest.to_string());
+    let fix = missing
+        .iter()
+        .fold(fix, |fix, &sub| fix.set(place.clone().field(Field::Item(sub.into())), name(sub)));
+    let first = missing[0];
+    let message = format!("`[{}]` names sub-index {highest} but not sub-index {first}", section.name);
+    let finding = Diagnostic::new(&SPARSE_NAMES, section.header.name, message);
+    findings.push(
+        finding.help(format!("name all from 1 to {highest}, such as `{first}={}`", name(first))).fix(fix),
+    );
+}
+
+fn check_dummies(section: &Section<'_>, findings: &mut Findings) {
+    let is_there = |key: &String| section.lines().any(|line| line.name.eq_ignore_ascii_case(key));
+    let missing: Vec<String> =
+        (1..=7).map(|number| format!("Dummy{number:04}")).filter(|key| !is_there(key)).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let lines = listing(missing.iter().map(|key| format!("{key}=0")));
+    let place = |key: &str| Place::of(Part::DummyUsage).field(Field::Named(key.into()));
+    let fix = missing.iter().fold(Fix::safe(format!("add {lines}")), |fix, key| fix.set(place(key), "0"));
+    let message = format!("`[{}]` has no {}", section.name, listing(&missing));
+    let finding = Diagnostic::new(&DUMMY_USAGE, section.header.name, message);
+    findings.push(finding.help(format!("add {lines}")).fix(fix));
+}
+
+/// Headers in comments that keys follow before the next header.
+pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
+    let text = document.text();
+    let mut together = Together::default();
+    let mut commented: Option<(Span, &str)> = None;
+    for line in document.lines() {
+        match line.kind {
+            LineKind::Comment => {
+                let shown = line.span.of(text);
+                let header = shown.trim_start_matches(';');
+                if header.len() < shown.len() && is_header(header) {
+                    let marks = (shown.len() - header.len()) as u32;
+                    commented = Some((Span::empty(line.span.start + marks), shown));
+                }
+            }
+            LineKind::Section { .. } => commented = None,
+            LineKind::Entry { .. } => {
+                if let Some((at, shown)) = commented.take() {
+                    let start = at.start - (shown.len() - shown.trim_start_matches(';').len()) as u32;
+                    let span = Span::new(start, start + shown.len() as u32);
+                    together.add(span, || format!("keys follow the comment `{}`", shown.trim_end()));
+                    together.mend(at, " ");
+                }
+            }
+            LineKind::Blank | LineKind::Junk => {}
+        }
+    }
+    let help = "put a blank behind the `;`";
+    together.finish(&COMMENTED_SECTION, help, "put a blank behind the `;`", findings);
+}
+
+/// `[` with letters and digits up to the `]`.
+fn is_header(text: &str) -> bool {
+    let name = text.strip_prefix('[').and_then(|rest| rest.split_once(']')).map(|(name, _)| name);
+    name.is_some_and(|name| !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric()))
+}

@@ -1,0 +1,98 @@
+//! Names, values and denotations of compactly stored objects.
+
+use super::lists::check_count;
+use super::{Item, Items, Reader};
+use crate::eds::findings;
+use crate::ini;
+use crate::literal::{self, Quirks};
+use crate::model::{Compact, DataType, Extra, Field, Misfits, Part, Value};
+
+/// A section that can only be read when its object is known, which may stand further down.
+pub(super) struct PendingCompact {
+    part: Part,
+    section: ini::Section,
+}
+
+impl Reader<'_> {
+    pub(super) fn compact_section(&mut self, part: Part, section: &ini::Section) {
+        self.compact.push(PendingCompact { part, section: section.clone() });
+    }
+
+    /// Gives the sections to their objects.
+    pub(super) fn apply_compact(&mut self) {
+        for pending in std::mem::take(&mut self.compact) {
+            self.apply(&pending);
+        }
+    }
+
+    fn apply(&mut self, pending: &PendingCompact) {
+        let (Part::CompactNames(index) | Part::CompactValues(index) | Part::CompactDenotations(index)) =
+            pending.part
+        else {
+            return;
+        };
+        let (name, at) = self.header_of(&pending.section);
+        let mut items = Items::new(self.text, &pending.section, &mut self.findings);
+        let object = self.device.objects.get_mut(&index);
+        let object_type = object.as_ref().map(|object| object.object_type());
+        let data_type = object.as_ref().and_then(|object| object.main.data_type);
+        let Some(compact) = object.and_then(|object| object.compact.as_mut()) else {
+            let mut extra = Extra::default();
+            items.each(|_, item| extra.push(item.name, item.value));
+            self.findings.push(findings::stray_compact_section(name, at, object_type));
+            return self.keep(name, extra);
+        };
+        read_compact(&mut items, &pending.part, data_type, compact);
+    }
+}
+
+fn read_compact(items: &mut Items<'_>, part: &Part, data_type: Option<DataType>, compact: &mut Compact) {
+    let mut count = None;
+    let mut entries = 0;
+    let mut extra = Extra::default();
+    items.each(|items, item| {
+        if item.field() == Some(&Field::NrOfEntries) {
+            count = Some(*item);
+            return;
+        }
+        let Some(number) = item.number() else {
+            return items.unknown(item, &mut extra);
+        };
+        entries += 1;
+        let sub = u8::try_from(number).ok().filter(|sub| (1..=compact.count).contains(sub));
+        let Some(sub) = sub else {
+            items.findings.push(findings::stray_compact_entry(item, compact.count));
+            return extra.push(item.name, item.value);
+        };
+        match part {
+            Part::CompactNames(_) => compact.names.push((sub, items.text(item).into())),
+            Part::CompactDenotations(_) => compact.denotations.push((sub, items.text(item).into())),
+            _ => {
+                if let Some(value) = compact_value(items, item, data_type, &mut compact.misfits) {
+                    compact.values.push((sub, value));
+                }
+            }
+        }
+    });
+    check_count(items, count, "NrOfEntries", entries);
+    for (key, value) in extra.iter() {
+        compact.extra.push(key, value);
+    }
+}
+
+fn compact_value(
+    items: &mut Items<'_>,
+    item: &Item<'_>,
+    data_type: Option<DataType>,
+    misfits: &mut Misfits,
+) -> Option<Value> {
+    if item.value.is_empty() {
+        return None;
+    }
+    let mut quirks = Quirks::default();
+    let value = literal::value(item.value, data_type, &mut quirks);
+    if let Ok(value) = &value {
+        findings::quirks(item, quirks, Some(value), items.findings);
+    }
+    value.map_err(|reason| misfits.push(item.to_field(), item.value, reason)).ok()
+}

@@ -1,0 +1,97 @@
+//! Dynamic channels and tools.
+
+use super::lists::check_count;
+use super::modules::index_range;
+use super::{Items, Reader};
+use crate::ini;
+use crate::model::{DataType, DynamicChannels, Extra, Field, Misfits, Segment, Tool};
+
+/// So many segments are read; a device has a handful. A larger number in a key is a key that is not known.
+const MAX_SEGMENTS: usize = 1024;
+
+impl Reader<'_> {
+    pub(super) fn dynamic_channels(&mut self, section: &ini::Section) {
+        let mut channels = DynamicChannels::default();
+        let mut count = None;
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| {
+            if item.field() == Some(&Field::NrOfSeg) {
+                count = Some(*item);
+                return;
+            }
+            let Some((word, number)) = segment_key(item.name) else {
+                return items.unknown(item, &mut channels.extra);
+            };
+            if channels.segments.len() < number {
+                channels.segments.resize_with(number, Segment::default);
+            }
+            let segment = &mut channels.segments[number - 1];
+            match word {
+                SegmentKey::Type => {
+                    segment.data_type = items.integer(item, (0, 0xFFFF), &mut channels.misfits).map(DataType);
+                }
+                SegmentKey::Direction => segment.direction = Some(item.value.into()),
+                SegmentKey::Range => match index_range(item.value) {
+                    Ok(range) => segment.range = Some(range),
+                    Err(reason) => channels.misfits.push(item.to_field(), item.value, reason),
+                },
+                SegmentKey::Offset => segment.offset = Some(item.value.into()),
+            }
+        });
+        check_count(&mut items, count, "NrOfSeg", channels.segments.len());
+        self.device.dynamic_channels = Some(channels);
+    }
+
+    pub(super) fn tools(&mut self, section: &ini::Section) {
+        let mut extra = Extra::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let mut misfits = Misfits::default();
+        items.each(|items, item| match item.field() {
+            Some(Field::Items) => {
+                let _: Option<u32> = items.integer(item, (0, u64::from(u32::MAX)), &mut misfits);
+            }
+            _ => items.unknown(item, &mut extra),
+        });
+        for misfit in misfits.iter() {
+            extra.push(&misfit.field.name(), &misfit.text);
+        }
+        self.keep("Tools", extra);
+    }
+
+    /// The tools are numbered from 1, and come in that order; a gap is filled by the next.
+    pub(super) fn tool(&mut self, _number: u16, section: &ini::Section) {
+        let mut tool = Tool::default();
+        let mut extra = Extra::default();
+        let (name, _) = self.header_of(section);
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| match item.field() {
+            Some(Field::Name) => item.value.clone_into(&mut tool.name),
+            Some(Field::Command) => item.value.clone_into(&mut tool.command),
+            _ => items.unknown(item, &mut extra),
+        });
+        self.device.tools.push(tool);
+        self.keep(name, extra);
+    }
+}
+
+enum SegmentKey {
+    Type,
+    Direction,
+    Range,
+    Offset,
+}
+
+/// The word and the number, counted from 1, of a key such as `Range2`.
+fn segment_key(name: &str) -> Option<(SegmentKey, usize)> {
+    let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
+    let number: usize = name.get(digits..)?.parse().ok()?;
+    let word = name[..digits].to_ascii_lowercase();
+    let key = match word.as_str() {
+        "type" => SegmentKey::Type,
+        "dir" => SegmentKey::Direction,
+        "range" => SegmentKey::Range,
+        "ppoffset" => SegmentKey::Offset,
+        _ => return None,
+    };
+    (1..=MAX_SEGMENTS).contains(&number).then_some((key, number))
+}

@@ -1,0 +1,187 @@
+//! The sections about the file, the device and the node.
+
+use super::{Item, Items, Reader};
+use crate::ini;
+use crate::model::{
+    ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, Misfits, Reason,
+};
+
+const U8: (i64, u64) = (0, u8::MAX as u64);
+const U16: (i64, u64) = (0, u16::MAX as u64);
+const U32: (i64, u64) = (0, u32::MAX as u64);
+/// Bits of the mapping granularity, and the number of PDOs of one direction (CiA 306-1 §4.5).
+const GRANULARITY: (i64, u64) = (0, 64);
+const PDO_COUNT: (i64, u64) = (0, 512);
+
+impl Reader<'_> {
+    pub(super) fn file_info(&mut self, section: &ini::Section) {
+        let mut info = FileInfo::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| match item.field() {
+            Some(Field::FileName) => info.file_name = Some(items.text(item).to_owned()),
+            Some(Field::FileVersion) => info.file_version = items.integer(item, U8, &mut info.misfits),
+            Some(Field::FileRevision) => info.file_revision = items.integer(item, U8, &mut info.misfits),
+            Some(Field::EdsVersion) => info.eds_version = Some(items.text(item).to_owned()),
+            Some(Field::Description) => info.description = Some(items.text(item).to_owned()),
+            Some(Field::CreationTime) => info.creation_time = clock_time(item, &mut info.misfits),
+            Some(Field::CreationDate) => info.creation_date = date(item, &mut info.misfits),
+            Some(Field::CreatedBy) => info.created_by = Some(items.text(item).to_owned()),
+            Some(Field::ModificationTime) => info.modification_time = clock_time(item, &mut info.misfits),
+            Some(Field::ModificationDate) => info.modification_date = date(item, &mut info.misfits),
+            Some(Field::ModifiedBy) => info.modified_by = Some(items.text(item).to_owned()),
+            Some(Field::LastEds) => info.last_eds = Some(items.text(item).to_owned()),
+            _ => items.unknown(item, &mut info.extra),
+        });
+        self.device.file_info = Some(info);
+    }
+
+    pub(super) fn device_info(&mut self, section: &ini::Section) {
+        let mut info = DeviceInfo::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| device_info_item(&mut info, items, item));
+        self.device.device_info = Some(info);
+    }
+
+    pub(super) fn dummy_usage(&mut self, section: &ini::Section) {
+        let mut usage = DummyUsage::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| match dummy_type(item.name) {
+            Some(data_type) => {
+                if let Some(allowed) = items.boolean(item, &mut usage.misfits) {
+                    usage.types.insert(data_type, allowed);
+                }
+            }
+            None => items.unknown(item, &mut usage.extra),
+        });
+        self.device.dummy_usage = Some(usage);
+    }
+
+    pub(super) fn comments(&mut self, section: &ini::Section) {
+        let mut extra = Extra::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let lines = comment_lines(&mut items, &mut extra);
+        self.device.comments = Some(lines);
+        self.keep("Comments", extra);
+    }
+
+    pub(super) fn commissioning(&mut self, section: &ini::Section) {
+        let mut node = Commissioning::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|items, item| match item.field() {
+            Some(Field::NodeId) => node.node_id = items.integer(item, U8, &mut node.misfits),
+            Some(Field::NodeName) => node.node_name = Some(items.text(item).to_owned()),
+            Some(Field::NodeRefd) => node.node_reference_designator = Some(items.text(item).to_owned()),
+            Some(Field::Baudrate) => node.baud_rate = items.integer(item, U16, &mut node.misfits),
+            Some(Field::NetNumber) => node.net_number = items.integer(item, U32, &mut node.misfits),
+            Some(Field::NetworkName) => node.network_name = Some(items.text(item).to_owned()),
+            Some(Field::NetRefd) => node.net_reference_designator = Some(items.text(item).to_owned()),
+            Some(Field::CanOpenManager) => node.manager = items.boolean(item, &mut node.misfits),
+            Some(Field::LssSerialNumber) => {
+                node.lss_serial_number = items.integer(item, U32, &mut node.misfits);
+            }
+            _ => items.unknown(item, &mut node.extra),
+        });
+        self.device.commissioning = Some(node);
+    }
+}
+
+fn device_info_item<'a>(info: &mut DeviceInfo, items: &mut Items<'a>, item: &Item<'a>) {
+    let misfits = &mut info.misfits;
+    let rates = &mut info.baud_rates;
+    match item.field() {
+        Some(Field::VendorName) => info.vendor_name = Some(items.text(item).to_owned()),
+        Some(Field::VendorNumber) => info.vendor_number = items.integer(item, U32, misfits),
+        Some(Field::ProductName) => info.product_name = Some(items.text(item).to_owned()),
+        Some(Field::ProductNumber) => info.product_number = items.integer(item, U32, misfits),
+        Some(Field::RevisionNumber) => info.revision_number = items.integer(item, U32, misfits),
+        Some(Field::OrderCode) => info.order_code = Some(items.text(item).to_owned()),
+        Some(Field::BaudRate10) => rates.kbit_10 = items.boolean(item, misfits),
+        Some(Field::BaudRate20) => rates.kbit_20 = items.boolean(item, misfits),
+        Some(Field::BaudRate50) => rates.kbit_50 = items.boolean(item, misfits),
+        Some(Field::BaudRate125) => rates.kbit_125 = items.boolean(item, misfits),
+        Some(Field::BaudRate250) => rates.kbit_250 = items.boolean(item, misfits),
+        Some(Field::BaudRate500) => rates.kbit_500 = items.boolean(item, misfits),
+        Some(Field::BaudRate800) => rates.kbit_800 = items.boolean(item, misfits),
+        Some(Field::BaudRate1000) => rates.kbit_1000 = items.boolean(item, misfits),
+        Some(Field::BaudRateAuto) => rates.auto = items.boolean(item, misfits),
+        Some(Field::SimpleBootUpMaster) => info.simple_boot_up_master = items.boolean(item, misfits),
+        Some(Field::SimpleBootUpSlave) => info.simple_boot_up_slave = items.boolean(item, misfits),
+        Some(Field::Granularity) => info.granularity = items.integer(item, GRANULARITY, misfits),
+        Some(Field::DynamicChannelsSupported) => {
+            info.dynamic_channels_supported = items.integer(item, U8, misfits);
+        }
+        Some(Field::GroupMessaging) => info.group_messaging = items.boolean(item, misfits),
+        Some(Field::NrOfRxPdo) => info.rpdo_count = items.integer(item, PDO_COUNT, misfits),
+        Some(Field::NrOfTxPdo) => info.tpdo_count = items.integer(item, PDO_COUNT, misfits),
+        Some(Field::LssSupported) => info.lss_supported = items.boolean(item, misfits),
+        Some(Field::CompactPdo) => info.compact_pdo = items.integer(item, U8, misfits),
+        Some(Field::CanOpenSafetySupported) => info.safety_supported = items.boolean(item, misfits),
+        _ if DeviceInfo::is_reserved(item.name) => info.extra.push(item.name, item.value),
+        _ => items.unknown(item, &mut info.extra),
+    }
+}
+
+/// The data type of a key such as `Dummy0005`.
+fn dummy_type(key: &str) -> Option<DataType> {
+    let digits = key.get(..5).filter(|word| word.eq_ignore_ascii_case("Dummy")).map(|_| &key[5..])?;
+    let digits = Some(digits).filter(|digits| digits.len() == 4)?;
+    u16::from_str_radix(digits, 16).ok().map(DataType)
+}
+
+/// The lines of a comment section in the order of their numbers.
+pub(super) fn comment_lines(items: &mut Items<'_>, extra: &mut Extra) -> Vec<String> {
+    let mut lines: Vec<(u32, String)> = Vec::new();
+    let mut count = None;
+    items.each(|items, item| {
+        let number =
+            item.name.get(..4).filter(|word| word.eq_ignore_ascii_case("Line")).map(|_| &item.name[4..]);
+        match (item.field(), number.and_then(|number| number.parse().ok())) {
+            (Some(Field::Lines), _) => count = Some(*item),
+            (_, Some(number)) => lines.push((number, item.value.to_owned())),
+            _ => items.unknown(item, extra),
+        }
+    });
+    super::lists::check_count(items, count, "Lines", lines.len());
+    lines.sort_by_key(|(number, _)| *number);
+    lines.into_iter().map(|(_, line)| line).collect()
+}
+
+/// `mm-dd-yyyy`.
+fn date(item: &Item<'_>, misfits: &mut Misfits) -> Option<Date> {
+    let parse = || {
+        let mut parts = item.value.split('-').map(digits);
+        let (month, day, year) = (parts.next()??, parts.next()??, parts.next()??);
+        let complete = parts.next().is_none() && item.value.len() == 10;
+        Date::new(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).filter(|_| complete)
+    };
+    or_misfit(item, parse(), Reason::NotADate, misfits)
+}
+
+/// `hh:mmAM`, twelve hours.
+fn clock_time(item: &Item<'_>, misfits: &mut Misfits) -> Option<ClockTime> {
+    let parse = || {
+        let time = Some(item.value).filter(|text| text.len() == 7 && text.is_ascii())?;
+        let (hour, minute) = (digits(&time[..2])?, digits(&time[3..5])?);
+        let afternoon = match &time[5..] {
+            "AM" => 0,
+            "PM" => 12,
+            _ => return None,
+        };
+        let valid = time.as_bytes()[2] == b':' && (1..=12).contains(&hour);
+        ClockTime::new(u8::try_from(hour % 12 + afternoon).ok()?, u8::try_from(minute).ok()?)
+            .filter(|_| valid)
+    };
+    or_misfit(item, parse(), Reason::NotAClockTime, misfits)
+}
+
+fn digits(text: &str) -> Option<u16> {
+    let only_digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    if only_digits { text.parse().ok() } else { None }
+}
+
+fn or_misfit<T>(item: &Item<'_>, value: Option<T>, reason: Reason, misfits: &mut Misfits) -> Option<T> {
+    if value.is_none() && !item.value.is_empty() {
+        misfits.push(item.to_field(), item.value, reason);
+    }
+    value
+}

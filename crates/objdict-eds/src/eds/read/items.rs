@@ -1,0 +1,235 @@
+//! The keys of one section, one by one, and their texts as numbers and words.
+
+use std::collections::HashSet;
+use std::hash::{BuildHasher, RandomState};
+
+use crate::diagnostic::Findings;
+use crate::eds::findings;
+use crate::eds::keys::Key;
+use crate::ini;
+use crate::literal::{self, Quirks};
+use crate::model::{Extra, Field, Misfits, Reason};
+use crate::source::Span;
+
+/// A key with its value.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Item<'a> {
+    /// The field, where the key has a fixed name.
+    pub key: Option<Key>,
+    /// The key as written.
+    pub name: &'a str,
+    /// The value as written.
+    pub value: &'a str,
+    /// Where the key stands.
+    pub name_at: Span,
+    /// Where the value stands.
+    pub value_at: Span,
+}
+
+impl Item<'_> {
+    /// The field, where the key has a fixed name.
+    pub(crate) fn field(&self) -> Option<&'static Field> {
+        self.key.map(Key::field)
+    }
+
+    /// The number of a numbered key such as the `3` of `3=0x1018`.
+    pub(crate) fn number(&self) -> Option<u32> {
+        match Field::item(self.name) {
+            Some(Field::Item(number)) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+/// A section being read: its text, and where findings go.
+pub(crate) struct Items<'a> {
+    text: &'a str,
+    section: &'a ini::Section,
+    pub findings: &'a mut Findings,
+}
+
+impl<'a> Items<'a> {
+    pub(crate) fn new(text: &'a str, section: &'a ini::Section, findings: &'a mut Findings) -> Self {
+        Self { text, section, findings }
+    }
+
+    /// The comment lines of the section.
+    pub(crate) fn comments(&self) -> impl Iterator<Item = &'a str> {
+        self.section.comments.iter().map(|comment| comment.of(self.text))
+    }
+
+    /// The name of the section as written; empty before the first header.
+    pub(crate) fn section_name(&self) -> &'a str {
+        self.section.header.map_or("", |header| header.name.of(self.text))
+    }
+
+    /// Where the name of the section stands.
+    pub(crate) fn section_at(&self) -> Span {
+        self.section.header.map_or(Span::empty(0), |header| header.name)
+    }
+
+    /// Number of keys.
+    pub(crate) fn len(&self) -> usize {
+        self.section.entries.len()
+    }
+
+    /// The key at a position.
+    pub(crate) fn item(&self, position: usize) -> Item<'a> {
+        let entry = self.section.entries[position];
+        let name = entry.key.of(self.text);
+        Item {
+            key: Key::find(name),
+            name,
+            value: entry.value.of(self.text),
+            name_at: entry.key,
+            value_at: entry.value,
+        }
+    }
+
+    /// Calls `take` for each key. A key that stands twice is reported and taken once: the first one counts, as other
+    /// readers have it.
+    pub(crate) fn each(&mut self, mut take: impl FnMut(&mut Self, &Item<'a>)) {
+        let mut seen = 0u128;
+        let mut others = Others::default();
+        for position in 0..self.len() {
+            let item = self.item(position);
+            let is_new = match item.key {
+                Some(key) => {
+                    let is_new = seen & key.bit() == 0;
+                    seen |= key.bit();
+                    is_new
+                }
+                None => others.is_new(item.name, || (0..position).map(|at| self.item(at).name)),
+            };
+            if is_new {
+                take(self, &item);
+            } else {
+                self.duplicate(position, &item);
+            }
+        }
+    }
+
+    fn duplicate(&mut self, position: usize, item: &Item<'a>) {
+        // the search for the first one would take quadratic time in a file of nothing but duplicates
+        if self.findings.is_full(&findings::DUPLICATE_KEY) {
+            return;
+        }
+        let first =
+            (0..position).map(|at| self.item(at)).find(|first| first.name.eq_ignore_ascii_case(item.name));
+        if let Some(first) = first {
+            self.findings.push(findings::duplicate_key(item, &first));
+        }
+    }
+
+    /// A whole number within `low..=high`; a text that is none becomes a misfit.
+    pub(crate) fn integer<T: TryFrom<i128>>(
+        &mut self,
+        item: &Item<'a>,
+        range: (i64, u64),
+        misfits: &mut Misfits,
+    ) -> Option<T> {
+        if item.value.is_empty() {
+            return None;
+        }
+        let mut quirks = Quirks::default();
+        let number = literal::integer(item.value, range.0, range.1, &mut quirks);
+        match number {
+            Ok(number) => {
+                findings::quirks(item, quirks, None, self.findings);
+                T::try_from(number).ok()
+            }
+            Err(reason) => {
+                misfits.push(item.to_field(), item.value, reason);
+                None
+            }
+        }
+    }
+
+    /// A name or the like. Quotes around it stay: nothing says that they are not part of it.
+    pub(crate) fn text(&mut self, item: &Item<'a>) -> &'a str {
+        let text = item.value;
+        if text.len() > 1 && text.starts_with('"') && text.ends_with('"') {
+            self.findings.push(findings::quoted_name(item));
+        }
+        text
+    }
+
+    /// 0 or 1.
+    pub(crate) fn boolean(&mut self, item: &Item<'a>, misfits: &mut Misfits) -> Option<bool> {
+        self.integer::<u8>(item, (0, 1), misfits).map(|number| number == 1)
+    }
+
+    /// A word out of a list; what `find` does not know becomes a misfit.
+    pub(crate) fn word<T>(
+        &mut self,
+        item: &Item<'a>,
+        find: impl Fn(&str) -> Option<T>,
+        misfits: &mut Misfits,
+    ) -> Option<T> {
+        if item.value.is_empty() {
+            return None;
+        }
+        if let Some(word) = find(item.value) {
+            return Some(word);
+        }
+        let mut quirks = Quirks::default();
+        let word = find(literal::strip_comment(item.value, &mut quirks));
+        match word {
+            Some(_) => findings::quirks(item, quirks, None, self.findings),
+            None => misfits.push(item.to_field(), item.value, Reason::UnknownWord),
+        }
+        word
+    }
+
+    /// A key that the section does not have: reported, and kept.
+    pub(crate) fn unknown(&mut self, item: &Item<'a>, extra: &mut Extra) {
+        let section = self.section_name();
+        self.findings.push_with(&findings::UNKNOWN_KEY, || findings::unknown_key(item, section));
+        extra.push(item.name, item.value);
+    }
+}
+
+impl Item<'_> {
+    /// The field of the key, whatever it is.
+    pub(crate) fn to_field(self) -> Field {
+        match self.key {
+            Some(key) => key.field().clone(),
+            None => Field::item(self.name).unwrap_or_else(|| Field::Named(self.name.into())),
+        }
+    }
+}
+
+/// The keys without a fixed name that were met. Numbered keys in ascending order, the most by far, need no memory.
+enum Others {
+    /// Nothing but numbers up to this one, each larger than the one before.
+    Ascending(u32),
+    /// The hashes of all names in lower case.
+    Any(HashSet<u64>, RandomState),
+}
+
+impl Default for Others {
+    fn default() -> Self {
+        Self::Ascending(0)
+    }
+}
+
+impl Others {
+    /// Notes a name; `before` are all names before it, asked for at most once.
+    fn is_new<'a, I: Iterator<Item = &'a str>>(&mut self, name: &str, before: impl FnOnce() -> I) -> bool {
+        if let (Self::Ascending(last), Some(Field::Item(number))) = (&mut *self, Field::item(name))
+            && number > *last
+        {
+            *last = number;
+            return true;
+        }
+        if let Self::Ascending(_) = self {
+            let state = RandomState::new();
+            let hashes = before().map(|name| state.hash_one(name.to_ascii_lowercase())).collect();
+            *self = Self::Any(hashes, state);
+        }
+        match self {
+            Self::Ascending(_) => true,
+            Self::Any(hashes, state) => hashes.insert(state.hash_one(name.to_ascii_lowercase())),
+        }
+    }
+}

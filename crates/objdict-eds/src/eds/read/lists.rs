@@ -1,0 +1,110 @@
+//! Numbered lists: of objects, of links, of modules.
+
+use std::collections::HashSet;
+
+use super::{Item, Items, Reader};
+use crate::diagnostic::{Fix, MAX_FIX_LINES};
+use crate::eds::findings;
+use crate::eds::section::section_name;
+use crate::ini;
+use crate::literal::{self, Quirks};
+use crate::model::{Extra, Field, ObjectList, Part};
+
+impl Reader<'_> {
+    pub(super) fn object_list(&mut self, list: ObjectList, section: &ini::Section) {
+        let mut extra = Extra::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let indexes = index_list(&mut items, &Field::SupportedObjects, &mut extra);
+        match self.device.lists.get_mut(list) {
+            empty @ None => *empty = Some(indexes),
+            // a list that stands twice is one finding; what it repeats is no other
+            Some(before) => {
+                let known: HashSet<u16> = before.iter().copied().collect();
+                before.extend(indexes.into_iter().filter(|index| !known.contains(index)));
+            }
+        }
+        self.keep(list.name(), extra);
+    }
+
+    pub(super) fn links(&mut self, index: u16, section: &ini::Section) {
+        let mut extra = Extra::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let links = index_list(&mut items, &Field::ObjectLinks, &mut extra);
+        self.object_mut(index).links = links;
+        self.keep(&section_name(&Part::Links(index)).unwrap_or_default(), extra);
+    }
+}
+
+/// The indexes of a list in the order of the file; checks the count and the numbering. What is no index goes to `extra`.
+pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Extra) -> Vec<u16> {
+    numbered(items, counter, extra, |items, item, extra| {
+        let mut quirks = Quirks::default();
+        let index = literal::integer(item.value, 1, u64::from(u16::MAX), &mut quirks);
+        findings::quirks(item, quirks, None, items.findings);
+        let index = index.ok().and_then(|index| u16::try_from(index).ok());
+        if index.is_none() {
+            items.findings.push(findings::invalid_list_entry(item));
+            extra.push(item.name, item.value);
+        }
+        index
+    })
+}
+
+/// The items of a list in the order of the file; checks the count and the numbering.
+pub(super) fn numbered<'a, T>(
+    items: &mut Items<'a>,
+    counter: &Field,
+    extra: &mut Extra,
+    mut read: impl FnMut(&mut Items<'a>, &Item<'a>, &mut Extra) -> Option<T>,
+) -> Vec<T> {
+    let mut count = None;
+    let mut expected = 1;
+    // the entries behind the first wrong one are wrong for the same cause
+    let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
+    let can_be_mended = items.len() <= MAX_FIX_LINES;
+    let mut entries = 0;
+    let mut list = Vec::new();
+    items.each(|items, item| {
+        if item.field() == Some(counter) {
+            count = Some(*item);
+            return;
+        }
+        if !item.name.bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
+            return items.unknown(item, extra);
+        }
+        if item.number() != Some(expected) {
+            let first = || (*item, expected, Fix::safe("number the entries 1, 2, 3 …"));
+            let (first, number, fix) = wrong.take().unwrap_or_else(first);
+            let fix = if can_be_mended { fix.replace(item.name_at, expected.to_string()) } else { fix };
+            wrong = Some((first, number, fix));
+        }
+        expected += 1;
+        entries += 1;
+        list.extend(read(items, item, extra));
+    });
+    if let Some((item, expected, fix)) = wrong {
+        items.findings.push(findings::list_numbering(&item, expected, fix));
+    }
+    check_count(items, count, &counter.name(), entries);
+    list
+}
+
+/// Reports a count that is missing or wrong.
+pub(super) fn check_count(items: &mut Items<'_>, count: Option<Item<'_>>, key: &str, actual: usize) {
+    let mut quirks = Quirks::default();
+    let stated = match &count {
+        Some(item) => literal::integer(item.value, 0, u64::from(u32::MAX), &mut quirks).ok(),
+        None => None,
+    };
+    if let Some(item) = &count {
+        findings::quirks(item, quirks, None, items.findings);
+    }
+    if stated.and_then(|stated| usize::try_from(stated).ok()) != Some(actual) {
+        items.findings.push(findings::wrong_count(
+            count.as_ref(),
+            key,
+            (items.section_name(), items.section_at()),
+            actual,
+        ));
+    }
+}

@@ -1,0 +1,164 @@
+//! EDS and DCF texts to the model. Reading never fails: what cannot be read is a finding or a misfit, and goes on.
+
+mod compact;
+mod dynamic;
+mod info;
+mod items;
+mod lists;
+mod modules;
+mod objects;
+
+use std::collections::HashSet;
+use std::hash::{BuildHasher, RandomState};
+
+use self::compact::PendingCompact;
+pub(crate) use self::items::{Item, Items};
+use super::findings::{self, Twin};
+use super::section::SectionName;
+use crate::diagnostic::Findings;
+use crate::ini::{self, Document};
+use crate::model::CARRIED_SECTION;
+use crate::model::{Device, DeviceKind, Extra, ExtraSection, Part, Place};
+use crate::source::Span;
+
+/// Reads a document as the description of a device type or, where it is told or has a commissioning section, of a node.
+pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
+    let mut reader = Reader::new(document.text());
+    document.visit(|section| reader.section(section), |_| {});
+    reader.finish(kind)
+}
+
+/// A description in the making.
+struct Reader<'a> {
+    text: &'a str,
+    device: Device,
+    findings: Findings,
+    /// The parts that were met, objects and their entries excepted: those are in the device.
+    seen: HashSet<Part>,
+    compact: Vec<PendingCompact>,
+    /// The hashes of the names of sections that the model does not know, to find those that stand twice. There may be a
+    /// million of them.
+    unknown: HashSet<u64>,
+    hasher: RandomState,
+}
+
+impl<'a> Reader<'a> {
+    fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            device: Device::default(),
+            findings: Findings::new(),
+            seen: HashSet::new(),
+            compact: Vec::new(),
+            unknown: HashSet::new(),
+            hasher: RandomState::new(),
+        }
+    }
+
+    fn section(&mut self, section: &ini::Section) {
+        let Some(header) = section.header else {
+            return self.before_first_section(section);
+        };
+        let text = header.name.of(self.text);
+        let name = SectionName::parse(text);
+        if let Some(finding) = findings::section_spelling(text, &name, header.name) {
+            self.findings.push(finding);
+        }
+        match name.part {
+            Part::Object(index) => self.object(index, section),
+            Part::Entry(index, sub) => self.entry(index, sub, section),
+            Part::Section(_) => self.unknown_section(section),
+            part => self.other_part(part, section),
+        }
+    }
+
+    /// The name of a section as written and where it stands; nothing at the start before the first header.
+    fn header_of(&self, section: &ini::Section) -> (&'a str, Span) {
+        section.header.map_or(("", Span::empty(0)), |header| (header.name.of(self.text), header.name))
+    }
+
+    /// A section that is not an object's.
+    fn other_part(&mut self, part: Part, section: &ini::Section) {
+        let is_list = matches!(part, Part::List(_));
+        if !self.seen.insert(part.clone()) {
+            let (name, at) = self.header_of(section);
+            let twin = if is_list { Twin::Joined } else { Twin::Other };
+            self.findings.push(findings::duplicate_section(name, at, Place::of(part.clone()), twin));
+            if !is_list {
+                return;
+            }
+        }
+        match part {
+            Part::FileInfo => self.file_info(section),
+            Part::DeviceInfo => self.device_info(section),
+            Part::DummyUsage => self.dummy_usage(section),
+            Part::Comments => self.comments(section),
+            Part::Commissioning => self.commissioning(section),
+            Part::List(list) => self.object_list(list, section),
+            Part::Links(index) => self.links(index, section),
+            Part::CompactNames(_) | Part::CompactValues(_) | Part::CompactDenotations(_) => {
+                self.compact_section(part, section);
+            }
+            Part::SupportedModules => self.supported_modules(section),
+            Part::ConnectedModules => self.connected_modules(section),
+            Part::Module(number, part) => self.module(number, part, section),
+            Part::DynamicChannels => self.dynamic_channels(section),
+            Part::Tools => self.tools(section),
+            Part::Tool(number) => self.tool(number, section),
+            Part::Device | Part::Object(_) | Part::Entry(..) | Part::Section(_) => {}
+            // an EDS has no section for them
+            Part::Headers
+            | Part::Identity
+            | Part::NetworkIdentity
+            | Part::Manager
+            | Part::Functions
+            | Part::Application
+            | Part::ModuleObjects => {}
+        }
+    }
+
+    /// Keys above all headers belong to nothing, but are kept. The rule about it looks at the lines.
+    fn before_first_section(&mut self, section: &ini::Section) {
+        if section.entries.is_empty() {
+            return;
+        }
+        let mut entries = Extra::default();
+        for entry in &section.entries {
+            entries.push(entry.key.of(self.text), entry.value.of(self.text));
+        }
+        self.device.extra.push(ExtraSection { name: "".into(), entries });
+    }
+
+    fn unknown_section(&mut self, section: &ini::Section) {
+        let (name, at) = self.header_of(section);
+        let lower = name.to_ascii_lowercase();
+        if name == CARRIED_SECTION {
+            // not ours to know: the reader of carried data takes it
+        } else if self.unknown.insert(self.hasher.hash_one(&lower)) {
+            self.findings.push(findings::unknown_section(name, at));
+        } else {
+            let first = Place::of(Part::Section(lower.into()));
+            self.findings.push(findings::duplicate_section(name, at, first, Twin::Joined));
+        }
+        let mut entries = Extra::default();
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        items.each(|_, item| entries.push(item.name, item.value));
+        self.device.extra.push(ExtraSection { name: name.into(), entries });
+    }
+
+    /// Keeps keys that a part of the model has no room for, in a section of the same name.
+    fn keep(&mut self, name: &str, entries: Extra) {
+        if !entries.is_empty() {
+            self.device.extra.push(ExtraSection { name: name.into(), entries });
+        }
+    }
+
+    fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
+        self.apply_compact();
+        self.device.kind = match self.device.commissioning {
+            Some(_) => DeviceKind::Node,
+            None => kind,
+        };
+        (self.device, self.findings)
+    }
+}

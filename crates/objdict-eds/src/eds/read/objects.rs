@@ -1,0 +1,237 @@
+//! The sections of objects and sub-indexes.
+
+use super::{Item, Items, Reader};
+use crate::eds::findings::{self, Twin};
+use crate::ini;
+use crate::literal::{self, Quirks};
+use crate::model::{
+    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags,
+    Object, ObjectType, PdoMapping, Place, Reason, Safety, StackOptions, Value,
+};
+
+/// An object section as it is read: the entry, and the keys that only an object's own section or a module's has.
+#[derive(Default)]
+pub(super) struct ObjectSection {
+    pub entry: Entry,
+    sub_number: Option<u8>,
+    compact_count: Option<u8>,
+    count: Option<ExtensionCount>,
+    obj_extend: Option<u8>,
+}
+
+/// Which keys a section may have besides those of every entry.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum SectionKind {
+    Object,
+    Entry,
+    Extension,
+}
+
+impl Reader<'_> {
+    /// `[1018]`.
+    pub(super) fn object(&mut self, index: u16, section: &ini::Section) {
+        let read =
+            read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Object);
+        match self.device.object(index).filter(|object| !object.orphan) {
+            None => read.into_object(self.device.objects.entry(index).or_default()),
+            Some(first) => {
+                let is_equal = read.says_the_same_as(first);
+                self.duplicate_object(section, Place::object(index), is_equal);
+            }
+        }
+    }
+
+    /// `[1018sub1]`.
+    pub(super) fn entry(&mut self, index: u16, sub: u8, section: &ini::Section) {
+        let read =
+            read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Entry);
+        let object = self.object_mut(index);
+        match object.subs.get(sub) {
+            None => {
+                object.subs.insert(sub, read.entry);
+            }
+            Some(first) => {
+                let is_equal = *first == read.entry;
+                self.duplicate_object(section, Place::entry(index, sub), is_equal);
+            }
+        }
+    }
+
+    /// The object of an index, made as one without a section of its own where it is not there yet.
+    pub(super) fn object_mut(&mut self, index: u16) -> &mut Object {
+        self.device.objects.entry(index).or_insert_with(|| Object { orphan: true, ..Object::default() })
+    }
+
+    fn duplicate_object(&mut self, section: &ini::Section, first: Place, is_equal: bool) {
+        let (name, at) = self.header_of(section);
+        let twin = if is_equal { Twin::Equal } else { Twin::Other };
+        self.findings.push(findings::duplicate_section(name, at, first, twin));
+    }
+}
+
+impl ObjectSection {
+    /// Puts what an object's own section says into an object, which may have entries already.
+    pub(super) fn into_object(self, object: &mut Object) {
+        object.orphan = false;
+        object.main = self.entry;
+        object.sub_number = self.sub_number;
+        object.compact = self.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
+    }
+
+    /// Whether an object has all that this section says, and no more.
+    fn says_the_same_as(&self, object: &Object) -> bool {
+        let compact = object.compact.as_ref().map(|compact| compact.count);
+        self.entry == object.main && self.sub_number == object.sub_number && self.compact_count == compact
+    }
+
+    pub(super) fn into_extension(self) -> Extension {
+        Extension { entry: self.entry, count: self.count, obj_extend: self.obj_extend }
+    }
+}
+
+/// The values of a section, which can only be read when the data type is known.
+#[derive(Default)]
+struct Values<'a> {
+    default: Option<Item<'a>>,
+    low: Option<Item<'a>>,
+    high: Option<Item<'a>>,
+    configured: Option<Item<'a>>,
+}
+
+pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind) -> ObjectSection {
+    let mut read = ObjectSection::default();
+    let mut values = Values::default();
+    items.each(|items, item| {
+        let entry = &mut read.entry;
+        match item.field() {
+            Some(Field::DefaultValue) => values.default = Some(*item),
+            Some(Field::LowLimit) => values.low = Some(*item),
+            Some(Field::HighLimit) => values.high = Some(*item),
+            Some(Field::ParameterValue) => values.configured = Some(*item),
+            Some(Field::ParameterName) => entry.name = items.text(item).into(),
+            Some(Field::SubNumber) if kind == SectionKind::Object => {
+                read.sub_number = items.integer(item, (0, 255), &mut entry.misfits);
+            }
+            Some(Field::CompactSubObj) if kind == SectionKind::Object => {
+                read.compact_count = compact_count(items, item, &mut entry.misfits);
+            }
+            Some(Field::Count) if kind == SectionKind::Extension => {
+                read.count = extension_count(item, &mut entry.misfits);
+            }
+            Some(Field::ObjExtend) if kind == SectionKind::Extension => {
+                read.obj_extend = items.integer(item, (0, 255), &mut entry.misfits);
+            }
+            Some(field) => entry_item(entry, field, items, item),
+            None => items.unknown(item, &mut entry.extra),
+        }
+    });
+    read_values(&mut read.entry, &values, items);
+    items.comments().for_each(|comment| stack_option(&mut read.entry, comment));
+    drop_empty(&mut read.entry);
+    read
+}
+
+/// A comment in which CANopenEditor says something to the generators of CANopenNode: `;StorageLocation=RAM`,
+/// `;CO_countLabel=TPDO`. The first of two alike counts.
+fn stack_option(entry: &mut Entry, comment: &str) {
+    let setting = comment.strip_prefix(';').and_then(|comment| comment.split_once('='));
+    if let Some((name, value)) = setting.filter(|(name, _)| name.starts_with(['S', 'C'])) {
+        let name = if name == "StorageLocation" { "CO_storageGroup" } else { name };
+        let mut options = entry.stack.take().unwrap_or_default();
+        options.set(name, value.trim());
+        entry.stack = Some(options).filter(|options| **options != StackOptions::default());
+    }
+}
+
+/// An empty key says as much as a missing one.
+fn drop_empty(entry: &mut Entry) {
+    entry.configured = entry.configured.take().filter(|configured| **configured != Configured::default());
+    entry.safety = entry.safety.take().filter(|safety| **safety != Safety::default());
+}
+
+fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item: &Item<'a>) {
+    let misfits = &mut entry.misfits;
+    match field {
+        Field::ObjectType => entry.object_type = object_type(items, item, misfits),
+        Field::DataType => entry.data_type = items.integer(item, (0, 0xFFFF), misfits).map(DataType),
+        Field::AccessType => entry.access = items.word(item, Access::from_name, misfits),
+        Field::PdoMapping => {
+            let mappable = items.boolean(item, misfits);
+            entry.pdo_mapping = mappable.map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
+        }
+        Field::ObjFlags => entry.flags = items.integer(item, (0, u64::from(u32::MAX)), misfits).map(ObjFlags),
+        Field::Denotation => entry.configured_mut().denotation = text(items, item),
+        Field::UploadFile => entry.configured_mut().upload_file = text(items, item),
+        Field::DownloadFile => entry.configured_mut().download_file = text(items, item),
+        Field::ParamRefd => entry.configured_mut().reference_designator = text(items, item),
+        Field::SrdoMapping => entry.safety_mut().srdo_mapping = items.boolean(item, &mut entry.misfits),
+        Field::InvertedSrad => {
+            entry.safety_mut().inverted_srad =
+                items.integer(item, (0, u64::from(u32::MAX)), &mut entry.misfits);
+        }
+        _ => items.unknown(item, &mut entry.extra),
+    }
+}
+
+/// A text that is not empty.
+fn text<'a>(items: &mut Items<'a>, item: &Item<'a>) -> Option<Box<str>> {
+    Some(items.text(item)).filter(|text| !text.is_empty()).map(Into::into)
+}
+
+fn object_type<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfits) -> Option<ObjectType> {
+    let code: u8 = items.integer(item, (0, 255), misfits)?;
+    let object_type = ObjectType::from_code(code);
+    if object_type.is_none() {
+        misfits.push(Field::ObjectType, item.value, Reason::UnknownWord);
+    }
+    object_type
+}
+
+/// 1 to 254; 0 means that the object is not stored compactly.
+fn compact_count<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfits) -> Option<u8> {
+    items.integer(item, (0, 254), misfits).filter(|&count| count > 0)
+}
+
+/// `n`, or `0;b`.
+fn extension_count(item: &Item<'_>, misfits: &mut Misfits) -> Option<ExtensionCount> {
+    let integer = |text: &str| literal::integer(text.trim_ascii(), 0, 255, &mut Quirks::default()).ok();
+    let number = |text| u8::try_from(integer(text)?).ok().filter(|&number| number > 0);
+    let count = match item.value.split_once(';') {
+        Some((zero, bits)) if integer(zero) == Some(0) => number(bits).map(ExtensionCount::SharedBits),
+        Some(_) => None,
+        None => number(item.value).map(ExtensionCount::Subs),
+    };
+    if count.is_none() && !item.value.is_empty() {
+        misfits.push(Field::Count, item.value, Reason::Malformed);
+    }
+    count
+}
+
+fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
+    entry.default = read_value(values.default, entry, items);
+    entry.low_limit = read_value(values.low, entry, items);
+    entry.high_limit = read_value(values.high, entry, items);
+    if let Some(value) = read_value(values.configured, entry, items) {
+        entry.configured_mut().value = Some(value);
+    }
+}
+
+fn read_value(item: Option<Item<'_>>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
+    let item = item.filter(|item| !item.value.is_empty())?;
+    let data_type = match (entry.data_type, entry.object_type) {
+        (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
+        (data_type, _) => data_type,
+    };
+    let mut quirks = Quirks::default();
+    let value = literal::value(item.value, data_type, &mut quirks);
+    match value {
+        Ok(value) => {
+            findings::quirks(&item, quirks, Some(&value), items.findings);
+            Some(value)
+        }
+        Err(reason) => {
+            entry.misfits.push(item.to_field(), item.value, reason);
+            None
+        }
+    }
+}

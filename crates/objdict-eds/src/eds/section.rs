@@ -1,0 +1,307 @@
+//! Names of sections: what each stands for, and how real files spell it.
+
+use std::fmt;
+
+use crate::model::{ModulePart, ObjectList, Part};
+
+/// A section name, understood.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct SectionName {
+    /// What the section describes.
+    pub part: Part,
+    /// How the name departs from the standard's spelling.
+    pub(crate) spelling: Spelling,
+}
+
+/// How a section name is spelled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(crate) enum Spelling {
+    /// As the standard says; the case of letters is free.
+    #[default]
+    Standard,
+    /// `[DeviceCommissioning]`; the standard has one `m`.
+    CorrectCommissioning,
+    /// `[1018sub01]`, `[M01ModuleInfo]`: a leading zero in the index, sub-index or module number.
+    LeadingZero,
+    /// `[0x1018]` or `[1018 sub1]`: understood, but other tools do not.
+    Decorated,
+}
+
+/// The names with no number in them.
+const FIXED: [(&str, Part); 12] = [
+    ("FileInfo", Part::FileInfo),
+    ("DeviceInfo", Part::DeviceInfo),
+    ("DummyUsage", Part::DummyUsage),
+    ("Comments", Part::Comments),
+    ("DeviceComissioning", Part::Commissioning),
+    ("MandatoryObjects", Part::List(ObjectList::Mandatory)),
+    ("OptionalObjects", Part::List(ObjectList::Optional)),
+    ("ManufacturerObjects", Part::List(ObjectList::Manufacturer)),
+    ("SupportedModules", Part::SupportedModules),
+    ("ConnectedModules", Part::ConnectedModules),
+    ("DynamicChannels", Part::DynamicChannels),
+    ("Tools", Part::Tools),
+];
+
+impl SectionName {
+    /// What a name stands for; [`Part::Section`] for one that the standard does not have.
+    pub fn parse(name: &str) -> Self {
+        if let Some(part) = object_part(name) {
+            return Self::standard(part);
+        }
+        if let Some((_, part)) = FIXED.iter().find(|(fixed, _)| fixed.eq_ignore_ascii_case(name)) {
+            return Self::standard(part.clone());
+        }
+        if name.eq_ignore_ascii_case("DeviceCommissioning") {
+            return Self { part: Part::Commissioning, spelling: Spelling::CorrectCommissioning };
+        }
+        if let Some(section) = module_section(name) {
+            return section;
+        }
+        if let Some(part) = tool_part(name) {
+            return Self::standard(part);
+        }
+        odd_object(name).unwrap_or_else(|| Self::standard(Part::Section(name.to_ascii_lowercase().into())))
+    }
+
+    fn standard(part: Part) -> Self {
+        Self { part, spelling: Spelling::Standard }
+    }
+}
+
+/// The name of a part's section in the standard's spelling; `None` for [`Part::Device`].
+pub(crate) fn section_name(part: &Part) -> Option<String> {
+    let name = match part {
+        Part::Device => return None,
+        Part::Object(index) => format!("{index:X}"),
+        Part::Entry(index, sub) => format!("{index:X}sub{sub:X}"),
+        Part::CompactNames(index) => format!("{index:X}Name"),
+        Part::CompactValues(index) => format!("{index:X}Value"),
+        Part::CompactDenotations(index) => format!("{index:X}Denotation"),
+        Part::Links(index) => format!("{index:X}ObjectLinks"),
+        Part::Module(number, ModulePart::Fixed(index)) => format!("M{number}Fixed{index:X}"),
+        Part::Module(number, ModulePart::FixedEntry(index, sub)) => {
+            format!("M{number}Fixed{index:X}sub{sub:X}")
+        }
+        Part::Module(number, ModulePart::SubExt(index)) => format!("M{number}SubExt{index:X}"),
+        other => other.to_string(),
+    };
+    Some(name)
+}
+
+/// The number of a name that starts with hex digits, and the known suffix behind them. A list of names is not a number:
+/// `[A]` to `[FFFF]` are objects, `[Face2]` is not. As many digits as can be belong to the number, for `Denotation` starts
+/// with hex digits itself.
+fn hex_prefix(name: &str) -> Option<(u16, &str)> {
+    let digits = name.bytes().take_while(u8::is_ascii_hexdigit).take(5).count();
+    let digits = (1..=digits).rev().find(|&digits| suffix_of(&name[digits..]).is_some())?;
+    let index = u16::from_str_radix(&name[..digits], 16).ok()?;
+    Some((index, &name[digits..]))
+}
+
+/// What the text behind an index says.
+enum Suffix<'a> {
+    None,
+    Sub(&'a str),
+    Name,
+    Value,
+    Denotation,
+    Links,
+}
+
+fn suffix_of(rest: &str) -> Option<Suffix<'_>> {
+    let word = |word: &str| rest.eq_ignore_ascii_case(word);
+    match rest {
+        "" => Some(Suffix::None),
+        _ if rest.len() > 3 && rest.is_char_boundary(3) && rest[..3].eq_ignore_ascii_case("sub") => {
+            Some(Suffix::Sub(&rest[3..]))
+        }
+        _ if word("Name") => Some(Suffix::Name),
+        _ if word("Value") => Some(Suffix::Value),
+        _ if word("Denotation") => Some(Suffix::Denotation),
+        _ if word("ObjectLinks") => Some(Suffix::Links),
+        _ => None,
+    }
+}
+
+/// An object, a sub-index or a section that belongs to one, in the standard's spelling.
+fn object_part(name: &str) -> Option<Part> {
+    if name.starts_with('0') {
+        return None;
+    }
+    let (index, rest) = hex_prefix(name)?;
+    Some(match suffix_of(rest)? {
+        Suffix::None => Part::Object(index),
+        Suffix::Sub(sub) => Part::Entry(index, plain_sub(sub)?),
+        Suffix::Name => Part::CompactNames(index),
+        Suffix::Value => Part::CompactValues(index),
+        Suffix::Denotation => Part::CompactDenotations(index),
+        Suffix::Links => Part::Links(index),
+    })
+}
+
+/// A sub-index in hex without leading zero.
+fn plain_sub(text: &str) -> Option<u8> {
+    let plain = text == "0" || !text.starts_with('0');
+    if plain { hex_sub(text) } else { None }
+}
+
+fn hex_sub(text: &str) -> Option<u8> {
+    let digits = (1..=4).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if digits { u8::from_str_radix(text, 16).ok() } else { None }
+}
+
+/// An object or sub-index with leading zeros, a `0x` or blanks.
+fn odd_object(name: &str) -> Option<SectionName> {
+    let compact: String = name.split_ascii_whitespace().collect();
+    let without_prefix = compact.strip_prefix("0x").or_else(|| compact.strip_prefix("0X"));
+    let text = without_zeros(without_prefix.unwrap_or(&compact));
+    let sub_prefix = text.contains("sub0x");
+    let decorated = without_prefix.is_some() || sub_prefix || compact.len() < name.len();
+    let padded = text.starts_with('0') || text.len() < compact.len();
+    let (index, rest) = hex_prefix(text).filter(|_| decorated || padded || text.contains(['s', 'S']))?;
+    let part = match suffix_of(rest)? {
+        Suffix::None if text.len() <= 4 => Part::Object(index),
+        Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub.strip_prefix("0x").unwrap_or(sub))?),
+        _ => return None,
+    };
+    let spelling = if decorated { Spelling::Decorated } else { Spelling::LeadingZero };
+    Some(SectionName { part, spelling })
+}
+
+/// The text from the last four digits of its index on, where only zeros stand before them.
+fn without_zeros(text: &str) -> &str {
+    let digits = text.bytes().take_while(u8::is_ascii_hexdigit).count();
+    let zeros = text.bytes().take_while(|&byte| byte == b'0').count();
+    &text[zeros.min(digits.saturating_sub(4))..]
+}
+
+/// `M1ModuleInfo` and the other sections of a module.
+fn module_section(name: &str) -> Option<SectionName> {
+    let rest = name.strip_prefix(['M', 'm'])?;
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let number: u16 = rest[..digits].parse().ok()?;
+    let padded = rest.starts_with('0');
+    let rest = &rest[digits..];
+    let plain = [
+        ("ModuleInfo", ModulePart::Info),
+        ("Comments", ModulePart::Comments),
+        ("FixedObjects", ModulePart::FixedObjects),
+        ("SubExtends", ModulePart::SubExtends),
+    ];
+    let (part, spelling) = match plain.into_iter().find(|(word, _)| rest.eq_ignore_ascii_case(word)) {
+        Some((_, part)) => (part, Spelling::Standard),
+        None => module_object(rest)?,
+    };
+    let spelling = if padded && spelling == Spelling::Standard { Spelling::LeadingZero } else { spelling };
+    Some(SectionName { part: Part::Module(number, part), spelling })
+}
+
+/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the object is spelled in as many ways as one of the device itself.
+fn module_object(name: &str) -> Option<(ModulePart, Spelling)> {
+    let behind = |word: &str| {
+        let head = name.get(..word.len())?;
+        head.eq_ignore_ascii_case(word).then(|| &name[word.len()..])
+    };
+    let extended = behind("SubExt");
+    let object = extended.or_else(|| behind("Fixed"))?;
+    let object = object_part(object).map(SectionName::standard).or_else(|| odd_object(object))?;
+    let part = match object.part {
+        Part::Object(index) if extended.is_some() => ModulePart::SubExt(index),
+        Part::Object(index) => ModulePart::Fixed(index),
+        Part::Entry(index, sub) if extended.is_none() => ModulePart::FixedEntry(index, sub),
+        _ => return None,
+    };
+    Some((part, object.spelling))
+}
+
+fn tool_part(name: &str) -> Option<Part> {
+    let number = name.get(..4).filter(|head| head.eq_ignore_ascii_case("Tool")).map(|_| &name[4..])?;
+    number.parse().ok().map(Part::Tool)
+}
+
+impl fmt::Display for SectionName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&section_name(&self.part).unwrap_or_default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(name: &str) -> (Part, Spelling) {
+        let SectionName { part, spelling } = SectionName::parse(name);
+        (part, spelling)
+    }
+
+    #[test]
+    fn names_of_the_standard_in_any_case() {
+        let standard = |name: &str| {
+            let (part, spelling) = parse(name);
+            assert_eq!(spelling, Spelling::Standard, "{name}");
+            part
+        };
+        assert_eq!(standard("fileinfo"), Part::FileInfo);
+        assert_eq!(standard("1A00SUBa"), Part::Entry(0x1A00, 10));
+        assert_eq!(standard("A0"), Part::Object(0xA0));
+        assert_eq!(standard("3004Name"), Part::CompactNames(0x3004));
+        assert_eq!(standard("300DDenotation"), Part::CompactDenotations(0x300D));
+        assert_eq!(standard("4EDenotation"), Part::CompactDenotations(0x4E));
+        assert_eq!(standard("6000ObjectLinks"), Part::Links(0x6000));
+        assert_eq!(standard("M12SubExt6000"), Part::Module(12, ModulePart::SubExt(0x6000)));
+        assert_eq!(standard("M1SubExtends"), Part::Module(1, ModulePart::SubExtends));
+        assert_eq!(standard("M1Fixed6423sub0"), Part::Module(1, ModulePart::FixedEntry(0x6423, 0)));
+        assert_eq!(standard("Tool2"), Part::Tool(2));
+    }
+
+    #[test]
+    fn odd_spellings_are_understood() {
+        assert_eq!(parse("1018sub01"), (Part::Entry(0x1018, 1), Spelling::LeadingZero));
+        let info = Part::Module(1, ModulePart::Info);
+        assert_eq!(parse("M01ModuleInfo"), (info, Spelling::LeadingZero));
+        let entry = Part::Module(3, ModulePart::FixedEntry(0x2401, 1));
+        assert_eq!(parse("M3Fixed2401sub01"), (entry, Spelling::LeadingZero));
+        let extension = Part::Module(1, ModulePart::SubExt(0x6000));
+        assert_eq!(parse("M01SubExt0x6000"), (extension, Spelling::Decorated));
+        assert_eq!(parse("0x1000"), (Part::Object(0x1000), Spelling::Decorated));
+        assert_eq!(parse("02000"), (Part::Object(0x2000), Spelling::LeadingZero));
+        assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), Spelling::Decorated));
+        assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), Spelling::Decorated));
+        assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, Spelling::CorrectCommissioning));
+    }
+
+    #[test]
+    fn other_names_are_not_objects() {
+        for name in [
+            "1018sub100",
+            "10000",
+            "1a00subfwefwef",
+            "ToolInfos",
+            "Default",
+            "M1",
+            "M1SubExt6000sub1",
+            "",
+            "FACE sheet",
+            "sub1",
+        ] {
+            assert!(matches!(parse(name).0, Part::Section(_)), "{name}: {:?}", parse(name));
+        }
+    }
+
+    #[test]
+    fn every_part_is_named_as_it_is_read() {
+        for name in [
+            "FileInfo",
+            "1018",
+            "1018subA",
+            "2000Value",
+            "M2FixedObjects",
+            "M3Fixed6423",
+            "DeviceComissioning",
+        ] {
+            let (part, _) = parse(name);
+            assert_eq!(section_name(&part).as_deref(), Some(name));
+        }
+    }
+}

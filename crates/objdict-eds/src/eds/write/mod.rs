@@ -1,0 +1,30 @@
+//! The canonical EDS and DCF of a device that has no source text: the order and spelling that most readers take
+//! (CiA 306-1).
+
+mod info;
+mod modules;
+mod objects;
+mod sheet;
+
+use self::sheet::Sheet;
+use crate::eds::Style;
+use crate::model::Device;
+
+/// The canonical text of a device in the encoding of the options. What the format or the encoding cannot carry is written
+/// as something near: whoever reads it back sees what was lost.
+pub fn write(device: &Device, options: &Style) -> Vec<u8> {
+    let mut sheet = Sheet::new(options, &device.extra);
+    let writer = Writer { device };
+    writer.general(&mut sheet);
+    writer.modules(&mut sheet);
+    writer.objects(&mut sheet);
+    sheet.rest(&device.extra);
+    let text = sheet.finish();
+    let bytes = options.encoding.and_then(|encoding| encoding.encode(&text).ok());
+    bytes.unwrap_or(text.into_bytes())
+}
+
+/// A device being written.
+struct Writer<'a> {
+    device: &'a Device,
+}

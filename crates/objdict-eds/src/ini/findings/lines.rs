@@ -1,0 +1,267 @@
+//! What the lines of a document show.
+
+use super::{
+    BLANK_BEFORE_EQUALS, BLANKS_IN_SECTION_NAME, BYTE_ORDER_MARK, COMMENT_STYLE, CONTROL_CHARACTER,
+    INDENTED_SECTION, JUNK_LINE, KEY_BEFORE_SECTION, LINE_TOO_LONG, MIXED_LINE_ENDS, NO_SECTION, NOT_ASCII,
+    TEXT_AFTER_SECTION, UNCLOSED_SECTION,
+};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, Tidy, counted};
+use crate::ini::{Document, Line, LineKind};
+use crate::source::{Encoding, Span};
+
+/// The most characters that a line may have, its line end not counted.
+const MAX_LINE: usize = 255;
+
+/// Adds what the lines of `document` show.
+pub fn check(document: &Document, findings: &mut Findings) {
+    check_characters(document, findings);
+    let mut lines = LineCheck {
+        text: document.text(),
+        first_section: None,
+        line_end: None,
+        mixed: None,
+        lone_cr: false,
+        comment: None,
+        blank: None,
+        findings,
+    };
+    for line in document.lines() {
+        lines.check(&line);
+    }
+    lines.finish();
+}
+
+fn check_characters(document: &Document, findings: &mut Findings) {
+    let text = document.text();
+    let encoding = document.source().encoding();
+    if matches!(encoding, Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be) {
+        let wide = encoding != Encoding::Utf8Bom;
+        let message = format!("the file starts with the byte order mark of {encoding}");
+        let finding = Diagnostic::new(&BYTE_ORDER_MARK, Span::empty(0), message)
+            .severity(if wide { Severity::Error } else { Severity::Warning })
+            .help("save the file as ASCII or as UTF-8 without byte order mark");
+        let title = "save the file as UTF-8 without byte order mark";
+        // without the mark a tool may take other letters for those of its own encoding
+        let fix = if wide || text.is_ascii() { Fix::safe(title) } else { Fix::risky(title) };
+        findings.push(finding.fix(fix.with(Change::Encode(Encoding::Utf8))));
+    }
+    if !text.is_ascii() {
+        let others = text.chars().filter(|c| !c.is_ascii()).count();
+        let (at, first) = text.char_indices().find(|(_, c)| !c.is_ascii()).unwrap_or_default();
+        let span = Span::new(at as u32, (at + first.len_utf8()) as u32);
+        let message = match others {
+            1 => format!("`{first}` is not in ISO 646; the file is read as {encoding}"),
+            _ => format!(
+                "{others} characters are not in ISO 646, `{first}` is the first; the file is read as {encoding}"
+            ),
+        };
+        findings.push(
+            Diagnostic::new(&NOT_ASCII, span, message)
+                .help("use seven-bit characters, such as `deg C` or `ue`")
+                .fix(Fix::risky("write seven-bit characters").with(Change::Tidy(Tidy::Iso646))),
+        );
+    }
+    let is_control = |byte: &u8| *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F;
+    // without an early exit the loop over a chunk is a few vector instructions
+    let has_control = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_control(byte));
+    if text.as_bytes().chunks(4096).any(has_control) {
+        for line in document.lines() {
+            let bytes = line.span.of(text).as_bytes();
+            if let Some(at) = bytes.iter().position(is_control) {
+                let start = line.span.start + at as u32;
+                let message = format!("control character {:02X}h", bytes[at]);
+                let finding = Diagnostic::new(&CONTROL_CHARACTER, Span::new(start, start + 1), message);
+                findings.push(finding.help("remove it").fix(without(&line, bytes, is_control)));
+            }
+        }
+    }
+}
+
+/// Takes some bytes out of a line. In one that is blank without them they are nobody's.
+fn without(line: &Line, bytes: &[u8], is_bad: impl Fn(&u8) -> bool) -> Fix {
+    let title = "remove the control characters of the line";
+    let mut fix = if line.kind == LineKind::Blank { Fix::safe(title) } else { Fix::risky(title) };
+    let mut at = 0;
+    while let Some(start) = bytes[at..].iter().position(&is_bad).map(|length| at + length) {
+        let length = bytes[start..].iter().take_while(|byte| is_bad(byte)).count();
+        at = start + length;
+        fix = fix.replace(Span::new(line.span.start + start as u32, line.span.start + at as u32), "");
+    }
+    fix
+}
+
+/// Style findings that would be on every line of a file are made once, for the first line, with the number of lines.
+struct LineCheck<'a> {
+    text: &'a str,
+    first_section: Option<Span>,
+    /// The first line end of the file; empty when another one was met and reported.
+    line_end: Option<&'a str>,
+    mixed: Option<Diagnostic>,
+    /// Whether a line ends with CR alone.
+    lone_cr: bool,
+    comment: Option<(Span, u32)>,
+    blank: Option<(Span, u32)>,
+    findings: &'a mut Findings,
+}
+
+fn count(counter: &mut Option<(Span, u32)>, span: Span) {
+    counter.get_or_insert((span, 0)).1 += 1;
+}
+
+impl LineCheck<'_> {
+    fn check(&mut self, line: &Line) {
+        self.check_line_end(line);
+        if line.span.len() as usize > MAX_LINE {
+            self.check_length(line);
+        }
+        match line.kind {
+            LineKind::Blank => {}
+            LineKind::Comment => {
+                if !line.span.of(self.text).starts_with(';') {
+                    count(&mut self.comment, line.span);
+                }
+            }
+            LineKind::Junk => self.junk(line),
+            LineKind::Section { name } => self.section(line, name),
+            LineKind::Entry { key, .. } => {
+                if self.first_section.is_none() {
+                    self.key_before_section(key);
+                }
+                let equals_follows = self.text.as_bytes().get(key.end as usize) == Some(&b'=');
+                if key.start != line.span.start || !equals_follows {
+                    count(&mut self.blank, Span::new(line.span.start, key.end + 1));
+                }
+            }
+        }
+    }
+
+    fn check_line_end(&mut self, line: &Line) {
+        let span = Span::new(line.span.end, line.next);
+        let line_end = span.of(self.text);
+        self.lone_cr |= line_end == "\r";
+        let first = *self.line_end.get_or_insert(line_end);
+        if first.is_empty() || line_end.is_empty() || (line_end == first && line_end != "\r") {
+            return;
+        }
+        let message = match line_end {
+            "\r" => "the line ends with CR alone",
+            "\n" => "the line ends with LF, the lines before end with CR LF",
+            _ => "the line ends with CR LF, the lines before end with LF",
+        };
+        let finding = Diagnostic::new(&MIXED_LINE_ENDS, span, message);
+        self.mixed = Some(finding.help("use CR LF or LF in the whole file"));
+        self.line_end = Some("");
+    }
+
+    fn check_length(&mut self, line: &Line) {
+        let length = line.span.of(self.text).chars().count();
+        if length > MAX_LINE {
+            let message = format!("the line has {length} characters, {MAX_LINE} are allowed");
+            let finding = Diagnostic::new(&LINE_TOO_LONG, Span::empty(line.span.start), message);
+            self.findings.push(match line.kind {
+                LineKind::Entry { key, .. } => {
+                    let key = key.of(self.text);
+                    let most = MAX_LINE.saturating_sub(key.chars().count() + 1);
+                    finding.help(format!("shorten the value: `{key}` has room for {most} characters"))
+                }
+                _ => finding.help("shorten it"),
+            });
+        }
+    }
+
+    fn junk(&mut self, line: &Line) {
+        let text = line.span.of(self.text).trim();
+        let is_merge = ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| text.starts_with(mark));
+        let shown: String = text.chars().take(40).collect();
+        let finding =
+            Diagnostic::new(&JUNK_LINE, line.span, format!("`{shown}` is no section, key or comment"));
+        self.findings.push(if is_merge {
+            finding.help(
+                "a merge left this mark: choose one of the two versions and remove the other with the marks",
+            )
+        } else {
+            let fix = Fix::risky("make it a comment").replace(Span::empty(line.span.start), "; ");
+            finding.help("remove the line, or put a `;` before it").fix(fix)
+        });
+    }
+
+    fn section(&mut self, line: &Line, name: Span) {
+        self.first_section.get_or_insert(line.span);
+        let text = line.span.of(self.text);
+        let indent = text.find('[').unwrap_or_default() as u32;
+        if indent > 0 {
+            let span = Span::new(line.span.start, line.span.start + indent);
+            let finding = Diagnostic::new(&INDENTED_SECTION, span, "blanks before the section header");
+            let fix = Fix::safe("remove the blanks").replace(span, "");
+            self.findings.push(finding.help("start the `[` in the first column").fix(fix));
+        }
+        let Some(close) = text.find(']') else {
+            let finding =
+                Diagnostic::new(&UNCLOSED_SECTION, line.span, format!("`{}` has no `]`", text.trim()));
+            let fix = Fix::risky("add the `]`").replace(Span::empty(name.end), "]");
+            self.findings.push(finding.help("add the `]`").fix(fix));
+            return;
+        };
+        let close = line.span.start + close as u32;
+        let behind = Span::new(close + 1, line.span.end);
+        if !behind.of(self.text).trim().is_empty() {
+            let message = format!("`{}` stands behind the section header", behind.of(self.text).trim());
+            let finding = Diagnostic::new(&TEXT_AFTER_SECTION, behind, message);
+            let fix = comment_above(behind, behind.of(self.text).trim());
+            self.findings.push(finding.help("put it in a comment line of its own").fix(fix));
+        }
+        if name.start != line.span.start + indent + 1 || name.end != close {
+            let span = Span::new(line.span.start + indent, close + 1);
+            let finding = Diagnostic::new(&BLANKS_IN_SECTION_NAME, span, "blanks inside the brackets");
+            let written = format!("[{}]", name.of(self.text));
+            let title = format!("write `{written}`");
+            self.findings.push(finding.help(title.clone()).fix(Fix::safe(title).replace(span, written)));
+        }
+    }
+
+    fn key_before_section(&mut self, key: Span) {
+        let message = format!("`{}` stands before the first section", key.of(self.text));
+        let finding = Diagnostic::new(&KEY_BEFORE_SECTION, key, message);
+        self.findings.push(finding.help("put the section's header above it"));
+        // one cause: the missing header
+        self.first_section = Some(key);
+    }
+
+    fn finish(self) {
+        if let Some(finding) = self.mixed {
+            let title = "end all lines alike";
+            // to some tools a lone CR is no line end
+            let fix = if self.lone_cr { Fix::risky(title) } else { Fix::safe(title) };
+            self.findings.push(finding.fix(fix.with(Change::Tidy(Tidy::LineEnds))));
+        }
+        if let Some((span, lines)) = self.comment {
+            let lines = counted(lines as usize, "comment line does", "comment lines do");
+            let message = format!("{lines} not start with `;` in the first column");
+            let fix = Fix::safe("start all comment lines with `;`").with(Change::Tidy(Tidy::Comments));
+            let finding = Diagnostic::new(&COMMENT_STYLE, span, message);
+            self.findings.push(finding.help("start a comment line with `;`").fix(fix));
+        }
+        if let Some((span, lines)) = self.blank {
+            let lines = counted(lines as usize, "line has", "lines have");
+            let message = format!("{lines} blanks before the key or the `=`");
+            let fix = Fix::safe("remove the blanks before all keys and `=`").with(Change::Tidy(Tidy::Keys));
+            let finding = Diagnostic::new(&BLANK_BEFORE_EQUALS, span, message);
+            self.findings.push(finding.help("write `key=value`").fix(fix));
+        }
+        if self.first_section.is_none() {
+            let finding = Diagnostic::new(&NO_SECTION, Span::empty(0), "the file has no section");
+            self.findings.push(finding.help("this is no EDS or DCF; check the file name"));
+        }
+    }
+}
+
+/// Makes a comment above its line of what stands behind a section header. What does not look like one may have been meant
+/// otherwise.
+fn comment_above(span: Span, text: &str) -> Fix {
+    let title = "put it in a comment line of its own";
+    let is_comment = text.starts_with([';', '#']) || text.starts_with("//");
+    let comment = text.trim_start_matches([';', '#', '/']).trim();
+    let fix = if is_comment { Fix::safe(title) } else { Fix::risky(title) };
+    let fix = fix.replace(span, "");
+    if comment.is_empty() { fix } else { fix.with(Change::Comment(span, comment.to_owned())) }
+}

@@ -1,0 +1,13 @@
+//! The INI layer under EDS, DCF and node lists: lossless on bytes, with a span for everything, and never an error.
+
+mod document;
+mod edit;
+pub mod findings;
+mod scan;
+mod tidy;
+
+pub use document::{Document, Entry, Header, Section};
+pub use edit::Editor;
+pub(crate) use scan::headers;
+pub use scan::{Line, LineKind, Lines};
+pub(crate) use tidy::tidy;

@@ -1,0 +1,7 @@
+//! EDS and DCF (CiA 306-1): lines with positions, the model read from them and written to them. Part of
+//! [objdict](https://docs.rs/objdict), which is the crate to depend on.
+
+pub mod eds;
+pub mod ini;
+
+use objdict_model::{diagnostic, literal, model, source};

@@ -1,0 +1,160 @@
+//! What templates/c/_meanings.h shows: enumerations and bit fields.
+
+use askama::Template;
+
+use super::view::{macro_name, word_type};
+use crate::escape::filters;
+use crate::meanings::{EnumType, Named, WordPart, WordType};
+use crate::model::{DataType, TypeKind};
+use crate::names::Scope;
+
+/// The macros.
+#[derive(Template)]
+#[template(path = "c/_meanings.h")]
+pub(super) struct Meanings<'a> {
+    upper: String,
+    enums: Vec<EnumView<'a>>,
+    words: Vec<WordView<'a>>,
+}
+
+struct EnumView<'a> {
+    of: &'a EnumType,
+    entries: String,
+    values: Vec<ValueView<'a>>,
+}
+
+struct ValueView<'a> {
+    name: String,
+    label: &'a str,
+    number: String,
+}
+
+struct WordView<'a> {
+    of: &'a WordType,
+    entries: String,
+    parts: Vec<PartView<'a>>,
+}
+
+struct PartView<'a> {
+    of: &'a WordPart,
+    /// Behind the prefix.
+    name: String,
+    mask: String,
+    /// Expressions of `word`, and of `word` and `value`.
+    get: String,
+    with: String,
+}
+
+/// What stands behind the name of a part.
+const OF_PARTS: [&str; 5] = ["shift", "bits", "mask", "get", "with"];
+
+impl<'a> Meanings<'a> {
+    /// Takes names from `macros`, where those of objects and entries are already.
+    pub(super) fn new(named: &'a Named, prefix: &str, macros: &mut Scope) -> Self {
+        Self {
+            upper: prefix.to_ascii_uppercase(),
+            enums: named.enums.iter().map(|of| enum_view(of, prefix, macros)).collect(),
+            words: named.words.iter().map(|of| word_view(of, prefix, macros)).collect(),
+        }
+    }
+}
+
+fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView<'a> {
+    let values = of.values.iter().map(|value| {
+        let suffix = if value.number < 0 { format!("m{}", -value.number) } else { value.number.to_string() };
+        ValueView {
+            name: macro_name(macros, prefix, &format!("{}_{}", of.name, value.name), &suffix),
+            label: &value.label,
+            number: number(value.number, of.data_type),
+        }
+    });
+    EnumView { of, entries: entries(&of.entries), values: values.collect() }
+}
+
+/// A number of a data type, for an expression.
+fn number(number: i128, data_type: DataType) -> String {
+    match (data_type.kind(), data_type.bit_length()) {
+        (TypeKind::Signed(_), _) if number == i128::from(i64::MIN) => {
+            "(-INT64_C(0x7FFFFFFFFFFFFFFF) - 1)".to_owned()
+        }
+        (TypeKind::Signed(_), _) if number == i128::from(i32::MIN) => "(-0x7FFFFFFF - 1)".to_owned(),
+        (TypeKind::Signed(_), Some(33..)) if number < 0 => format!("(-INT64_C({}))", -number),
+        (TypeKind::Signed(_), Some(33..)) => format!("INT64_C({number})"),
+        (TypeKind::Signed(_), _) if number < 0 => format!("({number})"),
+        (TypeKind::Signed(_), _) => number.to_string(),
+        (_, Some(33..)) => format!("UINT64_C({number})"),
+        _ => format!("{number}u"),
+    }
+}
+
+/// The entries, a few by name.
+fn entries(all: &[(u16, u8)]) -> String {
+    const SHOWN: usize = 8;
+    let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("{index:04X}h sub-index {sub:02X}h"));
+    let mut text = shown.collect::<Vec<_>>().join(", ");
+    if all.len() > SHOWN {
+        text.push_str(&format!(" and {} more", all.len() - SHOWN));
+    }
+    text
+}
+
+fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView<'a> {
+    let parts = of.parts.iter().map(|part| {
+        let words = format!("{}_{}", of.name.trim_end_matches('_'), part.name.trim_end_matches('_'));
+        let name = part_name(macros, prefix, &words, part.first);
+        part_view(of, part, format!("{}_{}", prefix.to_ascii_uppercase(), name.to_ascii_uppercase()))
+    });
+    WordView { of, entries: entries(&of.entries), parts: parts.collect() }
+}
+
+/// A name of which no macro of a part is taken.
+fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String {
+    let mut suffix = first.to_string();
+    loop {
+        let room = crate::names::LONGEST - prefix.len() - 8 - suffix.len();
+        let name = macros.claim(&words[..words.len().min(room)], &suffix);
+        let all = OF_PARTS.map(|what| format!("{name}_{what}"));
+        if all.iter().all(|name| macros.is_free(name)) {
+            all.into_iter().for_each(|name| macros.take(name));
+            return name;
+        }
+        suffix.push_str("_p");
+    }
+}
+
+fn part_view<'a>(of: &WordType, part: &'a WordPart, name: String) -> PartView<'a> {
+    let bits = of.data_type.bit_length().unwrap_or(64);
+    let word = word_type(of.data_type);
+    let unsigned = format!("u{}", word.trim_start_matches('u'));
+    let room = match unsigned.as_str() {
+        "uint8_t" => 8,
+        "uint16_t" => 16,
+        "uint32_t" => 32,
+        _ => 64,
+    };
+    let literal = |number: u64| match room {
+        64 => format!("UINT64_C(0x{number:X})"),
+        _ => format!("0x{number:X}u"),
+    };
+    let type_ = word_type(part.data_type);
+    let taken = format!("((({unsigned})(word) & {name}_MASK) >> {name}_SHIFT)");
+    let extended = |value: &str, bits: u8| {
+        let sign = literal(1 << (bits - 1));
+        format!("({value} ^ {sign}) - {sign}")
+    };
+    let get = match part.is_signed {
+        true => format!("(({type_})({}))", extended(&taken, part.bits)),
+        false if type_ == "bool" => format!("((({unsigned})(word) & {name}_MASK) != 0u)"),
+        false => format!("(({type_}){taken})"),
+    };
+    let value = format!("(({unsigned})(({unsigned})(value) << {name}_SHIFT) & {name}_MASK)");
+    let whole = format!("((({unsigned})(word) & ({unsigned})~{name}_MASK) | {value})");
+    let with = match of.data_type.kind() {
+        TypeKind::Signed(_) if bits < room => {
+            let whole = format!("({whole} & {})", literal(u64::MAX >> (64 - bits)));
+            format!("(({word})({}))", extended(&whole, bits))
+        }
+        _ => format!("(({word}){whole})"),
+    };
+    PartView { of: part, mask: format!("(({unsigned}){})", literal(part.mask)), name, get, with }
+}

@@ -1,0 +1,229 @@
+//! What templates/c/od_pdo.h and od_pdo.c show: the structs of PDO frames.
+
+use askama::Template;
+
+use super::view::{hex_bytes, word_type};
+use crate::escape::filters;
+use crate::frames::{Carried, Frame, FrameField};
+use crate::model::{DataType, TypeKind};
+use crate::resolve::{Datum, Shape};
+use crate::table::{Row, Table};
+
+/// The header.
+#[derive(Template)]
+#[template(path = "c/od_pdo.h")]
+pub(super) struct PdoHeader<'a> {
+    /// What identifiers start with.
+    lower: &'a str,
+    upper: String,
+    table: &'a Table,
+    frames: Vec<FrameView<'a>>,
+}
+
+/// The source.
+#[derive(Template)]
+#[template(path = "c/od_pdo.c")]
+pub(super) struct PdoSource<'a> {
+    lower: &'a str,
+    upper: String,
+    table: &'a Table,
+    frames: Vec<FrameView<'a>>,
+    /// Which conversions are used.
+    signed: bool,
+    real32: bool,
+    real64: bool,
+    time: bool,
+}
+
+/// A frame.
+struct FrameView<'a> {
+    frame: &'a Frame,
+    /// `od_tpdo1`.
+    type_name: String,
+    /// `OD_TPDO1`.
+    macro_prefix: String,
+    /// The COB-ID, an expression of `node_id`.
+    cob_id: Option<String>,
+    /// Whether a member comes from the struct of values.
+    reads_data: bool,
+    /// Whether a member goes there.
+    writes_data: bool,
+    fields: Vec<FieldView<'a>>,
+}
+
+/// A member of a frame, with statements about it without `;`.
+struct FieldView<'a> {
+    field: &'a FrameField,
+    row: &'a Row,
+    declaration: String,
+    load: String,
+    /// None of what is constant.
+    store: Vec<String>,
+    /// The value as a number, an expression.
+    pack: String,
+    unpack: String,
+}
+
+impl<'a> PdoHeader<'a> {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
+        let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
+        Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames }
+    }
+}
+
+impl<'a> PdoSource<'a> {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
+        let uses = |is_it: fn(TypeKind) -> bool| {
+            frames
+                .iter()
+                .flat_map(|frame| &frame.fields)
+                .any(|field| matches!(field.carried, Carried::Number(data_type) if is_it(data_type.kind())))
+        };
+        Self {
+            lower: prefix,
+            upper: prefix.to_ascii_uppercase(),
+            table,
+            signed: uses(|kind| matches!(kind, TypeKind::Signed(_))),
+            real32: uses(|kind| kind == TypeKind::Real32),
+            real64: uses(|kind| kind == TypeKind::Real64),
+            time: uses(is_time),
+            frames: frames.iter().map(|frame| frame_view(table, prefix, frame)).collect(),
+        }
+    }
+}
+
+fn frame_view<'a>(table: &'a Table, prefix: &str, frame: &'a Frame) -> FrameView<'a> {
+    let fields: Vec<FieldView<'a>> =
+        frame.fields.iter().map(|field| field_view(table, prefix, field)).collect();
+    let type_name = format!("{prefix}_{}", frame.name);
+    let cob_id = frame.cob_id_number().map(|(number, per_node)| match per_node {
+        true => format!("(0x{number:X}u + (uint32_t)(node_id))"),
+        false => format!("0x{number:X}u"),
+    });
+    FrameView {
+        frame,
+        macro_prefix: type_name.to_ascii_uppercase(),
+        type_name,
+        cob_id,
+        reads_data: fields.iter().any(|field| field.load.contains("data->")),
+        writes_data: fields.iter().any(|field| !field.store.is_empty()),
+        fields,
+    }
+}
+
+fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> FieldView<'a> {
+    let row = &table.rows[field.row];
+    let name = &field.name;
+    let member = format!("pdo->{name}");
+    let place = row.slot.map(|slot| format!("data->{}", table.place(slot)));
+    let (first, bits) = (field.first, field.bits);
+    let taken = format!("{prefix}_lowest(number >> {first}, {bits}u)");
+    match field.carried {
+        Carried::Number(data_type) => {
+            let type_ = type_of(data_type, prefix);
+            let (pack, unpack) = conversions(data_type, prefix, &member, &taken, bits);
+            let value = place.clone().unwrap_or_else(|| constant(data_type, prefix, &row.resolved.default));
+            FieldView {
+                field,
+                row,
+                declaration: format!("{type_} {name}"),
+                load: format!("{member} = {value}"),
+                store: place.into_iter().map(|place| format!("{place} = {member}")).collect(),
+                pack,
+                unpack: format!("{member} = {unpack}"),
+            }
+        }
+        Carried::Bytes(length) => {
+            let is_block = matches!(row.resolved.shape, Shape::Block(_));
+            let source = match &place {
+                Some(place) if is_block => place.clone(),
+                Some(place) => format!("{place}.bytes"),
+                None => constant_bytes(&row.resolved.default, length),
+            };
+            let store =
+                place.map(|place| stored_bytes(&place, &member, length, is_block)).unwrap_or_default();
+            FieldView {
+                field,
+                row,
+                declaration: format!("uint8_t {name}[{length}]"),
+                load: format!("memcpy({member}, {source}, {length}u)"),
+                store,
+                pack: format!("{prefix}_from_frame({member}, {length}u)"),
+                unpack: format!("{prefix}_to_frame({taken}, {member}, {length}u)"),
+            }
+        }
+    }
+}
+
+/// A value as a number, and a number of so many bits as a value.
+fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bits: u32) -> (String, String) {
+    let type_ = type_of(data_type, prefix);
+    match data_type.kind() {
+        TypeKind::Boolean => (format!("({member} ? 1u : 0u)"), format!("{taken} != 0u")),
+        TypeKind::Signed(_) => {
+            (format!("(uint64_t){member}"), format!("({type_}){prefix}_signed({taken}, {bits}u)"))
+        }
+        TypeKind::Real32 => {
+            (format!("{prefix}_from_real32({member})"), format!("{prefix}_to_real32({taken})"))
+        }
+        TypeKind::Real64 => {
+            (format!("{prefix}_from_real64({member})"), format!("{prefix}_to_real64({taken})"))
+        }
+        kind if is_time(kind) => {
+            (format!("{prefix}_from_time({member})"), format!("{prefix}_to_time({taken})"))
+        }
+        _ => (member.to_owned(), format!("({type_}){taken}")),
+    }
+}
+
+fn type_of(data_type: DataType, prefix: &str) -> String {
+    if is_time(data_type.kind()) { format!("{prefix}_time_t") } else { word_type(data_type).to_owned() }
+}
+
+fn is_time(kind: TypeKind) -> bool {
+    matches!(kind, TypeKind::TimeOfDay | TypeKind::TimeDifference)
+}
+
+/// The value of an entry that stays in flash.
+fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
+    let type_ = type_of(data_type, prefix);
+    match (data_type.kind(), default) {
+        (_, Datum::Formula(offset)) => format!("({type_})(0x{offset:X}u + data->node_id)"),
+        (TypeKind::Boolean, Datum::Word(word)) => format!("{}", *word != 0),
+        (TypeKind::Signed(_), Datum::Word(word)) => {
+            let number = *word as i64; // the same bits
+            match number.checked_neg() {
+                Some(positive) if number < 0 => format!("({type_})-INT64_C({positive})"),
+                Some(_) => format!("({type_})INT64_C({number})"),
+                None => "INT64_MIN".to_owned(),
+            }
+        }
+        (TypeKind::Real32, Datum::Word(word)) => format!("{prefix}_to_real32(0x{word:X}u)"),
+        (TypeKind::Real64, Datum::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
+        (kind, Datum::Word(word)) if is_time(kind) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
+        (_, Datum::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
+        (_, Datum::Bytes(_)) => "0".to_owned(), // only of other shapes
+    }
+}
+
+/// The bytes of an entry that stays in flash, as many as the frame has.
+fn constant_bytes(default: &Datum, length: u32) -> String {
+    let mut bytes = match default {
+        Datum::Bytes(bytes) => bytes.clone(),
+        Datum::Word(_) | Datum::Formula(_) => Vec::new(), // only of other shapes
+    };
+    bytes.resize(length as usize, 0);
+    format!("((const uint8_t[]){{{}}})", hex_bytes(&bytes))
+}
+
+/// Puts the bytes of a frame into the struct of values: what is longer there ends with zeros.
+fn stored_bytes(place: &str, member: &str, length: u32, is_block: bool) -> Vec<String> {
+    if is_block {
+        return vec![format!("memcpy({place}, {member}, {length}u)")];
+    }
+    vec![
+        format!("memset({place}.bytes, 0, sizeof {place}.bytes)"),
+        format!("memcpy({place}.bytes, {member}, {length}u)"),
+        format!("{place}.length = {length}u"),
+    ]
+}

@@ -1,0 +1,67 @@
+//! What the templates of C show of storage groups: members of the struct of values, and functions for images.
+
+use super::view::{FieldView, field_view};
+use crate::size::{alignment, group_alignment};
+use crate::stored::TableGroup;
+use crate::table::{Table, TableField};
+
+/// A storage group.
+pub(super) struct GroupView<'a> {
+    pub(super) group: &'a TableGroup,
+    /// `od_persist_comm`.
+    pub(super) lower: String,
+    /// `OD_PERSIST_COMM`.
+    pub(super) upper: String,
+    pub(super) layout: String,
+    pub(super) fields: Vec<FieldView<'a>>,
+}
+
+/// A member of the struct of values.
+pub(super) enum MemberView<'a> {
+    Field(FieldView<'a>),
+    Group(GroupView<'a>),
+}
+
+/// The groups of a table.
+pub(super) fn group_views<'a>(table: &'a Table, prefix: &str) -> Vec<GroupView<'a>> {
+    (0..table.groups.len()).map(|number| group_view(table, number, prefix)).collect()
+}
+
+/// Fields and groups with the smallest alignment first, behind the one byte of the node-ID: so hardly any padding is
+/// needed.
+pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>> {
+    let fields = table
+        .members(None)
+        .map(|field| (alignment(field.shape), MemberView::Field(field_view(table, field, prefix))));
+    let groups = (0..table.groups.len())
+        .map(|number| (group_alignment(table, number), MemberView::Group(group_view(table, number, prefix))));
+    let mut members: Vec<(usize, MemberView<'a>)> = fields.chain(groups).collect();
+    members.sort_by_key(|(alignment, _)| *alignment); // stable: by index where it is equal
+    members.into_iter().map(|(_, member)| member).collect()
+}
+
+/// The fields of a group have nothing before them: those with the largest alignment come first.
+fn group_view<'a>(table: &'a Table, number: usize, prefix: &str) -> GroupView<'a> {
+    let mut fields: Vec<&TableField> = table.members(Some(number)).collect();
+    fields.sort_by_key(|field| std::cmp::Reverse(alignment(field.shape)));
+    let group = &table.groups[number];
+    let lower = format!("{prefix}_{}", group.field);
+    GroupView {
+        group,
+        layout: format!("0x{:08X}", group.layout),
+        upper: lower.to_ascii_uppercase(),
+        lower,
+        fields: fields.into_iter().map(|field| field_view(table, field, prefix)).collect(),
+    }
+}
+
+/// The macros of groups, without the prefix, in lower case.
+pub(super) fn macros(table: &Table) -> Vec<String> {
+    const OF_ALL: [&str; 5] = ["image_ok", "image_length", "image_layout", "image_checksum", "image_value"];
+    if table.groups.is_empty() {
+        return Vec::new();
+    }
+    let of_group =
+        |group: &TableGroup| ["image_size", "store_sub_index"].map(|name| format!("{}_{name}", group.field));
+    table.groups.iter().flat_map(of_group).chain(OF_ALL.map(str::to_owned)).collect()
+}

@@ -1,0 +1,231 @@
+//! What templates/c/structs.h and structs.c show: the table as an array of structures with pointers.
+
+use std::collections::{HashMap, HashSet};
+
+use askama::Template;
+
+use super::stored::{GroupView, MemberView, group_views};
+use super::view::{Facts, Header, is_time, type_name, word_type};
+use crate::SizeReport;
+use crate::c_code::{bytes, number};
+use crate::escape::{filters, shown};
+use crate::memory::{Extent, Memory, Tally};
+use crate::model::DataType;
+use crate::resolve::{Datum, Shape};
+use crate::size::{field_size, ram};
+use crate::table::{Row, Table};
+
+/// The header.
+#[derive(Template)]
+#[template(path = "c/structs.h")]
+pub(super) struct StructsHeader<'a> {
+    plain: Header<'a>,
+    names: bool,
+    time: bool,
+}
+
+/// The source.
+#[derive(Template)]
+#[template(path = "c/structs.c")]
+pub(super) struct StructsSource<'a> {
+    lower: &'a str,
+    upper: String,
+    table: &'a Table,
+    pools: Vec<Pool>,
+    blocks: Vec<String>,
+    rows: Vec<RowView<'a>>,
+    names: bool,
+    time: bool,
+    /// Whether there is a string, octet string or DOMAIN, and a block.
+    bytes: bool,
+    groups: Vec<GroupView<'a>>,
+    has_pointers: bool,
+}
+
+/// All numbers of a type that are a default or a limit, each once.
+struct Pool {
+    c_type: String,
+    name: String,
+    numbers: Vec<String>,
+    at: HashMap<String, usize>,
+}
+
+/// A row of the table.
+struct RowView<'a> {
+    row: &'a Row,
+    type_: &'static str,
+    flags: String,
+    data: String,
+    low: String,
+    high: String,
+    default: String,
+}
+
+impl<'a> StructsHeader<'a> {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts, names: bool) -> Self {
+        let time =
+            table.rows.iter().any(|row| matches!(row.resolved.shape, Shape::Word(word) if is_time(word)));
+        Self { plain: Header::new(table, prefix, facts), names, time }
+    }
+
+    fn fields(&self) -> &[MemberView<'a>] {
+        &self.plain.fields
+    }
+}
+
+impl<'a> StructsSource<'a> {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
+        let mut constants = Constants::new(prefix);
+        let upper = prefix.to_ascii_uppercase();
+        let rows = table.rows.iter().map(|row| row_view(table, row, &upper, &mut constants)).collect();
+        let shape = |check: fn(Shape) -> bool| table.rows.iter().any(|row| check(row.resolved.shape));
+        Self {
+            lower: prefix,
+            upper,
+            table,
+            pools: constants.pools,
+            blocks: constants.blocks,
+            rows,
+            names,
+            time: shape(|shape| matches!(shape, Shape::Word(data_type) if is_time(data_type))),
+            bytes: shape(|shape| matches!(shape, Shape::Bytes(..))),
+            groups: group_views(table, prefix),
+            has_pointers: true,
+        }
+    }
+}
+
+/// Defaults and limits.
+struct Constants<'a> {
+    prefix: &'a str,
+    pools: Vec<Pool>,
+    blocks: Vec<String>,
+    /// What they take, with the indexes of the objects that have them first.
+    taken: Vec<(u16, usize)>,
+}
+
+impl<'a> Constants<'a> {
+    fn new(prefix: &'a str) -> Self {
+        Self { prefix, pools: Vec::new(), blocks: Vec::new(), taken: Vec::new() }
+    }
+
+    /// The address of a number.
+    fn number(&mut self, index: u16, word: u64, data_type: DataType) -> String {
+        let mut c_type = word_type(data_type).to_owned();
+        let text = if is_time(data_type) {
+            c_type = format!("{}_time_t", self.prefix);
+            format!("{{0x{:07X}u, {}u}}", word & 0x0FFF_FFFF, (word >> 32) & 0xFFFF)
+        } else if data_type == DataType::BOOLEAN {
+            (if word == 0 { "false" } else { "true" }).to_owned()
+        } else {
+            number(word, data_type).unwrap_or_else(|| {
+                // no finite number: the same bits
+                c_type = if data_type == DataType::REAL32 { "uint32_t" } else { "uint64_t" }.to_owned();
+                format!("UINT64_C(0x{word:X})")
+            })
+        };
+        let what = if is_time(data_type) { "time" } else { c_type.trim_end_matches("_t") };
+        let name = format!("{}_{what}_values", self.prefix);
+        let at = self.pools.iter().position(|pool| pool.c_type == c_type).unwrap_or_else(|| {
+            let (numbers, at) = (Vec::new(), HashMap::new());
+            self.pools.push(Pool { c_type, name, numbers, at });
+            self.pools.len() - 1
+        });
+        let pool = &mut self.pools[at];
+        let next = pool.numbers.len();
+        let number = *pool.at.entry(text.clone()).or_insert(next);
+        if number == next {
+            pool.numbers.push(text);
+            let size = if is_time(data_type) { time().size } else { Extent::of_c(&pool.c_type).size };
+            self.taken.push((index, size));
+        }
+        format!("&{}[{number}]", pool.name)
+    }
+
+    /// The address of a value that is no number.
+    fn block(&mut self, row: &Row, value: &[u8]) -> String {
+        let name = format!("{}_D{:04X}_{:02X}", self.prefix, row.index, row.sub);
+        let (size, text) = (value.len(), bytes(value));
+        self.blocks.push(match row.resolved.shape {
+            Shape::Block(_) => {
+                self.taken.push((row.index, size));
+                format!("static const uint8_t {name}[{size}] = {text};")
+            }
+            _ => {
+                let room = size.max(1); // C has no empty arrays
+                self.taken.push((row.index, Extent::behind_length(room).size));
+                format!("static const struct {{ uint16_t length; uint8_t bytes[{room}]; }} {name} = {{{size}u, {text}}};")
+            }
+        });
+        format!("&{name}")
+    }
+
+    fn datum(&mut self, row: &Row, datum: &Datum) -> String {
+        match (datum, row.resolved.shape) {
+            (Datum::Word(word) | Datum::Formula(word), Shape::Word(data_type)) => {
+                self.number(row.index, *word, data_type)
+            }
+            (Datum::Bytes(bytes), _) => self.block(row, bytes),
+            _ => "NULL".to_owned(), // a number is only of a number's shape
+        }
+    }
+}
+
+/// What the table takes.
+pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
+    let objects = table.objects.iter();
+    let mut tally = Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())));
+    let mut constants = Constants::new(prefix);
+    let mut texts = HashSet::new();
+    let numbers = [Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE, Extent::HALF];
+    let pointers = [Extent::POINTER; 5];
+    let entry = Extent::structure(numbers.into_iter().chain(pointers.into_iter().skip(usize::from(!names))));
+    for row in &table.rows {
+        row_view(table, row, "", &mut constants);
+        tally.of(row.index, Memory::Flash, entry.size);
+        let text = shown(&row.name);
+        if names && texts.insert(text.clone()) {
+            tally.of(row.index, Memory::Flash, text.len() + 1);
+        }
+    }
+    for (index, bytes) in constants.taken {
+        tally.of(index, Memory::Flash, bytes);
+    }
+    let mut gaps = ram(table, true);
+    for field in &table.fields {
+        gaps -= field_size(field);
+        tally.of(table.rows[field.rows.start].index, Memory::Zeroed, field_size(field));
+    }
+    tally.rest(Memory::Zeroed, gaps); // and the node-ID
+    tally.report(COUNTED)
+}
+
+/// What is counted.
+const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
+
+/// The structure of a time.
+fn time() -> Extent {
+    Extent::structure([Extent::WORD, Extent::HALF])
+}
+
+fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Constants<'_>) -> RowView<'a> {
+    let resolved = &row.resolved;
+    let flags: Vec<String> = row
+        .flags()
+        .into_iter()
+        .filter(|flag| !matches!(*flag, "LOW" | "HIGH"))
+        .map(|flag| format!("{upper}_{flag}"))
+        .collect();
+    let served = resolved.shape.size() == 0 && matches!(resolved.shape, Shape::Bytes(DataType::DOMAIN, _));
+    let default = if served { "NULL".to_owned() } else { constants.datum(row, &resolved.default) };
+    let mut limit =
+        |limit: Option<&Datum>| limit.map_or("NULL".to_owned(), |limit| constants.datum(row, limit));
+    let (low, high) = (limit(resolved.low.as_ref()), limit(resolved.high.as_ref()));
+    let data = match row.slot {
+        Some(slot) => format!("&{}_data.{}", constants.prefix, table.place(slot)),
+        None if served => "NULL".to_owned(),
+        None => format!("(void *){default}"),
+    };
+    let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
+    RowView { row, type_: type_name(resolved.shape), flags, data, low, high, default }
+}

@@ -1,0 +1,144 @@
+//! What an `ObjectDictionary` of canopen-rs cannot hold or hold to, as notes.
+
+use super::ROOM;
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::model::{DataType, Place, TypeKind};
+use crate::resolve::{Datum, Shape};
+
+/// PDOs in each direction that the crate's node serves (`MAX_PDOS`).
+const PDOS: u16 = 4;
+
+/// Entries that a PDO may map (`MAX_PDO_MAPPING`).
+const MAPPED: u64 = 8;
+
+/// Takes out what the crate has no value for; tells of that, and of what is not as it is described.
+pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
+    let mut notes = Vec::new();
+    for object in &mut dictionary.objects {
+        let index = object.index;
+        object.entries.retain(|entry| fits(index, entry, &mut notes));
+        for entry in &object.entries {
+            of_entry(index, entry, &mut notes);
+        }
+    }
+    dictionary.objects.retain(|object| !object.entries.is_empty());
+    let mapping = |index: &u16| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
+    if dictionary.objects.iter().any(|object| mapping(&object.index)) {
+        let text = "PDOs may map every entry of the table: the crate does not know `PDOMapping`";
+        notes.push(Note::new(Place::device(), text));
+    }
+    for object in &dictionary.objects {
+        of_pdo(object, &mut notes);
+    }
+    notes
+}
+
+/// Whether the crate has room for the value.
+fn fits(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) -> bool {
+    let length = match &entry.resolved.default {
+        Datum::Bytes(bytes) => bytes.len(),
+        Datum::Word(_) | Datum::Formula(_) => 0,
+    };
+    if length <= usize::from(ROOM) {
+        return true;
+    }
+    let text = format!("a value of {length} bytes is left out: the crate holds {ROOM} at most");
+    notes.push(Note::new(Place::entry(index, entry.sub), text));
+    false
+}
+
+fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
+    let place = || Place::entry(index, entry.sub);
+    let resolved = &entry.resolved;
+    if let Some(held) = held_as_octets(resolved.shape) {
+        let freely =
+            if resolved.access.is_writable() { ", of which an SDO may write more or fewer" } else { "" };
+        notes.push(Note::new(place(), format!("{held}{freely}")));
+    }
+    if let Shape::Bytes(_, room) = resolved.shape
+        && room > ROOM
+    {
+        notes
+            .push(Note::new(place(), format!("room for {ROOM} bytes where the description asks for {room}")));
+    }
+    if resolved.low.is_some() || resolved.high.is_some() {
+        notes.push(Note::new(place(), "limits are not enforced: the crate has none"));
+    }
+}
+
+/// How a type that the crate does not have is held instead; `None` for one that it has.
+fn held_as_octets(shape: Shape) -> Option<String> {
+    match shape {
+        Shape::Word(data_type) if !is_modelled(data_type) => {
+            Some(format!("{data_type} is held as an octet string of {}", bytes(shape.size())))
+        }
+        Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
+            Some("UNICODE_STRING is held as an octet string".to_owned())
+        }
+        Shape::Block(length) => {
+            let length = bytes(length.into());
+            Some(format!("a type of the device's own is held as an octet string of {length}"))
+        }
+        Shape::Word(_) | Shape::Bytes(..) => None,
+    }
+}
+
+fn bytes(length: usize) -> String {
+    if length == 1 { "1 byte".to_owned() } else { format!("{length} bytes") }
+}
+
+/// Whether the crate has a value of this type with at most eight bytes.
+pub(super) fn is_modelled(data_type: DataType) -> bool {
+    match data_type.kind() {
+        TypeKind::Boolean | TypeKind::Real32 | TypeKind::Real64 => true,
+        TypeKind::Signed(bits) | TypeKind::Unsigned(bits) => matches!(bits, 8 | 16 | 32 | 64),
+        _ => false,
+    }
+}
+
+/// What the crate's node makes of the parameters of a PDO.
+fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
+    let index = object.index;
+    let (number, is_mapping) = match index {
+        0x1400..=0x15FF | 0x1800..=0x19FF => (index & 0x1FF, false),
+        0x1600..=0x17FF | 0x1A00..=0x1BFF => (index & 0x1FF, true),
+        _ => return,
+    };
+    if number >= PDOS {
+        let text = format!("the crate's node serves PDO 1 to {PDOS} only");
+        notes.push(Note::new(Place::object(index), text));
+        return;
+    }
+    let word = |entry: &ResolvedEntry<'_>| match entry.resolved.default {
+        Datum::Word(word) => Some(word),
+        Datum::Formula(_) | Datum::Bytes(_) => None,
+    };
+    if is_mapping {
+        let count = object.entries.iter().find(|entry| entry.sub == 0).and_then(word).unwrap_or(0);
+        if count > MAPPED {
+            let text = format!("the crate's node maps {MAPPED} entries to a PDO at most, not {count}");
+            notes.push(Note::new(Place::entry(index, 0), text));
+        }
+        let mapped = object.entries.iter().filter(|entry| entry.sub > 0 && u64::from(entry.sub) <= count);
+        for entry in mapped {
+            if let Some(bits) = word(entry).map(|word| word & 0xFF).filter(|bits| !bits.is_multiple_of(8)) {
+                let text = format!("the crate's node packs whole bytes only, not {bits} bits");
+                notes.push(Note::new(Place::entry(index, entry.sub), text));
+            }
+        }
+        return;
+    }
+    for entry in &object.entries {
+        let text = match (entry.sub, &entry.resolved.default) {
+            (1, Datum::Word(cob_id) | Datum::Formula(cob_id)) if cob_id & 0x2000_0000 != 0 => {
+                "the crate's node knows CAN-IDs of 11 bits only"
+            }
+            (3, Datum::Word(time)) if *time != 0 => "the crate's node keeps no inhibit time",
+            (5, Datum::Word(time)) if *time != 0 => "the crate's node keeps no event timer",
+            (6, Datum::Word(start)) if *start != 0 => "the crate's node knows no SYNC start value",
+            _ => continue,
+        };
+        notes.push(Note::new(Place::entry(index, entry.sub), text));
+    }
+}

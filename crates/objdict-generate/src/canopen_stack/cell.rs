@@ -1,0 +1,252 @@
+//! What the row of an entry points at.
+
+use super::special::{Data, Special, fits, object_fits, special};
+use crate::c_code::{exact_type, little_endian, number};
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::model::{DataType, Place, TypeKind};
+use crate::resolve::{Datum, Shape};
+use crate::{LONGEST_VALUE, Note};
+
+/// Values up to this are kept in the row itself: what fits a pointer of 16 bits.
+const LONGEST_DIRECT: u64 = 0xFFFF;
+
+/// A value of up to this many bytes goes in one SDO frame, where the stack's own types of blocks do not begin anew.
+const ONE_FRAME: usize = 4;
+
+/// Where the value of a row is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Cell {
+    /// In the row.
+    Direct(u64),
+    /// A number in flash or in RAM.
+    Number { flash: bool, c_type: &'static str, value: String },
+    /// So many bytes, no more and no fewer.
+    Block { flash: bool, bytes: Vec<u8>, c_type: Option<&'static str>, value: String },
+    /// A text or data in flash that the stack's own types serve.
+    Text(Vec<u8>),
+    /// The same without an end at a NUL.
+    Data(Vec<u8>),
+    /// Bytes that the application serves.
+    Application,
+    /// Up to so many bytes in RAM.
+    Bytes { room: usize, bytes: Vec<u8> },
+    /// A heartbeat consumer.
+    Consumer { time: u16, node_id: u8 },
+    /// A parameter group; what reading the entry gives.
+    Group(u32),
+}
+
+/// A row but for its names.
+#[derive(Clone, Debug)]
+pub(super) struct Planned {
+    pub(super) type_: Type,
+    pub(super) cell: Cell,
+    /// Whether the stack adds the node-ID.
+    pub(super) node_id: bool,
+}
+
+/// The type of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Type {
+    /// One of the stack.
+    Stack(&'static str),
+    /// The one for blocks that this target adds.
+    Block,
+    /// The one for bytes of any number that this target adds.
+    Bytes,
+}
+
+/// Plans the rows of a dictionary.
+pub(super) struct Planner<'a> {
+    pub(super) node_id: Option<u8>,
+    pub(super) notes: &'a mut Vec<Note>,
+}
+
+impl Planner<'_> {
+    /// A row for each entry of each object.
+    pub(super) fn plan(&mut self, dictionary: &Dictionary<'_>) -> Vec<Vec<Planned>> {
+        dictionary.objects.iter().map(|object| self.object(object)).collect()
+    }
+
+    fn object(&mut self, object: &ResolvedObject<'_>) -> Vec<Planned> {
+        let whole = object_fits(object);
+        if !whole {
+            let text =
+                "not all entries are as the stack wants them; plain numbers, which the stack does not act on";
+            self.notes.push(Note::new(Place::object(object.index), text));
+        }
+        object.entries.iter().map(|entry| self.entry(object, entry, whole)).collect()
+    }
+
+    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, whole: bool) -> Planned {
+        let resolved = &entry.resolved;
+        let place = Place::entry(object.index, entry.sub);
+        let writable = resolved.access.is_writable();
+        let special = special(object.index, entry.sub, writable).filter(|_| whole);
+        if let Some(special) = special {
+            if fits(special, resolved) {
+                return self.special(object, entry, special);
+            }
+            let text = format!("the stack wants {} here; it does not act on the entry", special.wants);
+            self.notes.push(Note::new(place.clone(), text));
+        }
+        let type_ = match resolved.shape {
+            Shape::Word(data_type) => stack_type(data_type),
+            _ => None,
+        };
+        match (type_, resolved.shape) {
+            (Some(type_), Shape::Word(data_type)) => {
+                let (cell, node_id) = self.number(&place, entry, data_type, true);
+                Planned { type_: Type::Stack(type_), cell, node_id }
+            }
+            (None, Shape::Bytes(data_type, room)) => self.bytes(&place, entry, data_type, room),
+            _ => self.block(&place, entry),
+        }
+    }
+
+    fn special(
+        &mut self,
+        object: &ResolvedObject<'_>,
+        entry: &ResolvedEntry<'_>,
+        special: Special,
+    ) -> Planned {
+        let place = Place::entry(object.index, entry.sub);
+        let type_ = Type::Stack(special.type_);
+        let word = word_of(&entry.resolved.default);
+        match special.data {
+            Data::Consumer | Data::Group => {
+                if matches!(entry.resolved.default, Datum::Formula(_)) {
+                    let text = "the stack does not add the node-ID here; it is left out";
+                    self.notes.push(Note::new(place.clone(), text));
+                }
+                if special.data == Data::Group {
+                    let value = u32::try_from(word).unwrap_or(u32::MAX); // an UNSIGNED32
+                    return Planned { type_, cell: Cell::Group(value), node_id: false };
+                }
+                let [low, high, node_id, rest, ..] = word.to_le_bytes();
+                if rest != 0 {
+                    let text = format!("`{word:#010X}`: the stack does not keep bits 24 to 31");
+                    self.notes.push(Note::new(place, text));
+                }
+                let cell = Cell::Consumer { time: u16::from_le_bytes([low, high]), node_id };
+                Planned { type_, cell, node_id: false }
+            }
+            data => {
+                let (mut cell, node_id) = self.number(&place, entry, special.wants, data == Data::Any);
+                if let (Cell::Number { flash, .. }, Data::Ram) = (&mut cell, data) {
+                    *flash = false;
+                }
+                let no_consumers = object.index == 0x1016 && word == 0; // its type would fail to begin
+                let type_ = if no_consumers { Type::Stack("CO_TUNSIGNED8") } else { type_ };
+                Planned { type_, cell, node_id }
+            }
+        }
+    }
+
+    /// The value of a number, and whether the stack adds the node-ID to it.
+    fn number(
+        &mut self,
+        place: &Place,
+        entry: &ResolvedEntry<'_>,
+        data_type: DataType,
+        may_be_direct: bool,
+    ) -> (Cell, bool) {
+        let resolved = &entry.resolved;
+        let word = word_of(&resolved.default);
+        let bits = u32::from(data_type.byte_length().unwrap_or(8)) * 8;
+        let pattern = word & (u64::MAX >> (64 - bits.clamp(8, 64)));
+        let node_id = matches!(resolved.default, Datum::Formula(_));
+        if resolved.constant && may_be_direct && pattern <= LONGEST_DIRECT {
+            return (Cell::Direct(pattern), node_id);
+        }
+        let (c_type, value) = match (exact_type(data_type), number(word, data_type)) {
+            (Some(c_type), Some(value)) => (c_type, value),
+            _ => {
+                let text = "C cannot write a default that is no finite number; the variable holds its bits";
+                self.notes.push(Note::new(place.clone(), text));
+                ("uint32_t", format!("0x{pattern:08X}u"))
+            }
+        };
+        (Cell::Number { flash: resolved.constant, c_type, value }, node_id)
+    }
+
+    /// A string, octet string or DOMAIN.
+    fn bytes(&mut self, place: &Place, entry: &ResolvedEntry<'_>, data_type: DataType, room: u16) -> Planned {
+        let resolved = &entry.resolved;
+        let bytes = bytes_of(&resolved.default);
+        let fixed = !resolved.access.is_writable() && (resolved.constant || !bytes.is_empty());
+        if bytes.is_empty() && (fixed || room > 0) {
+            let text = "an SDO cannot read it while it is empty: the stack aborts the transfer";
+            self.notes.push(Note::new(place.clone(), text));
+        }
+        let text = data_type.kind() == TypeKind::VisibleString && !bytes.contains(&0);
+        let (type_, cell) = match (fixed, bytes.len()) {
+            (false, _) if room == 0 => (Type::Stack("CO_TDOMAIN"), Cell::Application),
+            (false, _) => (Type::Bytes, Cell::Bytes { room: usize::from(room), bytes }),
+            (true, 1..=ONE_FRAME) => {
+                (Type::Block, Cell::Block { flash: true, bytes, c_type: None, value: String::new() })
+            }
+            (true, _) if text => (Type::Stack("CO_TSTRING"), Cell::Text(bytes)),
+            (true, _) => (Type::Stack("CO_TDOMAIN"), Cell::Data(bytes)),
+        };
+        Planned { type_, cell, node_id: false }
+    }
+
+    /// A number that the stack has no type for, or a value of a type of the device's own.
+    fn block(&mut self, place: &Place, entry: &ResolvedEntry<'_>) -> Planned {
+        let resolved = &entry.resolved;
+        let size = resolved.shape.size().min(LONGEST_VALUE);
+        if let Datum::Formula(_) = resolved.default {
+            let added = match self.node_id {
+                Some(node_id) => format!("{node_id} is added once and for all"),
+                None => "nothing is added".to_owned(),
+            };
+            let text = format!("the stack adds the node-ID to values of 8, 16 and 32 bits only; {added}");
+            self.notes.push(Note::new(place.clone(), text));
+        }
+        let word = match resolved.default {
+            Datum::Formula(offset) => offset + u64::from(self.node_id.unwrap_or(0)), // fits for every node-ID
+            ref other => word_of(other),
+        };
+        let typed = match resolved.shape {
+            Shape::Word(data_type) => exact_type(data_type).zip(number(word, data_type)),
+            _ => None,
+        };
+        let mut bytes = match &resolved.default {
+            Datum::Bytes(bytes) => bytes.clone(),
+            _ => little_endian(word, size),
+        };
+        bytes.resize(size, 0);
+        let (c_type, value) = typed.map_or((None, String::new()), |(c_type, value)| (Some(c_type), value));
+        let cell = Cell::Block { flash: resolved.constant, bytes, c_type, value };
+        Planned { type_: Type::Block, cell, node_id: false }
+    }
+}
+
+/// The type of the stack for a number.
+fn stack_type(data_type: DataType) -> Option<&'static str> {
+    Some(match data_type.kind() {
+        TypeKind::Boolean | TypeKind::Unsigned(8) => "CO_TUNSIGNED8",
+        TypeKind::Unsigned(16) => "CO_TUNSIGNED16",
+        TypeKind::Unsigned(32) | TypeKind::Real32 => "CO_TUNSIGNED32",
+        TypeKind::Signed(8) => "CO_TSIGNED8",
+        TypeKind::Signed(16) => "CO_TSIGNED16",
+        TypeKind::Signed(32) => "CO_TSIGNED32",
+        _ => return None,
+    })
+}
+
+/// The number of a value; of a formula, what is added to the node-ID.
+fn word_of(datum: &Datum) -> u64 {
+    match datum {
+        Datum::Word(word) | Datum::Formula(word) => *word,
+        Datum::Bytes(_) => 0, // only of other shapes
+    }
+}
+
+fn bytes_of(datum: &Datum) -> Vec<u8> {
+    match datum {
+        Datum::Bytes(bytes) => bytes.clone(),
+        _ => Vec::new(), // only of other shapes
+    }
+}

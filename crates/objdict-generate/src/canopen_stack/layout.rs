@@ -1,0 +1,371 @@
+//! The variables and constants behind the rows, and the storage groups that they lie in.
+
+use std::collections::{BTreeSet, HashSet};
+
+use super::cell::{Cell, Planned};
+use super::para::STORE;
+use crate::c_code::{bytes, literal};
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::memory::{self, Extent, Memory};
+use crate::model::Place;
+use crate::names::{Scope, words};
+use crate::variables::{Variable, variables};
+use crate::{Note, Options};
+
+/// A variable in RAM.
+#[derive(Debug)]
+pub(super) struct Member {
+    /// What stands before its name: a type, or a structure without a name.
+    base: String,
+    pub(super) name: String,
+    /// What stands behind its name.
+    suffix: String,
+    pub(super) initializer: String,
+    pub(super) extent: Extent,
+    /// Whether it begins with nothing but zeros.
+    pub(super) zero: bool,
+    pub(super) index: u16,
+    pub(super) sub: u8,
+    /// The last sub-index, of an array.
+    pub(super) last: Option<u8>,
+    /// The name in the description.
+    pub(super) described: String,
+}
+
+impl Member {
+    /// Index and sub-indexes.
+    pub(super) fn place(&self) -> String {
+        let last = self.last.map(|last| format!(" to {last:02X}h")).unwrap_or_default();
+        format!("{:04X}h sub-index {:02X}h{last}", self.index, self.sub)
+    }
+
+    /// Its declaration as a member of a structure.
+    pub(super) fn declaration(&self) -> String {
+        format!("{} {}{}", self.base, self.name, self.suffix)
+    }
+
+    /// The structure that it needs a type for, outside of another one.
+    pub(super) fn structure(&self) -> Option<&str> {
+        self.base.starts_with("struct").then_some(self.base.as_str())
+    }
+
+    /// Its declaration outside of a structure.
+    pub(super) fn definition(&self) -> String {
+        match self.structure() {
+            Some(_) => format!("{}_t {}{}", self.name, self.name, self.suffix),
+            None => self.declaration(),
+        }
+    }
+}
+
+/// Values that are stored together.
+#[derive(Debug)]
+pub(super) struct Group {
+    /// As the options or the description write it.
+    pub(super) name: String,
+    /// The variable, and with `_t` its type.
+    pub(super) variable: String,
+    pub(super) members: Vec<Member>,
+    /// The index of the first object that belongs to it.
+    pub(super) first: u16,
+    /// Whether only objects of the communication profile (1000h to 1FFFh) belong to it.
+    pub(super) communication: bool,
+}
+
+/// Everything that the rows point at.
+#[derive(Debug, Default)]
+pub(super) struct Layout {
+    pub(super) groups: Vec<Group>,
+    pub(super) variables: Vec<Member>,
+    /// Definitions in flash, and of what the types of the stack need in RAM.
+    pub(super) definitions: Vec<String>,
+    /// What the definitions take, by index, the texts that stand in them too.
+    pub(super) taken: Vec<(u16, Memory, usize)>,
+    /// What the rows point at, by object and entry; empty for a parameter group.
+    pub(super) data: Vec<Vec<String>>,
+    /// Those that are literals.
+    texts: HashSet<Vec<u8>>,
+}
+
+/// Names of CANopenNode for groups that are not kept when the power is off.
+const VOLATILE: [&str; 2] = ["RAM", "ROM"];
+
+/// The group that the values of an object belong to; none, where the stack decides what they are.
+fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
+    if matches!(object.index, 0x1001 | 0x1003) {
+        return None;
+    }
+    let described = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
+    let group = described.or_else(|| options.group_of(object.index))?;
+    let kept = !VOLATILE.iter().any(|name| name.eq_ignore_ascii_case(group)) && !group.trim().is_empty();
+    kept.then_some(group)
+}
+
+/// The group of each object; one of all, where there is only sub-index 1 to store them.
+fn groups(
+    dictionary: &Dictionary<'_>,
+    planned: &[Vec<Planned>],
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<Option<String>> {
+    let objects = &dictionary.objects;
+    let mut groups: Vec<Option<String>> =
+        objects.iter().map(|object| group_of(object, options).map(str::to_owned)).collect();
+    let store = objects.iter().position(|object| object.index == STORE);
+    let subs = store.map(|store| planned[store].iter().filter(|row| matches!(row.cell, Cell::Group(_))));
+    let names: BTreeSet<&String> = groups.iter().flatten().collect();
+    if subs.is_some_and(|subs| subs.count() == 1) && names.len() > 1 {
+        let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+        let text = format!("there is only sub-index 1, so the groups {} are stored as one", names.join(", "));
+        notes.push(Note::new(Place::object(STORE), text));
+        groups.iter_mut().flatten().for_each(|group| *group = "stored".to_owned());
+    }
+    groups
+}
+
+impl Layout {
+    pub(super) fn new(
+        dictionary: &Dictionary<'_>,
+        planned: &[Vec<Planned>],
+        options: &Options,
+        prefix: &str,
+        notes: &mut Vec<Note>,
+    ) -> Self {
+        let mut scope = Scope::of_lower_case(
+            "objects store restore nothing rest block block_size block_read block_write rewind
+             bytes bytes_size bytes_read bytes_write",
+        );
+        let mut layout = Self {
+            data: planned.iter().map(|entries| vec![String::new(); entries.len()]).collect(),
+            ..Self::default()
+        };
+        let groups = groups(dictionary, planned, options, notes);
+        for (object, group) in dictionary.objects.iter().zip(&groups) {
+            let Some(name) = group else { continue };
+            layout.join(name, object.index, &mut scope, prefix);
+        }
+        let kind = |object: usize, entry: usize| ram(&planned[object][entry].cell);
+        for variable in variables(&dictionary.objects, prefix, &mut scope, kind) {
+            let object = &dictionary.objects[variable.object];
+            let group = groups[variable.object].as_deref();
+            layout.place(object, &variable, &planned[variable.object], group, (prefix, notes));
+        }
+        for (number, object) in dictionary.objects.iter().enumerate() {
+            for (entry, planned) in planned[number].iter().enumerate() {
+                let place = (object.index, object.entries[entry].sub);
+                layout.describe(&planned.cell, place, &mut (number, entry), prefix);
+            }
+        }
+        layout.drop_empty_groups(notes);
+        layout
+    }
+
+    /// Makes an object part of a group.
+    fn join(&mut self, name: &str, index: u16, scope: &mut Scope, prefix: &str) {
+        let communication = (0x1000..0x2000).contains(&index);
+        if let Some(group) = self.groups.iter_mut().find(|group| group.name == name) {
+            group.communication &= communication;
+            return;
+        }
+        let word = words(name);
+        let suffix = format!("{index:04x}");
+        let room = word.len().min(40);
+        let variable = format!("{prefix}_{}", scope.claim(&word[..room], &suffix));
+        let name = name.to_owned();
+        self.groups.push(Group { name, variable, members: Vec::new(), first: index, communication });
+    }
+
+    /// Puts a variable where it belongs.
+    fn place(
+        &mut self,
+        object: &ResolvedObject<'_>,
+        variable: &Variable<Kind>,
+        planned: &[Planned],
+        group: Option<&str>,
+        (prefix, notes): (&str, &mut Vec<Note>),
+    ) {
+        let first = &object.entries[variable.entries.start];
+        let last = variable.array.then(|| object.entries[variable.entries.end - 1].sub);
+        let stored = group.filter(|_| variable.kind.stored);
+        if group.is_some() && !variable.kind.stored && variable.kind.base == "CO_HBCONS" {
+            let text = "heartbeat consumers are objects of the stack and no part of a storage group";
+            notes.push(Note::new(Place::object(object.index), text));
+        }
+        let group = stored.and_then(|name| self.groups.iter_mut().find(|group| group.name == name));
+        let name = match &group {
+            Some(_) => variable.name.clone(),
+            None => format!("{prefix}_{}", variable.name),
+        };
+        let path = group.as_ref().map_or(name.clone(), |group| format!("{}.{name}", group.variable));
+        let array = if variable.array { format!("[{}]", variable.entries.len()) } else { String::new() };
+        let Kind { base, suffix, .. } = &variable.kind;
+        let values: Vec<String> = variable.entries.clone().map(|at| initializer(&planned[at].cell)).collect();
+        let member = Member {
+            base: base.clone(),
+            name,
+            suffix: format!("{array}{suffix}"),
+            initializer: if variable.array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
+            extent: variable.kind.extent.times(values.len()),
+            zero: variable.entries.clone().all(|at| is_zero(&planned[at].cell, &object.entries[at])),
+            index: object.index,
+            sub: first.sub,
+            last,
+            described: if variable.array { object.object.name() } else { &first.entry.name }.to_owned(),
+        };
+        for (element, at) in variable.entries.clone().enumerate() {
+            let element = if variable.array { format!("[{element}]") } else { String::new() };
+            self.data[variable.object][at] = format!("{path}{element}");
+        }
+        match group {
+            Some(group) => group.members.push(member),
+            None => self.variables.push(member),
+        }
+    }
+
+    /// Defines what stands between a row and the value, and turns the name of the value into what the row points at.
+    fn describe(
+        &mut self,
+        cell: &Cell,
+        (index, sub): (u16, u8),
+        &mut (object, entry): &mut (usize, usize),
+        prefix: &str,
+    ) {
+        let named = |letter: char| format!("{prefix}_{letter}{index:04X}_{sub:02X}");
+        let (constant, descriptor) = (named('C'), named('D'));
+        let path = std::mem::take(&mut self.data[object][entry]);
+        self.take(index, cell);
+        let data = match cell {
+            Cell::Direct(value) => format!("{value}u"),
+            Cell::Number { flash: true, c_type, value } => {
+                self.definitions.push(format!("static const {c_type} {constant} = {value};"));
+                format!("&{constant}")
+            }
+            Cell::Number { .. } | Cell::Application | Cell::Consumer { .. } => format!("&{path}"),
+            Cell::Text(text) => {
+                let start = literal(text).unwrap_or_else(|| {
+                    let (value, room) = (bytes(text), text.len() + 1);
+                    self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
+                    constant
+                });
+                self.definitions.push(format!(
+                    "static CO_OBJ_STR {descriptor} = {{.Offset = 0u, .Start = (uint8_t *){start}}};"
+                ));
+                format!("&{descriptor}")
+            }
+            Cell::Block { flash: true, bytes: value, .. } | Cell::Data(value) => {
+                let (value, size) = (bytes(value), value.len());
+                let room = size.max(1); // C has no empty arrays
+                self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
+                self.definitions.push(format!(
+                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *){constant}}};"
+                ));
+                format!("&{descriptor}")
+            }
+            Cell::Block { bytes, .. } => {
+                let size = bytes.len();
+                self.definitions.push(format!(
+                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *)&{path}}};"
+                ));
+                format!("&{descriptor}")
+            }
+            Cell::Bytes { room, .. } => {
+                self.definitions.push(format!(
+                    "static {prefix}_bytes_t {descriptor} = {{0u, {room}u, &{path}.length, {path}.bytes}};"
+                ));
+                format!("&{descriptor}")
+            }
+            Cell::Group(_) => String::new(),
+        };
+        self.data[object][entry] = data;
+    }
+
+    /// Counts what [`Self::describe`] defines.
+    fn take(&mut self, index: u16, cell: &Cell) {
+        let constant = match cell {
+            Cell::Number { flash: true, c_type, .. } => Extent::of_c(c_type).size,
+            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // the same literal
+            Cell::Text(text) => text.len() + 1,
+            Cell::Block { flash: true, bytes, .. } | Cell::Data(bytes) => bytes.len().max(1),
+            _ => 0,
+        };
+        let descriptor = match cell {
+            Cell::Text(_) => [Extent::WORD, Extent::POINTER].as_slice(), // CO_OBJ_STR
+            Cell::Block { .. } | Cell::Data(_) => &[Extent::WORD, Extent::WORD, Extent::POINTER], // CO_OBJ_DOM
+            Cell::Bytes { .. } => &[Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER],
+            _ => &[],
+        };
+        let descriptor = Extent::structure(descriptor.iter().copied());
+        self.taken.push((index, Memory::Flash, constant));
+        self.taken.push((index, Memory::Initialised, descriptor.size));
+    }
+
+    fn drop_empty_groups(&mut self, notes: &mut Vec<Note>) {
+        for group in self.groups.extract_if(.., |group| group.members.is_empty()) {
+            let text = format!("the storage group `{}` has no values that can change", group.name);
+            notes.push(Note::new(Place::object(group.first), text));
+        }
+    }
+}
+
+/// What a variable is; equal ones can be elements of one array.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Kind {
+    base: String,
+    suffix: String,
+    extent: Extent,
+    /// Whether it can be part of a storage group.
+    stored: bool,
+}
+
+/// The variable that a cell needs.
+fn ram(cell: &Cell) -> Option<Kind> {
+    let kind = |base: &str, suffix: String, extent, stored| {
+        Some(Kind { base: base.to_owned(), suffix, extent, stored })
+    };
+    let number = |c_type: &str| kind(c_type, String::new(), Extent::of_c(c_type), true);
+    match cell {
+        Cell::Number { flash: false, c_type, .. } => number(c_type),
+        Cell::Block { flash: false, c_type: Some(c_type), .. } => number(c_type),
+        Cell::Block { flash: false, bytes, .. } => {
+            kind("uint8_t", format!("[{}]", bytes.len()), Extent::BYTE.times(bytes.len()), true)
+        }
+        Cell::Bytes { room, .. } => {
+            let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
+            kind(&base, String::new(), Extent::behind_length(*room), true)
+        }
+        Cell::Application => {
+            let extent = Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]);
+            kind("CO_OBJ_DOM", String::new(), extent, false)
+        }
+        Cell::Consumer { .. } => kind("CO_HBCONS", String::new(), consumer(), false),
+        _ => None,
+    }
+}
+
+/// `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
+fn consumer() -> Extent {
+    let (pointer, half, byte) = (Extent::POINTER, Extent::HALF, Extent::BYTE);
+    Extent::structure([pointer, pointer, byte, half, half, byte, byte])
+}
+
+/// Whether the variable of a cell begins with nothing but zeros.
+fn is_zero(cell: &Cell, entry: &ResolvedEntry<'_>) -> bool {
+    match cell {
+        Cell::Block { bytes, .. } => bytes.iter().all(|&byte| byte == 0),
+        Cell::Bytes { bytes, .. } => bytes.is_empty(), // before them is their length
+        Cell::Consumer { time, node_id } => (*time, *node_id) == (0, 0),
+        Cell::Application => true,
+        _ => memory::is_zero(&entry.resolved.default),
+    }
+}
+
+/// The initializer of the variable of a cell.
+fn initializer(cell: &Cell) -> String {
+    match cell {
+        Cell::Number { value, .. } | Cell::Block { c_type: Some(_), value, .. } => value.clone(),
+        Cell::Block { bytes: value, .. } => bytes(value),
+        Cell::Bytes { bytes: value, .. } => format!("{{{}u, {}}}", value.len(), bytes(value)),
+        Cell::Consumer { time, node_id } => format!("{{.Time = {time}u, .NodeId = {node_id}u}}"),
+        _ => "{.Offset = 0u, .Size = 0u, .Start = NULL}".to_owned(),
+    }
+}

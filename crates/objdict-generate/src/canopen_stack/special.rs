@@ -1,0 +1,94 @@
+//! The objects that canopen-stack serves with types of its own.
+
+use crate::dictionary::ResolvedObject;
+use crate::model::{DataType, PdoKind};
+use crate::resolve::{Resolved, Shape};
+
+/// A type of the stack for an entry of the communication profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Special {
+    /// The macro that names it.
+    pub(super) type_: &'static str,
+    /// The data type that its functions read.
+    pub(super) wants: DataType,
+    /// What its `Data` is.
+    pub(super) data: Data,
+}
+
+/// What the `Data` of a special type is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Data {
+    /// The value itself or its address, as of any number.
+    Any,
+    /// The address of the value: a type that takes a value of 0 for no address.
+    Address,
+    /// The address of a value that the stack changes.
+    Ram,
+    /// A heartbeat consumer.
+    Consumer,
+    /// A parameter group.
+    Group,
+}
+
+/// The special type of an entry.
+pub(super) fn special(index: u16, sub: u8, writable: bool) -> Option<Special> {
+    use DataType as T;
+    let (type_, wants, data) = match (index, sub) {
+        (0x1001, 0) => ("CO_TUNSIGNED8", T::UNSIGNED8, Data::Ram),
+        (0x1003, 0) => ("CO_TEMCY_HIST", T::UNSIGNED8, Data::Ram),
+        (0x1003, 1..=0xFE) => ("CO_TEMCY_HIST", T::UNSIGNED32, Data::Ram),
+        (0x1005, 0) => ("CO_TSYNC_ID", T::UNSIGNED32, Data::Any),
+        (0x1006, 0) => ("CO_TSYNC_CYCLE", T::UNSIGNED32, Data::Any),
+        (0x1010, 0) => ("CO_TPARA_STORE", T::UNSIGNED8, Data::Any),
+        (0x1010, 1..=0x7F) => ("CO_TPARA_STORE", T::UNSIGNED32, Data::Group),
+        (0x1011, 0) => ("CO_TPARA_RESTORE", T::UNSIGNED8, Data::Any),
+        (0x1011, 1..=0x7F) => ("CO_TPARA_RESTORE", T::UNSIGNED32, Data::Group),
+        (0x1014, 0) => ("CO_TEMCY_ID", T::UNSIGNED32, Data::Any),
+        (0x1016, 0) => ("CO_THB_CONS", T::UNSIGNED8, Data::Any),
+        (0x1016, 1..=0x7F) => ("CO_THB_CONS", T::UNSIGNED32, Data::Consumer),
+        (0x1017, 0) => ("CO_THB_PROD", T::UNSIGNED16, Data::Address),
+        // the type of clients would switch off the server of the same number
+        (0x1200..=0x127F, 1 | 2) if writable => ("CO_TSDO_ID", T::UNSIGNED32, Data::Any),
+        _ => return pdo(index, sub),
+    };
+    Some(Special { type_, wants, data })
+}
+
+fn pdo(index: u16, sub: u8) -> Option<Special> {
+    let (type_, wants) = if let Some((kind, _)) = PdoKind::of_communication(index) {
+        match sub {
+            1 => ("CO_TPDO_ID", DataType::UNSIGNED32),
+            2 => ("CO_TPDO_TYPE", DataType::UNSIGNED8),
+            5 if kind == PdoKind::Tpdo => ("CO_TPDO_EVENT", DataType::UNSIGNED16),
+            _ => return None,
+        }
+    } else {
+        PdoKind::of_mapping(index)?;
+        match sub {
+            0 => ("CO_TPDO_NUM", DataType::UNSIGNED8),
+            1..=64 => ("CO_TPDO_MAP", DataType::UNSIGNED32),
+            _ => return None,
+        }
+    };
+    Some(Special { type_, wants, data: Data::Any })
+}
+
+/// Objects whose special type reads the other sub-indexes, and takes them for what they should be.
+pub(super) fn as_a_whole(index: u16) -> bool {
+    matches!(index, 0x1003 | 0x1010 | 0x1011 | 0x1016)
+}
+
+/// Whether an entry has the data type that its special type reads.
+pub(super) fn fits(special: Special, resolved: &Resolved) -> bool {
+    resolved.shape == Shape::Word(special.wants)
+}
+
+/// Whether the object can have its special types: for some, only when all entries fit.
+pub(super) fn object_fits(object: &ResolvedObject<'_>) -> bool {
+    !as_a_whole(object.index)
+        || object.entries.iter().all(|entry| match special(object.index, entry.sub, false) {
+            Some(special) => fits(special, &entry.resolved),
+            None => entry.sub == 0xFF,
+        }) && object.entries.first().is_some_and(|entry| entry.sub == 0)
+            && (object.index != 0x1003 || object.entries.get(1).is_some_and(|entry| entry.sub == 1))
+}

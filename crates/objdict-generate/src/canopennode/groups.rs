@@ -1,0 +1,51 @@
+//! Storage groups: structs of values that CANopenNode stores together.
+
+use super::names::word;
+use crate::Options;
+use crate::dictionary::ResolvedObject;
+
+/// Names that a group cannot have: `OD_<name>` and `OD_<name>_t` are something else.
+const TAKEN: &str =
+    "t size attr entry stream io extension attributes applyNodeId initLimits writeLimited H DEFINITION";
+
+/// What else begins like a macro of the tables.
+const BEGINS: [&str; 6] = ["CNT_", "ENTRY_", "ATTR_", "FLAGS_", "obj_", "INIT_"];
+
+/// The group of an object: that of the description, else that of the options, else what the index says.
+pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
+    let stack = object.object.main.stack.as_ref();
+    let stated = stack.and_then(|stack| stack.storage_group.as_deref());
+    let name = stated.filter(|name| !name.trim().is_empty()).or_else(|| options.group_of(object.index));
+    name.map_or_else(|| by_index(object.index).to_owned(), identifier)
+}
+
+/// Communication parameters are stored; commands, states and what the application keeps are not, unless somebody says so.
+fn by_index(index: u16) -> &'static str {
+    match index {
+        0x1001..=0x1003 | 0x1010 | 0x1011 | 0x1020..=0x1027 | 0x1200 => "RAM",
+        0x1000..=0x1FFF => "PERSIST_COMM",
+        _ => "RAM",
+    }
+}
+
+fn identifier(name: &str) -> String {
+    let name = word(name);
+    let taken = TAKEN.split_ascii_whitespace().any(|taken| taken.eq_ignore_ascii_case(&name));
+    if taken || BEGINS.iter().any(|begin| name.starts_with(begin)) { format!("{name}_") } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_are_identifiers() {
+        assert_eq!(identifier("PERSIST_APP"), "PERSIST_APP");
+        assert_eq!(identifier(" my group\u{e9}"), "my_groupe");
+        assert_eq!(identifier("size"), "size_");
+        assert_eq!(identifier("ENTRY_H1000"), "ENTRY_H1000_");
+        assert_eq!(by_index(0x1003), "RAM");
+        assert_eq!(by_index(0x1400), "PERSIST_COMM");
+        assert_eq!(by_index(0x2000), "RAM");
+    }
+}

@@ -1,0 +1,112 @@
+//! Limits: the stack has no place for them, so a write function of the tables' own keeps them.
+
+use super::plan::Planned;
+use super::storage::bits;
+use crate::Note;
+use crate::diagnostic::counted;
+use crate::model::{DataType, Field, Place, TypeKind};
+use crate::resolve::{Datum, Resolved, Shape};
+
+/// Objects that the stack writes through functions of its own, first and last index.
+const OF_STACK: [(u16, u16); 10] = [
+    (0x1001, 0x1001),
+    (0x1003, 0x1003),
+    (0x1005, 0x1007),
+    (0x1010, 0x1012),
+    (0x1014, 0x1017),
+    (0x1019, 0x1019),
+    (0x1200, 0x12FF),
+    (0x1300, 0x13FF),
+    (0x1400, 0x1BFF),
+    (0x1F80, 0x1F80),
+];
+
+/// An entry with a limit.
+pub(super) struct Limited {
+    pub(super) index: u16,
+    /// Place of the object in the list.
+    pub(super) position: usize,
+    pub(super) sub: u8,
+    /// Bytes of a value.
+    pub(super) length: usize,
+    /// What a value is, and which limits there are: macros of the source, or `0U`.
+    pub(super) flags: String,
+    pub(super) low: String,
+    pub(super) high: String,
+    /// Whether it is a REAL.
+    pub(super) real: bool,
+}
+
+/// The limits of an object, if they can be enforced; else notes tell of them.
+pub(super) fn limited(
+    object: &Planned<'_>,
+    position: usize,
+    enforce: bool,
+    notes: &mut Vec<Note>,
+) -> Vec<Limited> {
+    let mut members = object.members().filter(|member| {
+        let resolved = &member.entry.resolved;
+        resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
+    });
+    let of_stack = OF_STACK.iter().any(|(first, last)| (*first..=*last).contains(&object.index));
+    if enforce && !of_stack {
+        return members
+            .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
+            .collect();
+    }
+    if let Some(member) = members.next() {
+        let resolved = &member.entry.resolved;
+        let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
+        let place = Place::entry(object.index, member.entry.sub).field(field);
+        let more = members.count();
+        let more = match more {
+            0 => String::new(),
+            more => format!("; so for {} of the object", counted(more, "more entry", "more entries")),
+        };
+        notes.push(if of_stack {
+            Note::new(place, format!("the stack writes the object itself and keeps no limits{more}"))
+        } else {
+            Note::new(place, format!("the stack keeps no limits{more}"))
+                .help("use `--limits`, or let the application refuse the value")
+        });
+    }
+    Vec::new()
+}
+
+fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {
+    let Shape::Word(data_type) = resolved.shape else { return None };
+    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, bits));
+    let formula = |limit: &Option<Datum>| matches!(limit, Some(Datum::Formula(_)));
+    let flags = [
+        ("LIMIT_LOW", resolved.low.is_some()),
+        ("LIMIT_HIGH", resolved.high.is_some()),
+        ("LIMIT_LOW_NODE_ID", formula(&resolved.low)),
+        ("LIMIT_HIGH_NODE_ID", formula(&resolved.high)),
+        ("LIMIT_SIGNED", matches!(data_type.kind(), TypeKind::Signed(_))),
+        ("LIMIT_REAL", is_real(data_type)),
+        ("LIMIT_BYTES", is_bytes(data_type)),
+    ];
+    let flags: Vec<&str> = flags.into_iter().filter_map(|(flag, set)| set.then_some(flag)).collect();
+    Some(Limited {
+        index,
+        position,
+        sub,
+        length: resolved.shape.size(),
+        flags: flags.join(" | "),
+        low: number(&resolved.low),
+        high: number(&resolved.high),
+        real: is_real(data_type),
+    })
+}
+
+fn is_real(data_type: DataType) -> bool {
+    matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64)
+}
+
+/// Whether a value is kept as bytes, little-endian, and not as a number of the processor.
+fn is_bytes(data_type: DataType) -> bool {
+    match data_type.kind() {
+        TypeKind::Signed(bits) | TypeKind::Unsigned(bits) => !bits.is_power_of_two(),
+        _ => false,
+    }
+}

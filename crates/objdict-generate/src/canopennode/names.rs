@@ -1,0 +1,176 @@
+//! The naming rule of CANopenNode's tables: applications write these names, so they are made as they have always been.
+
+use std::collections::HashSet;
+
+use crate::names::without_mark;
+
+/// The longest name that is made of one text. Applications write names in full, so they are only cut where no description
+/// within the standard comes to (`ParameterName` has up to 241 characters).
+const LONGEST: usize = 240;
+
+/// Keywords of C and C++, types of members, and macros of the headers that come with the stack: no member can be called so.
+const RESERVED: &str = "
+    auto break case char const continue default do double else enum extern float for goto if inline int
+    long register restrict return short signed sizeof static struct switch typedef union unsigned void
+    volatile while _Alignas _Alignof _Atomic _Bool _Complex _Generic _Imaginary _Noreturn
+    _Static_assert _Thread_local alignas alignof asm constexpr nullptr static_assert thread_local typeof
+    and and_eq bitand bitor bool catch char16_t char32_t char8_t class co_await co_return co_yield compl
+    concept const_cast consteval constinit decltype delete dynamic_cast explicit export false friend
+    mutable namespace new noexcept not not_eq operator or or_eq private protected public
+    reinterpret_cast requires static_cast template this throw true try typeid typename using virtual
+    wchar_t xor xor_eq
+    bool_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float32_t float64_t
+    NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386
+";
+
+/// The name of an object or entry in C; empty when nothing of the text can stand in one.
+///
+/// Words are joined and each begins with a capital, but for the first one unless it is an abbreviation; `-` becomes `_`, and
+/// a `_` keeps two abbreviations apart. Latin letters lose their marks, everything else separates words.
+pub(super) fn cname(name: &str) -> String {
+    let plain: String = name.chars().take(4 * LONGEST).map(without_mark).collect();
+    let plain = plain.replace('-', "_");
+    let mut joined = String::new();
+    let mut words = plain.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    while let (Some(word), true) = (words.next(), joined.len() < LONGEST) {
+        if joined.ends_with(is_capital) && word.starts_with(is_capital) {
+            joined.push('_');
+        }
+        match word.char_indices().nth(1) {
+            Some((second, _)) => {
+                joined.push_str(&word[..second].to_ascii_uppercase());
+                joined.push_str(&word[second..]);
+            }
+            None => joined.push_str(word), // a single letter keeps its case
+        }
+    }
+    if joined.bytes().all(|byte| byte == b'_') {
+        return String::new();
+    }
+    if joined.starts_with(|c: char| c.is_ascii_digit()) {
+        joined.insert(0, '_');
+    }
+    joined.truncate(LONGEST); // all of it is ASCII
+    let second_is_small = joined.as_bytes().get(1).is_none_or(u8::is_ascii_lowercase);
+    if second_is_small && let Some(first) = joined.get_mut(..1) {
+        first.make_ascii_lowercase();
+    }
+    joined
+}
+
+/// The name behind an index: `2000_setpoint`, or `2000` where there is none.
+pub(super) fn behind_index(index: u16, cname: &str) -> String {
+    if cname.is_empty() { format!("{index:04X}") } else { format!("{index:04X}_{cname}") }
+}
+
+/// The names of a record's members.
+#[derive(Default)]
+pub(super) struct Members(HashSet<String>);
+
+impl Members {
+    /// The name of the member for an entry: that of the entry, or the nearest that is valid and not taken yet.
+    pub(super) fn claim(&mut self, name: &str, sub: u8) -> String {
+        let cname = cname(name);
+        let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
+        let plain = if is_reserved(&plain) { format!("{plain}_") } else { plain };
+        let mut candidate = plain.clone();
+        for number in 1_u32.. {
+            if self.0.insert(candidate.clone()) {
+                break;
+            }
+            candidate = match number {
+                1 => format!("{plain}_{sub:02X}"),
+                _ => format!("{plain}_{sub:02X}_{number}"),
+            };
+        }
+        candidate
+    }
+}
+
+/// Whether a member cannot be called so: keywords, and what looks like a macro of the stack or of `stdint.h`.
+fn is_reserved(name: &str) -> bool {
+    let is_macro =
+        name.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_');
+    let starts = |starts: &[&str]| starts.iter().any(|start| name.starts_with(start));
+    let ends = |ends: &[&str]| ends.iter().any(|end| name.ends_with(end));
+    RESERVED.split_ascii_whitespace().any(|word| word == name)
+        || name.starts_with("__")
+        || starts(&["OD_", "CO_"])
+        || is_macro
+            && starts(&["INT", "UINT", "SIZE", "PTRDIFF", "SIG", "WCHAR", "WINT"])
+            && ends(&["_MAX", "_MIN", "_C"])
+}
+
+fn is_capital(c: char) -> bool {
+    c.is_ascii_uppercase()
+}
+
+/// Letters, digits and `_` of a text, for a group or label.
+pub(super) fn word(text: &str) -> String {
+    let plain: String = text.trim().chars().map(without_mark).collect();
+    plain.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn names_are_those_that_applications_write() {
+        for (name, expected) in [
+            ("Device type", "deviceType"),
+            ("COB-ID SYNC message", "COB_ID_SYNCMessage"),
+            ("COB-ID time stamp object", "COB_IDTimeStampObject"),
+            ("COB-ID EMCY", "COB_ID_EMCY"),
+            ("Vendor-ID", "vendor_ID"),
+            ("Pre-defined error field", "pre_definedErrorField"),
+            ("RPDO communication parameter", "RPDOCommunicationParameter"),
+            ("Highest sub-index supported", "highestSub_indexSupported"),
+            ("Node-ID of the SDO server", "node_IDOfTheSDOServer"),
+            ("Axis X position", "axisXPosition"),
+            ("2nd axis", "_2ndAxis"),
+            ("X", "x"),
+            ("OD_CNT_NMT", "OD_CNT_NMT"),
+            ("Größe", "grose"),
+            ("速度", ""),
+            (" -- ", ""),
+        ] {
+            assert_eq!(cname(name), expected, "{name}");
+        }
+        assert_eq!(cname(&"very long ".repeat(1000)).len(), LONGEST);
+    }
+
+    #[test]
+    fn members_are_told_apart() {
+        let mut members = Members::default();
+        assert_eq!(members.claim("Mode", 1), "mode");
+        assert_eq!(members.claim("mode", 2), "mode_02");
+        assert_eq!(members.claim("mode_03", 2), "mode_03");
+        assert_eq!(members.claim("Mode", 3), "mode_03_2");
+        assert_eq!(members.claim("default", 4), "default_");
+        assert_eq!(members.claim("Operator", 5), "operator_");
+        assert_eq!(members.claim("", 6), "sub06");
+        assert_eq!(members.claim("UINT8_MAX", 7), "UINT8_MAX_");
+        assert_eq!(members.claim("OD_CNT_NMT", 8), "OD_CNT_NMT_");
+        assert_eq!(members.claim("data", 9), "data");
+    }
+
+    proptest! {
+        #[test]
+        fn any_names_become_valid_and_unique_members(
+            names in proptest::collection::vec(prop_oneof![any::<String>(), "[a-bA-B_ -]{0,3}"], 0..40)
+        ) {
+            let mut members = Members::default();
+            let mut seen = HashSet::new();
+            for (name, sub) in names.iter().zip(0_u8..) {
+                let member = members.claim(name, sub);
+                prop_assert!(member.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_'));
+                prop_assert!(!member.starts_with(|c: char| c.is_ascii_digit()));
+                prop_assert!(!RESERVED.split_ascii_whitespace().any(|word| word == member));
+                prop_assert!(seen.insert(member));
+            }
+        }
+    }
+}

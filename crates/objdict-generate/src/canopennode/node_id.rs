@@ -1,0 +1,94 @@
+//! Values that depend on the node-ID: those that the stack works out itself, and those that it does not know of.
+
+use super::plan::{Member, Planned};
+use super::storage::bits;
+use crate::Note;
+use crate::model::Place;
+use crate::resolve::{Datum, Shape};
+
+/// A value that is set when the node-ID is known.
+pub(super) struct Applied {
+    /// The variable, or the first byte of it.
+    pub(super) variable: String,
+    /// Its type; `None` for bytes.
+    pub(super) type_: Option<&'static str>,
+    /// Bytes of the value.
+    pub(super) length: usize,
+    /// What is added to the node-ID.
+    pub(super) base: String,
+}
+
+/// The values of an object that the stack leaves to the application.
+pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
+    let members = object.members().filter(|member| match member.entry.resolved.default {
+        Datum::Formula(base) => !stack_adds(object.index, member.entry.sub, base),
+        _ => false,
+    });
+    members
+        .map(|member| {
+            let variable = object.variable(prefix, member);
+            let base = bits(&member.entry.resolved.default);
+            let suffix = if base > u64::from(u32::MAX) - 0x7F { "ULL" } else { "U" };
+            Applied {
+                variable,
+                type_: member.storage.type_.filter(|_| member.storage.elements.is_none()),
+                length: member.storage.length,
+                base: format!("0x{base:X}{suffix}"),
+            }
+        })
+        .collect()
+}
+
+/// Whether the stack adds the node-ID to a value, because it is the COB-ID of the pre-defined connection set.
+fn stack_adds(index: u16, sub: u8, value: u64) -> bool {
+    predefined(index, sub).is_some_and(|base| value & 0x7FF == base)
+}
+
+/// What stands for the COB-ID of a service without its node-ID.
+fn predefined(index: u16, sub: u8) -> Option<u64> {
+    match (index, sub) {
+        (0x1014, 0) => Some(0x80),
+        (0x1200, 1) => Some(0x600),
+        (0x1200, 2) => Some(0x580),
+        (0x1400..=0x1403, 1) => Some(0x200 + 0x100 * u64::from(index - 0x1400)),
+        (0x1800..=0x1803, 1) => Some(0x180 + 0x100 * u64::from(index - 0x1800)),
+        _ => None,
+    }
+}
+
+/// Tells of fixed numbers that the stack replaces, for it takes them for COB-IDs without a node-ID.
+pub(super) fn notes(object: &Planned<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
+    for member in object.members() {
+        if let Some(text) = replaced(object.index, member, node_id) {
+            notes.push(Note::new(Place::entry(object.index, member.entry.sub), text));
+        }
+    }
+}
+
+fn replaced(index: u16, member: &Member<'_>, node_id: Option<u8>) -> Option<String> {
+    let base = predefined(index, member.entry.sub)?;
+    let (Shape::Word(_), Datum::Word(value)) = (member.entry.resolved.shape, &member.entry.resolved.default)
+    else {
+        return None;
+    };
+    if value & 0x7FF == base {
+        return Some(format!("the stack adds the node-ID to `0x{value:X}`"));
+    }
+    let is_of_node = node_id.is_some_and(|node_id| *value == base + u64::from(node_id));
+    (index == 0x1200 && !is_of_node).then(|| format!("the stack sets it to `$NODEID+0x{base:X}`"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stack_knows_the_predefined_connections() {
+        assert!(stack_adds(0x1014, 0, 0x80));
+        assert!(stack_adds(0x1403, 1, 0x8000_0500));
+        assert!(stack_adds(0x1800, 1, 0x4000_0180));
+        assert!(!stack_adds(0x1404, 1, 0x600));
+        assert!(!stack_adds(0x1800, 1, 0x280));
+        assert!(!stack_adds(0x1280, 1, 0x600));
+    }
+}

@@ -1,0 +1,99 @@
+//! What the stack cannot express, and what it demands and does not get.
+
+use super::plan::{Member, Planned};
+use super::storage::{is_odd_nan, is_text};
+use crate::Note;
+use crate::model::{CobId, DataType, Device, Place};
+use crate::resolve::{Datum, Shape};
+use objdict_model::canopennode::unmet;
+
+/// What the stack demands of the device and does not get: the same that `--compat canopennode` finds.
+pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
+    notes.extend(unmet(device).into_iter().map(|unmet| {
+        let text = format!("{}; {}", unmet.message, unmet.cause.effect());
+        Note::new(unmet.place, text).help(unmet.help).warning()
+    }));
+}
+
+/// PDOs that the stack takes for a defect.
+pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
+    for pdo in device.pdos() {
+        let is_valid = pdo.cob_id.is_some_and(CobId::is_valid);
+        if is_valid && pdo.mapping.is_some() && pdo.used_slots().next().is_none() {
+            let text =
+                format!("{pdo} maps nothing: the stack reports an error when it starts, and switches it off");
+            let note = Note::new(Place::entry(pdo.communication_index(), 1), text);
+            notes.push(note.help("set bit 31 of the COB-ID of a PDO that is not in use"));
+        }
+    }
+}
+
+/// What becomes of an object's values.
+pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
+    for member in object.members() {
+        let place = Place::entry(object.index, member.entry.sub);
+        let texts = [text(member), octets(member), other(member)];
+        notes.extend(texts.into_iter().flatten().map(|note| Note { place: place.clone(), ..note }));
+        if object.index == 0x1003 && has_errors(&member.entry.resolved.default) {
+            notes.push(Note::new(place.clone(), "the error history is empty when the stack starts"));
+        }
+        let stack = member.entry.entry.stack.as_deref();
+        if stack.is_some_and(|stack| stack.detects_change == Some(true)) {
+            let note = Note::new(place.clone(), "the tables have no room for `CO_flagsPDO`");
+            notes.push(note.help("let the application attach an extension and call `OD_requestTPDO`"));
+        }
+    }
+}
+
+/// Whether a default of the error history is one of a history with errors.
+fn has_errors(default: &Datum) -> bool {
+    match default {
+        Datum::Word(word) | Datum::Formula(word) => *word != 0,
+        Datum::Bytes(bytes) => bytes.iter().any(|&byte| byte != 0),
+    }
+}
+
+/// Of a text: the stack counts it up to the first zero.
+fn text(member: &Member<'_>) -> Option<Note> {
+    let (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) =
+        (member.entry.resolved.shape, &member.entry.resolved.default)
+    else {
+        return None;
+    };
+    if !is_text(data_type) || member.storage.type_.is_none() {
+        return None;
+    }
+    let note = |text: &str| Some(Note::new(Place::device(), text));
+    match data_type {
+        DataType::UNICODE_STRING => note(
+            "the SDO server of the stack ends a UNICODE_STRING at its first zero byte, which each character below U+0100 has",
+        ),
+        _ if bytes.contains(&0) => note("the SDO server of the stack ends a text at its first zero"),
+        _ => None,
+    }
+}
+
+/// Of bytes, and of texts without room: the stack has no values that grow.
+fn octets(member: &Member<'_>) -> Option<Note> {
+    let Shape::Bytes(data_type, _) = member.entry.resolved.shape else { return None };
+    let access = member.entry.resolved.access;
+    match member.storage.type_ {
+        None if data_type != DataType::DOMAIN => Some(
+            Note::new(Place::device(), format!("a {data_type} without default has no room in the tables"))
+                .help("let the application attach an extension to the entry"),
+        ),
+        Some(_) if access.is_writable() && !is_text(data_type) => Some(Note::new(
+            Place::device(),
+            format!(
+                "a {data_type} of the stack has always the same length, here {} bytes",
+                member.storage.length
+            ),
+        )),
+        _ => None,
+    }
+}
+
+fn other(member: &Member<'_>) -> Option<Note> {
+    let text = "a NaN comes out as that of the compiler's `NAN`";
+    is_odd_nan(&member.entry.resolved).then(|| Note::new(Place::device(), text))
+}

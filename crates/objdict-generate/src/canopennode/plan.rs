@@ -1,0 +1,142 @@
+//! What becomes of each object: a variable, an array or a record of the stack.
+
+use super::groups::group;
+use super::names::{Members, behind_index, cname};
+use super::storage::Storage;
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::model::{DataType, ObjectType, Place};
+use crate::resolve::Shape;
+use crate::{Note, Options};
+
+/// The most entries that an object of the stack can have.
+const MOST_ENTRIES: usize = u8::MAX as usize;
+
+/// Objects whose number of elements the stack asks for.
+const COUNTED: [u16; 4] = [0x1003, 0x1010, 0x1011, 0x1016];
+
+/// An object of the stack.
+pub(super) struct Planned<'a> {
+    pub(super) index: u16,
+    /// The name of the object; empty where it has none.
+    pub(super) cname: String,
+    /// The storage group.
+    pub(super) group: String,
+    pub(super) layout: Layout<'a>,
+    /// Elements, where they are counted.
+    pub(super) count: Option<usize>,
+}
+
+/// How the stack finds an object's entries.
+pub(super) enum Layout<'a> {
+    /// A single value.
+    Var(Member<'a>),
+    /// Sub-index 0, and elements that are all alike, from sub-index 1 on without a gap.
+    Array(Member<'a>, Vec<Member<'a>>),
+    /// Any sub-indexes.
+    Record(Vec<Member<'a>>),
+}
+
+/// An entry of the stack.
+pub(super) struct Member<'a> {
+    /// The name of the member of a record.
+    pub(super) name: String,
+    pub(super) entry: &'a ResolvedEntry<'a>,
+    pub(super) storage: Storage,
+}
+
+impl Planned<'_> {
+    /// `2000_setpoint`: behind `x` a member of the group's struct, behind `o_` a description of the object.
+    pub(super) fn name(&self) -> String {
+        behind_index(self.index, &self.cname)
+    }
+
+    /// All entries, by sub-index.
+    pub(super) fn members(&self) -> impl Iterator<Item = &Member<'_>> {
+        let (first, rest) = match &self.layout {
+            Layout::Var(member) => (Some(member), [].as_slice()),
+            Layout::Array(sub0, elements) => (Some(sub0), elements.as_slice()),
+            Layout::Record(members) => (None, members.as_slice()),
+        };
+        first.into_iter().chain(rest)
+    }
+
+    /// The variable of an entry, in the notation of C.
+    pub(super) fn variable(&self, prefix: &str, member: &Member<'_>) -> String {
+        let name = format!("{prefix}_{}.x{}", self.group, self.name());
+        match &self.layout {
+            Layout::Var(_) => name,
+            Layout::Array(..) if member.entry.sub == 0 => format!("{name}_sub0"),
+            Layout::Array(..) => format!("{name}[{}]", member.entry.sub - 1),
+            Layout::Record(_) => format!("{name}.{}", member.name),
+        }
+    }
+}
+
+/// All objects of a dictionary; what cannot be kept as it is described goes to the notes.
+pub(super) fn plan<'a>(
+    dictionary: &'a Dictionary<'a>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<Planned<'a>> {
+    dictionary.objects.iter().map(|object| planned(object, options, notes)).collect()
+}
+
+fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Vec<Note>) -> Planned<'a> {
+    let place = Place::object(object.index);
+    let mut entries: &[ResolvedEntry<'_>] = &object.entries;
+    if let Some((last, others)) = entries.split_last().filter(|(_, others)| others.len() >= MOST_ENTRIES) {
+        let text =
+            format!("an object of the stack has {MOST_ENTRIES} entries at most; the entry is left out");
+        notes.push(Note::new(Place::entry(object.index, last.sub), text));
+        entries = others;
+    }
+    let mut names = Members::default();
+    let mut members = entries.iter().map(|entry| {
+        let name = names.claim(&entry.name, entry.sub);
+        Member { name, entry, storage: Storage::new(entry) }
+    });
+    let is_array = object.object.object_type() == ObjectType::Array;
+    let layout = match members.next() {
+        Some(only) if object.is_single() => Layout::Var(only),
+        Some(first) if is_array => {
+            let rest: Vec<Member<'_>> = members.collect();
+            match misfit(&first, &rest) {
+                None => Layout::Array(first, rest),
+                Some(why) => {
+                    let note =
+                        Note::new(place, format!("the ARRAY becomes a record of the stack, for {why}"));
+                    notes.push(note.help("applications name its elements as members, not by a subscript"));
+                    Layout::Record(std::iter::once(first).chain(rest).collect())
+                }
+            }
+        }
+        first => Layout::Record(first.into_iter().chain(members).collect()),
+    };
+    let elements = entries.iter().filter(|entry| entry.sub > 0).count();
+    let count = (is_array || COUNTED.contains(&object.index)) && elements > 0;
+    Planned {
+        index: object.index,
+        cname: cname(&object.name),
+        group: group(object, options),
+        layout,
+        count: count.then_some(elements),
+    }
+}
+
+/// Why entries are no array of the stack.
+fn misfit(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
+    if sub0.entry.sub != 0 {
+        return Some("it has no sub-index 0");
+    }
+    if sub0.entry.resolved.shape != Shape::Word(DataType::UNSIGNED8) {
+        return Some("its sub-index 0 is no UNSIGNED8");
+    }
+    let Some(first) = elements.first() else {
+        return Some("it has no elements");
+    };
+    if elements.iter().zip(1..).any(|(element, sub)| element.entry.sub != sub) {
+        return Some("there are gaps between its sub-indexes");
+    }
+    let unlike = elements.iter().any(|element| !element.storage.is_like(&first.storage));
+    unlike.then_some("its elements differ in type, length or access")
+}

@@ -1,0 +1,230 @@
+//! How CANopenNode keeps a value: type, length, attributes and initialiser in C.
+
+use crate::dictionary::ResolvedEntry;
+use crate::model::{DataType, SrdoAccess, TypeKind};
+use crate::resolve::{Datum, Resolved, Shape};
+
+/// Where and how a value is kept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Storage {
+    /// The type of the variable, or of its elements; `None` where the stack has nothing for the value and the application
+    /// has to transfer it.
+    pub(super) type_: Option<&'static str>,
+    /// Elements of the variable; `None` for a number.
+    pub(super) elements: Option<usize>,
+    /// Bytes of a value, as the stack counts them.
+    pub(super) length: usize,
+    /// Attributes of the entry: `ODA_SDO_R` and the like, or `0`.
+    pub(super) attribute: String,
+    /// The initialiser: a number, or the numbers of all elements up to the last that is not zero, at least one.
+    pub(super) value: Vec<String>,
+}
+
+impl Storage {
+    pub(super) fn new(entry: &ResolvedEntry<'_>) -> Self {
+        let resolved = &entry.resolved;
+        let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
+            (Shape::Word(data_type), default) => word(data_type, bits(default)),
+            (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
+                let has_room =
+                    entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
+                text(data_type, usize::from(room), has_room, bytes)
+            }
+            (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers are no texts
+            (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
+            (Shape::Block(length), _) => bytes(usize::from(length), &[]),
+        };
+        Self { type_, elements, length, attribute: attribute(entry, type_), value }
+    }
+
+    /// Whether elements of an array may be kept like this one.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let facts = |storage: &Self| (storage.type_, storage.elements, storage.length);
+        facts(self) == facts(other) && self.attribute == other.attribute
+    }
+
+    /// What stands behind the name of a variable.
+    pub(super) fn dimension(&self) -> String {
+        self.elements.map_or_else(String::new, |elements| format!("[{elements}]"))
+    }
+}
+
+/// Type, elements, length and initialiser.
+type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
+
+/// The number of a word, without the node-ID where that is added.
+pub(super) fn bits(datum: &Datum) -> u64 {
+    match datum {
+        Datum::Word(word) | Datum::Formula(word) => *word,
+        Datum::Bytes(_) => 0,
+    }
+}
+
+fn word(data_type: DataType, word: u64) -> Kept {
+    let length = data_type.byte_length().map_or(0, usize::from);
+    let native = |type_, value: String| (Some(type_), None, length, vec![value]);
+    match data_type.kind() {
+        TypeKind::Boolean => native("bool_t", (word != 0).to_string()),
+        TypeKind::Unsigned(8) => native("uint8_t", format!("0x{word:02X}")),
+        TypeKind::Unsigned(16) => native("uint16_t", format!("0x{word:04X}")),
+        TypeKind::Unsigned(32) => native("uint32_t", format!("0x{word:08X}")),
+        TypeKind::Unsigned(64) => native("uint64_t", format!("0x{word:016X}")),
+        TypeKind::Signed(8) => native("int8_t", signed(word)),
+        TypeKind::Signed(16) => native("int16_t", signed(word)),
+        TypeKind::Signed(32) => native("int32_t", signed(word)),
+        TypeKind::Signed(64) => native("int64_t", signed(word)),
+        TypeKind::Real32 => native("float32_t", real32(f32::from_bits(word as u32))), // the lower half is all
+        TypeKind::Real64 => native("float64_t", real64(f64::from_bits(word))),
+        _ => bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
+    }
+}
+
+fn signed(word: u64) -> String {
+    match word as i64 {
+        // C has no literal for these: a minus sign is not a part of it, and the number behind does not fit
+        i64::MIN => "INT64_MIN".to_owned(),
+        number if number == i64::from(i32::MIN) => "INT32_MIN".to_owned(),
+        number if number == i64::from(i16::MIN) => "INT16_MIN".to_owned(),
+        number => number.to_string(),
+    }
+}
+
+fn real32(number: f32) -> String {
+    if number.is_finite() { format!("{number:?}f") } else { not_finite(f64::from(number)).to_owned() }
+}
+
+fn real64(number: f64) -> String {
+    if number.is_finite() { format!("{number:?}") } else { not_finite(number).to_owned() }
+}
+
+/// What math.h calls a number that no literal can express.
+fn not_finite(number: f64) -> &'static str {
+    match number.is_nan() {
+        true => "NAN",
+        false if number < 0.0 => "-INFINITY",
+        false => "INFINITY",
+    }
+}
+
+/// Whether a number is a NaN that is not the one of math.h: its other bits are lost.
+pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
+    let word = bits(&resolved.default);
+    match resolved.shape {
+        Shape::Word(DataType::REAL32) => {
+            f32::from_bits(word as u32).is_nan() && word as u32 != f32::NAN.to_bits()
+        }
+        Shape::Word(DataType::REAL64) => f64::from_bits(word).is_nan() && word != f64::NAN.to_bits(),
+        _ => false,
+    }
+}
+
+/// A text or block of `room` bytes at most, of which only texts may be shorter. `has_room`: the description asks for it.
+fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> Kept {
+    match data_type.kind() {
+        TypeKind::VisibleString if room > 0 => {
+            let letters = value.iter().map(|&byte| letter(byte));
+            (Some("char"), Some(room + 1), room, up_to_last(letters, value.iter().map(|&byte| byte != 0)))
+        }
+        TypeKind::UnicodeString if room > 0 => {
+            let units = value
+                .chunks(2)
+                .map(|pair| pair.iter().rev().fold(0, |unit, &byte| unit << 8 | u16::from(byte)));
+            let length = room.div_ceil(2);
+            let numbers = units.clone().map(|unit| format!("0x{unit:04X}"));
+            (Some("uint16_t"), Some(length + 1), 2 * length, up_to_last(numbers, units.map(|unit| unit != 0)))
+        }
+        TypeKind::OctetString if value.is_empty() && has_room => bytes(room, &[]),
+        TypeKind::OctetString | TypeKind::Domain if !value.is_empty() => bytes(value.len(), value),
+        _ => (None, None, 0, Vec::new()),
+    }
+}
+
+fn bytes(length: usize, value: &[u8]) -> Kept {
+    let numbers = value.iter().map(|byte| format!("0x{byte:02X}"));
+    (Some("uint8_t"), Some(length), length, up_to_last(numbers, value.iter().map(|&byte| byte != 0)))
+}
+
+/// The numbers up to the last that counts, at least one: C fills the rest with zeros.
+fn up_to_last(numbers: impl Iterator<Item = String>, counts: impl Iterator<Item = bool>) -> Vec<String> {
+    let length =
+        counts.zip(1..).filter_map(|(counts, position)| counts.then_some(position)).last().unwrap_or(0);
+    let mut numbers: Vec<String> = numbers.take(length).collect();
+    if numbers.is_empty() {
+        numbers.push("0".to_owned());
+    }
+    numbers
+}
+
+/// A byte of a text as a character constant.
+fn letter(byte: u8) -> String {
+    match byte {
+        b'\'' | b'\\' => format!("'\\{}'", char::from(byte)),
+        b'?' => "'\\?'".to_owned(), // no trigraph
+        b' '..=b'~' => format!("'{}'", char::from(byte)),
+        _ => format!("'\\x{byte:02X}'"),
+    }
+}
+
+fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
+    let resolved = &entry.resolved;
+    let sdo = match (resolved.access.is_readable(), resolved.access.is_writable()) {
+        (true, true) => "ODA_SDO_RW",
+        (true, false) => "ODA_SDO_R",
+        (false, true) => "ODA_SDO_W",
+        (false, false) => "",
+    };
+    let pdo = match (resolved.tpdo, resolved.rpdo) {
+        (true, true) => "ODA_TRPDO",
+        (true, false) => "ODA_TPDO",
+        (false, true) => "ODA_RPDO",
+        (false, false) => "",
+    };
+    let srdo = match entry.entry.stack.as_ref().and_then(|stack| stack.srdo_access) {
+        Some(SrdoAccess::Trx) => "ODA_TRSRDO",
+        Some(SrdoAccess::Tx) => "ODA_TSRDO",
+        Some(SrdoAccess::Rx) => "ODA_RSRDO",
+        Some(SrdoAccess::No) | None => "",
+    };
+    let kept = match (resolved.shape, type_) {
+        (Shape::Word(_), Some("bool_t" | "uint8_t" | "int8_t")) => "", // odd widths among them
+        (Shape::Word(_), Some(_)) => "ODA_MB",
+        (Shape::Bytes(data_type, _), _) if is_text(data_type) => "ODA_STR",
+        _ => "",
+    };
+    let flags: Vec<&str> = [sdo, pdo, srdo, kept].into_iter().filter(|flag| !flag.is_empty()).collect();
+    if flags.is_empty() { "0".to_owned() } else { flags.join(" | ") }
+}
+
+/// Whether values of a type may be shorter than their room.
+pub(super) fn is_text(data_type: DataType) -> bool {
+    matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_come_out_as_c_takes_them() {
+        let value = |data_type, bits: u64| word(data_type, bits).3.join(" ");
+        assert_eq!(value(DataType::UNSIGNED16, 0x1F), "0x001F");
+        assert_eq!(value(DataType::INTEGER64, 1 << 63), "INT64_MIN");
+        assert_eq!(value(DataType::INTEGER32, (-3_i64) as u64), "-3");
+        assert_eq!(value(DataType::INTEGER24, (-3_i64) as u64), "0xFD 0xFF 0xFF");
+        assert_eq!(value(DataType::REAL32, u64::from(1.5_f32.to_bits())), "1.5f");
+        assert_eq!(value(DataType::REAL32, u64::from(f32::MAX.to_bits())), "3.4028235e38f");
+        assert_eq!(value(DataType::REAL64, f64::NEG_INFINITY.to_bits()), "-INFINITY");
+        assert_eq!(value(DataType::REAL64, 1.0_f64.to_bits()), "1.0");
+    }
+
+    #[test]
+    fn texts_come_out_as_letters() {
+        let (type_, elements, length, value) = text(DataType::VISIBLE_STRING, 8, false, b"a'\\?\xE9\n");
+        assert_eq!((type_, elements, length), (Some("char"), Some(9), 8));
+        assert_eq!(value, ["'a'", "'\\''", "'\\\\'", "'\\?'", "'\\xE9'", "'\\x0A'"]);
+        assert_eq!(text(DataType::UNICODE_STRING, 4, false, &[0xE9, 0]).3, ["0x00E9"]);
+        assert_eq!(text(DataType::OCTET_STRING, 8, false, &[]).0, None);
+        assert_eq!(text(DataType::OCTET_STRING, 8, true, &[]).1, Some(8));
+        assert_eq!(text(DataType::DOMAIN, 0, false, &[1, 0, 0]).3, ["0x01"]);
+    }
+}

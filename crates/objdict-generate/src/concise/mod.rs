@@ -1,0 +1,84 @@
+//! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
+
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile, Sizes};
+use crate::model::{Device, Place};
+use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
+
+/// A concise DCF of what is configured to another value than its default.
+pub(super) struct Concise;
+
+impl Backend for Concise {
+    fn name(&self) -> &'static str {
+        "concise"
+    }
+
+    fn summary(&self) -> &'static str {
+        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to what is configured"
+    }
+
+    fn uses(&self) -> &'static [Choice] {
+        &[]
+    }
+
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let node_id = options.node_id_of(device)?;
+        let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
+            .map_err(inexpressible)?;
+        let notes = notes(&plan);
+        let configuration = ConciseDcf(plan.steps.into_iter().filter_map(known).collect());
+        let contents = configuration.write().map_err(|error| {
+            GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())])
+        })?;
+        let path = format!("{}.cdcf", options.file_stem);
+        Ok(Generated { files: vec![OutputFile { path, contents }], notes })
+    }
+
+    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
+        Ok(Sizes::Unknown("a concise DCF is no table of the firmware, but data for a manager"))
+    }
+}
+
+/// A download whose bytes are known without a look at another file.
+fn known(step: Step) -> Option<Download> {
+    match step {
+        Step::Write(download) => Some(download),
+        Step::File(_) => None,
+    }
+}
+
+fn notes(plan: &Plan) -> Vec<Note> {
+    let mut notes: Vec<Note> = plan
+        .skipped
+        .iter()
+        .map(|skipped| {
+            Note::new(skipped.place.clone(), format!("not part of the stream: {}", skipped.reason))
+        })
+        .collect();
+    notes.extend(plan.files().map(|file| {
+        let place = Place::entry(file.index, file.sub);
+        Note::new(place, format!("not part of the stream: its data are in the file `{}`", file.name))
+            .help("`objdict convert` to a `.cdcf` file reads it")
+    }));
+    notes.sort_by(|a, b| a.place.cmp(&b.place));
+    if plan.steps.is_empty() {
+        let note = Note::new(
+            Place::device(),
+            "nothing is configured to another value than its default: the stream is empty",
+        );
+        notes.push(note.help("set values in a DCF (`ParameterValue`)"));
+    }
+    notes
+}
+
+fn inexpressible(error: PlanError) -> GenerateError {
+    let help = error.help();
+    match error {
+        PlanError::NodeId(node_id) => GenerateError::NodeId { node_id },
+        PlanError::Problems(problems) => {
+            let note = |(place, message)| Note { help: help.map(Into::into), ..Note::new(place, message) };
+            let notes = problems.into_iter().map(|problem| (problem.place, problem.kind.to_string()));
+            GenerateError::Inexpressible(notes.map(note).collect())
+        }
+        error => GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())]),
+    }
+}

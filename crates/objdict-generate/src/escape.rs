@@ -1,0 +1,187 @@
+//! Texts of a description, made harmless for the place in generated code where they stand.
+//!
+//! They are also askama filters, so that a template shows at each place how its text is escaped. Everything but letters,
+//! digits and the printable rest of ASCII comes out as `\u{…}`: line ends and other control characters, direction marks,
+//! invisible and unassigned characters.
+
+use std::fmt::Write;
+
+/// So many characters of a text are shown; what is longer ends in `...`.
+const SHOWN: usize = 100;
+
+/// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc takes nothing in it for markup.
+pub(super) fn code_span(text: &str) -> String {
+    let plain = printable(text).replace('`', "'");
+    let plain = plain.trim();
+    if plain.is_empty() { "(no name)".to_owned() } else { format!("`{plain}`") }
+}
+
+/// For the inside of a C comment: no `*/`, no `/*`, no trigraph.
+pub(super) fn c_comment(text: &str) -> String {
+    let mut comment = String::new();
+    for c in printable(text).trim().chars() {
+        let split =
+            matches!((comment.chars().last(), c), (Some('*'), '/') | (Some('/'), '*') | (Some('?'), '?'));
+        if split {
+            comment.push(' ');
+        }
+        comment.push(c);
+    }
+    // the comment may go on with `*/` or the line end with a backslash that joins it to the next one
+    let comment = comment.trim_end_matches(['\\', '/', '*', ' ']);
+    if comment.is_empty() { "(no name)".to_owned() } else { comment.to_owned() }
+}
+
+/// A string literal of C in UTF-8.
+pub(super) fn c_text(text: &str) -> String {
+    super::c_code::literal(shown(text).as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+}
+
+/// What a [`c_text`] holds.
+pub(super) fn shown(text: &str) -> String {
+    printable(text).trim().to_owned()
+}
+
+/// A string literal of Rust.
+pub(super) fn rust_text(text: &str) -> String {
+    let plain = printable(text).replace('\\', "\\\\").replace('"', "\\\"");
+    format!("\"{}\"", plain.trim())
+}
+
+/// One line of harmless characters.
+fn printable(text: &str) -> String {
+    let mut shown = String::new();
+    for (number, c) in text.chars().enumerate() {
+        if number == SHOWN {
+            shown.push_str("...");
+            break;
+        }
+        if c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric() {
+            shown.push(c);
+        } else {
+            let _ = write!(shown, "\\u{{{:04X}}}", u32::from(c)); // a String takes every text
+        }
+    }
+    shown
+}
+
+/// A basic string of TOML, with its quotes.
+pub(super) fn toml_string(text: &str) -> String {
+    let mut literal = String::with_capacity(text.len() + 2);
+    literal.push('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => literal.extend(['\\', c]),
+            ' ' => literal.push(c),
+            c if c.is_ascii_graphic() || c.is_alphanumeric() => literal.push(c),
+            c => {
+                let _ = write!(literal, "\\U{:08X}", u32::from(c)); // a String takes every text
+            }
+        }
+    }
+    literal.push('"');
+    literal
+}
+
+/// The inside of a Rust byte string.
+pub(super) fn byte_string(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
+        match byte {
+            b'"' | b'\\' => text.extend(['\\', char::from(byte)]),
+            b' '..=b'~' => text.push(char::from(byte)),
+            _ => {
+                let _ = write!(text, "\\x{byte:02X}"); // a String takes every text
+            }
+        }
+        text
+    })
+}
+
+/// The inside of a string literal of C: octal escapes, which end after three digits whatever follows, and no trigraph.
+#[cfg_attr(
+    not(feature = "template"),
+    allow(dead_code, reason = "only templates of the user's own have such strings")
+)]
+pub(super) fn c_string(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
+        match byte {
+            b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]),
+            b' '..=b'~' => text.push(char::from(byte)),
+            _ => {
+                let _ = write!(text, "\\{byte:03o}"); // a String takes every text
+            }
+        }
+        text
+    })
+}
+
+/// The same for templates.
+#[allow(unreachable_pub)] // what the attribute writes is `pub`
+pub(super) mod filters {
+    use askama::{Result, Values};
+
+    #[askama::filter_fn]
+    pub(crate) fn code_span(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let span = super::code_span(text.as_ref());
+        Ok(span)
+    }
+
+    #[askama::filter_fn]
+    pub(crate) fn rust_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::rust_text(text.as_ref());
+        Ok(literal)
+    }
+
+    #[askama::filter_fn]
+    pub(crate) fn toml_string(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::toml_string(text.as_ref());
+        Ok(literal)
+    }
+
+    #[askama::filter_fn]
+    pub(crate) fn c_comment(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let comment = super::c_comment(text.as_ref());
+        Ok(comment)
+    }
+
+    #[askama::filter_fn]
+    pub(crate) fn c_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        let literal = super::c_text(text.as_ref());
+        Ok(literal)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn hostile_texts_stay_in_their_line() {
+        assert_eq!(code_span("a\nb\u{202E}c`d"), "`a\\u{000A}b\\u{202E}c'd`");
+        assert_eq!(c_comment("a */ system(\"x\"); /* ??/ \\"), "a * / system(\"x\"); / * ? ?");
+        assert_eq!(c_comment("a*//*/b"), "a* // * /b");
+        assert_eq!(c_comment("/"), "(no name)");
+        assert_eq!(code_span("  "), "(no name)");
+        assert_eq!(code_span("Größe 速度"), "`Größe 速度`");
+        assert_eq!(code_span(&"x".repeat(10_000)).len(), SHOWN + 5);
+        assert_eq!(c_string("\"\\\n1??é".as_bytes()), "\\\"\\\\\\0121\\?\\?\\303\\251");
+        assert_eq!(toml_string("a\n\"\\\u{202E}é"), "\"a\\U0000000A\\\"\\\\\\U0000202Eé\"");
+        assert_eq!(byte_string(b"\"\\\n\xFFa b"), "\\\"\\\\\\x0A\\xFFa b");
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_leaves_its_comment(text in prop_oneof![any::<String>(), "[*/?\\\\` \n\r]{0,12}"]) {
+            let (in_rust, in_c) = (code_span(&text), c_comment(&text));
+            for comment in [&in_rust, &in_c] {
+                prop_assert!(comment.chars().all(|c| c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric()));
+            }
+            prop_assert!(in_rust == "(no name)" || in_rust.matches('`').count() == 2);
+            let whole = format!("/* {in_c} */ ");
+            prop_assert_eq!(whole.find("*/"), Some(whole.len() - 3));
+            prop_assert!(!whole[2..].contains("/*") && !whole.contains("??") && !in_c.ends_with('\\'));
+        }
+    }
+}

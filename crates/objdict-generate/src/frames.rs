@@ -1,0 +1,253 @@
+//! What the frames of PDOs carry, as the targets `rust` and `c` show it: a struct for each PDO of the default mapping.
+//!
+//! A frame is one number of at most 64 bits: the first mapped object has its lowest bits, and its bytes go over the network
+//! from the lowest on (CiA 301 §7.2.2.2). So packing is shifting, whatever the lengths are.
+
+use super::Note;
+use super::names::{Scope, words};
+use super::resolve::{Resolved, Shape};
+use super::table::{Row, Table};
+use crate::model::{CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
+
+/// The bits of a frame of classical CAN.
+const MAX_BITS: u32 = 64;
+
+/// A PDO with what its frame carries.
+#[derive(Debug)]
+pub(crate) struct Frame {
+    /// `RPDO 1`, for comments.
+    pub(crate) title: String,
+    /// `rpdo1`: what identifiers are made of.
+    pub(crate) name: String,
+    pub(crate) communication_index: u16,
+    pub(crate) mapping_index: u16,
+    /// Where the description states it.
+    pub(crate) cob_id: Option<CobId>,
+    /// Where the description states it.
+    pub(crate) transmission_type: Option<u8>,
+    /// Bytes of a frame, 1 to 8.
+    pub(crate) length: u32,
+    /// In the order of the frame, dummies left out.
+    pub(crate) fields: Vec<FrameField>,
+}
+
+/// A mapped entry.
+#[derive(Debug)]
+pub(crate) struct FrameField {
+    /// Unique in the frame, and no keyword.
+    pub(crate) name: String,
+    /// The number of its row.
+    pub(crate) row: usize,
+    /// How the struct keeps it.
+    pub(crate) carried: Carried,
+    /// The lowest bit that it has in the frame.
+    pub(crate) first: u32,
+    /// The bits that its value has there, 1 to 64: those of the mapping, at most those of the type.
+    pub(crate) bits: u32,
+}
+
+/// How a struct keeps what is mapped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Carried {
+    /// As a number of this type.
+    Number(DataType),
+    /// As so many bytes.
+    Bytes(u32),
+}
+
+impl FrameField {
+    /// Whether the highest of its bits is a sign.
+    pub(crate) fn is_signed(&self) -> bool {
+        matches!(self.carried, Carried::Number(data_type) if matches!(data_type.kind(), TypeKind::Signed(_)))
+    }
+}
+
+impl Frame {
+    /// The COB-ID as a C or Rust expression of `node_id`.
+    pub(crate) fn cob_id_number(&self) -> Option<(u32, bool)> {
+        self.cob_id.map(|cob_id| (cob_id.number(), cob_id.depends_on_node_id()))
+    }
+}
+
+/// The frames of a device's default mapping. What cannot be a struct is noted.
+pub(crate) fn frames(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Frame> {
+    device.pdos().filter_map(|pdo| frame(&pdo, table, notes)).collect()
+}
+
+fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
+    let place = Place::object(pdo.mapping_index());
+    if pdo.is_multiplexed() {
+        notes.push(Note::new(place, format!("{pdo} is multiplexed and has no struct")));
+        return None;
+    }
+    let bits = pdo.bit_length();
+    if bits > MAX_BITS {
+        let text = format!("{pdo} carries {bits} bits, a frame has 64; it has no struct");
+        notes.push(Note::new(place, text));
+        return None;
+    }
+    let mut scope = Scope::of_lower_case("");
+    let mut first = 0;
+    let mut fields = Vec::new();
+    for slot in pdo.used_slots() {
+        let Some(object) = slot.object.filter(|object| !object.is_unused()) else { continue };
+        if !object.is_dummy() {
+            let place = Place::entry(pdo.mapping_index(), slot.sub);
+            match field(object, first, table, &mut scope) {
+                Ok(field) => fields.push(field),
+                Err(why) => notes.push(Note::new(place, format!("{object} is no field of {pdo}: {why}"))),
+            }
+        }
+        first += u32::from(object.bits);
+    }
+    let name = format!("{}{}", if pdo.kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" }, pdo.number);
+    (!fields.is_empty()).then(|| Frame {
+        title: pdo.to_string(),
+        name,
+        communication_index: pdo.communication_index(),
+        mapping_index: pdo.mapping_index(),
+        cob_id: pdo.cob_id,
+        transmission_type: pdo.transmission_type,
+        length: bits.div_ceil(8),
+        fields,
+    })
+}
+
+fn field(
+    object: MappedObject,
+    first: u32,
+    table: &Table,
+    scope: &mut Scope,
+) -> Result<FrameField, &'static str> {
+    let key = (object.index, object.sub);
+    let row = table.rows.binary_search_by_key(&key, |row| (row.index, row.sub));
+    let row = row.map_err(|_| "there is no such entry")?;
+    let (carried, bits) = carried(&table.rows[row].resolved, u32::from(object.bits))?;
+    let name = name_of(table, &table.rows[row]);
+    let name = scope.claim(&words(&name), &format!("{:04x}_{:02x}", object.index, object.sub));
+    Ok(FrameField { name, row, carried, first, bits })
+}
+
+/// How a value of an entry goes into so many bits of a frame.
+fn carried(resolved: &Resolved, bits: u32) -> Result<(Carried, u32), &'static str> {
+    let size = u32::try_from(resolved.shape.size()).unwrap_or(u32::MAX).saturating_mul(8);
+    match resolved.shape {
+        _ if bits == 0 => Err("it has no bits"),
+        Shape::Word(data_type) => {
+            let is_whole =
+                !matches!(data_type.kind(), TypeKind::Boolean | TypeKind::Signed(_) | TypeKind::Unsigned(_));
+            if is_whole && bits < size {
+                return Err("a part of such a value means nothing");
+            }
+            let own = if data_type.kind() == TypeKind::Boolean { 1 } else { size };
+            Ok((Carried::Number(data_type), bits.min(own)))
+        }
+        Shape::Bytes(..) | Shape::Block(_) if !bits.is_multiple_of(8) => Err("it ends within a byte"),
+        Shape::Bytes(..) | Shape::Block(_) => {
+            let bits = bits.min(size);
+            if bits == 0 { Err("it has no room in the table") } else { Ok((Carried::Bytes(bits / 8), bits)) }
+        }
+    }
+}
+
+/// The name of the field that holds the entry, with the element of an array behind it; of a constant its object's and its own.
+fn name_of(table: &Table, row: &Row) -> String {
+    if let Some(slot) = row.slot {
+        let field = &table.fields[slot.field].name;
+        return match slot.element {
+            Some(_) => format!("{field}_{:02x}", row.sub),
+            None => field.clone(),
+        };
+    }
+    let object = table.objects.iter().find(|object| object.index == row.index);
+    match object {
+        Some(object) if object.single => object.module.clone(),
+        Some(object) => format!("{}_{}", object.module, row.constant),
+        None => row.constant.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Options;
+    use crate::model::{Access, Entry, Object, ObjectType, Value};
+
+    /// A device with a TPDO that maps these objects, and the entries 2000h to 2003h.
+    fn device(mapped: &[u32]) -> Device {
+        let mut device = Device::default();
+        let entry = |name: &str, data_type, default| Entry {
+            name: name.into(),
+            data_type: Some(data_type),
+            access: Some(Access::Rw),
+            default,
+            ..Entry::default()
+        };
+        let var = |main: Entry| Object { main, ..Object::default() };
+        let record = |subs: Vec<(u8, Entry)>| {
+            let main = Entry { object_type: Some(ObjectType::Record), ..Entry::default() };
+            Object { main, subs: subs.into_iter().collect(), ..Object::default() }
+        };
+        device.objects.insert(0x2000, var(entry("Switch", DataType::BOOLEAN, None)));
+        device.objects.insert(0x2001, var(entry("Speed", DataType::INTEGER16, None)));
+        device.objects.insert(0x2002, var(entry("Gain", DataType::REAL32, None)));
+        device.objects.insert(0x2003, var(entry("Label", DataType::VISIBLE_STRING, None)));
+        let number = |number: u32| Some(Value::Unsigned(number.into()));
+        let subs = mapped
+            .iter()
+            .zip(1..)
+            .map(|(&object, sub)| (sub, entry("m", DataType::UNSIGNED32, number(object))));
+        let count = entry("n", DataType::UNSIGNED8, number(u32::try_from(mapped.len()).unwrap()));
+        device.objects.insert(0x1A00, record(std::iter::once((0, count)).chain(subs).collect()));
+        let cob_id = entry("c", DataType::UNSIGNED32, Some(Value::NodeId(0x180)));
+        device.objects.insert(0x1800, record(vec![(1, cob_id)]));
+        device
+    }
+
+    fn frames_of(mapped: &[u32]) -> (Vec<Frame>, Vec<Note>) {
+        let device = device(mapped);
+        let table = Table::new(&device, &Options::default()).unwrap();
+        let mut notes = Vec::new();
+        (frames(&device, &table, &mut notes), notes)
+    }
+
+    #[test]
+    fn fields_follow_each_other_bit_by_bit() {
+        let (frames, notes) = frames_of(&[0x2000_0001, 0x0005_0008, 0x2001_000C, 0x2002_0020]);
+        assert_eq!(notes, []);
+        let [frame] = frames.as_slice() else { panic!("{frames:?}") };
+        assert_eq!(
+            (frame.name.as_str(), frame.length, frame.cob_id_number()),
+            ("tpdo1", 7, Some((0x180, true)))
+        );
+        let places: Vec<_> =
+            frame.fields.iter().map(|field| (&*field.name, field.first, field.bits)).collect();
+        assert_eq!(places, [("switch_", 0, 1), ("speed", 9, 12), ("gain", 21, 32)]);
+        assert!(frame.fields[1].is_signed());
+    }
+
+    #[test]
+    fn what_is_no_field_is_noted() {
+        let (frames, notes) = frames_of(&[0x2001_0010, 0x2002_0010, 0x2009_0008, 0x2003_0004]);
+        assert_eq!(frames[0].fields.len(), 1);
+        let notes: Vec<String> = notes.iter().map(Note::to_string).collect();
+        assert_eq!(
+            notes,
+            [
+                "0x1A00sub2: 2002h:00, 16 bits is no field of TPDO 1: a part of such a value means nothing",
+                "0x1A00sub3: 2009h:00, 8 bits is no field of TPDO 1: there is no such entry",
+                "0x1A00sub4: 2003h:00, 4 bits is no field of TPDO 1: it ends within a byte",
+            ]
+        );
+        let (frames, notes) = frames_of(&[0x2003_0040, 0x2001_0010]);
+        assert!(frames.is_empty());
+        assert_eq!(notes[0].message, "TPDO 1 carries 80 bits, a frame has 64; it has no struct");
+    }
+
+    #[test]
+    fn longer_mappings_carry_the_value_in_their_lowest_bits() {
+        let (frames, _) = frames_of(&[0x2000_0008, 0x2001_0020]);
+        let bits: Vec<_> = frames[0].fields.iter().map(|field| (field.first, field.bits)).collect();
+        assert_eq!(bits, [(0, 1), (8, 16)]);
+    }
+}

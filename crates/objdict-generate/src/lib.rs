@@ -1,0 +1,352 @@
+//! What a product compiles or downloads, made from a [`Device`]: tables in Rust and C, concise DCF.
+//!
+//! A *target* is a name such as `rust`; the [`Backend`] behind it turns a device into files. Backends see the model and
+//! nothing of the format that it came from. To add one, write a folder beside this file and a line in the registry
+//! below.
+//!
+//! ```
+//! use objdict_generate::{generate, Options, Target};
+//! # use objdict_model::model::{Access, DataType, Device, Entry, Object, Value};
+//! # let mut device = Device::default();
+//! # let main = Entry {
+//! #     name: "Producer heartbeat time".into(),
+//! #     data_type: Some(DataType::UNSIGNED16),
+//! #     access: Some(Access::Rw),
+//! #     default: Some(Value::Unsigned(1000)),
+//! #     ..Entry::default()
+//! # };
+//! # device.objects.insert(0x1017, Object { main, ..Object::default() });
+//! let generated = generate(&device, Target::named("rust")?, &Options::default())?;
+//! assert_eq!(generated.files[0].path, "od.rs");
+//! # Ok::<(), objdict_generate::GenerateError>(())
+//! ```
+
+mod c;
+mod c_code;
+mod canopen_rs;
+mod canopen_stack;
+mod canopennode;
+mod concise;
+mod defaults;
+mod dictionary;
+mod escape;
+mod frames;
+mod hooks;
+mod meanings;
+mod memory;
+mod microcanopen;
+mod names;
+mod notes;
+mod objdict_macros;
+mod options;
+mod renames;
+mod resolve;
+mod rom;
+mod rust;
+mod size;
+mod stored;
+mod table;
+#[cfg(feature = "template")]
+mod template;
+mod variables;
+mod zencan;
+
+use std::borrow::Cow;
+use std::fmt;
+
+pub use options::{CTable, Choice, Derive, Group, Names, Options};
+pub use renames::{ChoiceError, renames};
+pub use size::{ObjectSize, Size, SizeReport, Sizes};
+
+use objdict_model::{diagnostic, model};
+
+use crate::diagnostic::Severity;
+use crate::model::{Device, Place};
+
+/// Every backend with its name as a constant of [`Target`], one line each, in the order in which help lists them.
+macro_rules! targets {
+    ($($(#[$condition:meta])? $name:ident = $backend:expr,)+) => {
+        static BACKENDS: &[&dyn Backend] = &[$($(#[$condition])? &$backend),+];
+
+        impl Target {
+            $($(#[$condition])?
+            #[doc = concat!("The target of the backend `", stringify!($backend), "`.")]
+            pub const $name: Self = Self(&$backend);)+
+        }
+    };
+}
+
+targets! {
+    RUST = rust::Rust,
+    C = c::C,
+    CONCISE = concise::Concise,
+    CANOPEN_RS = canopen_rs::CanopenRs,
+    CANOPEN_STACK = canopen_stack::CanopenStack,
+    ZENCAN = zencan::Zencan,
+    CANOPENNODE = canopennode::CanOpenNode,
+    #[cfg(feature = "template")]
+    TEMPLATE = template::Template,
+    MICROCANOPEN = microcanopen::MicroCanopen,
+    OBJDICT_MACROS = objdict_macros::ObjdictMacros,
+}
+
+/// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
+pub const LONGEST_VALUE: usize = u16::MAX as usize;
+
+/// Turns a device into files for one purpose.
+pub trait Backend: Sync {
+    /// The name of the target, as the command line takes it.
+    fn name(&self) -> &'static str;
+
+    /// What the target is, in a line: lower case, no full stop.
+    fn summary(&self) -> &'static str;
+
+    /// The options that make a difference to the files.
+    fn uses(&self) -> &'static [Choice];
+
+    /// The files for `device`, and what they cannot express.
+    ///
+    /// # Errors
+    /// When the device asks for something that would come out wrong, see [`GenerateError`].
+    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError>;
+
+    /// What the tables take in flash and RAM, or why that is not known.
+    ///
+    /// # Errors
+    /// As [`Backend::generate`].
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError>;
+}
+
+/// A target of the registry.
+#[derive(Clone, Copy)]
+pub struct Target(&'static dyn Backend);
+
+impl Target {
+    /// All targets.
+    pub fn all() -> impl Iterator<Item = Self> {
+        BACKENDS.iter().map(|&backend| Self(backend))
+    }
+
+    /// The target of a name.
+    ///
+    /// # Errors
+    /// [`GenerateError::UnknownTarget`] when there is none.
+    pub fn named(name: &str) -> Result<Self, GenerateError> {
+        Self::all()
+            .find(|target| target.name() == name)
+            .ok_or_else(|| GenerateError::UnknownTarget { name: name.to_owned() })
+    }
+
+    /// The name, as the command line takes it.
+    pub fn name(self) -> &'static str {
+        self.0.name()
+    }
+
+    /// What the target is, in a line.
+    pub fn summary(self) -> &'static str {
+        self.0.summary()
+    }
+}
+
+impl fmt::Debug for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Target({})", self.name())
+    }
+}
+
+/// One file of the output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputFile {
+    /// The path below the output folder, with `/` between folders.
+    pub path: String,
+    /// What stands in it.
+    pub contents: Vec<u8>,
+}
+
+/// The output of a backend.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Generated {
+    /// The files, in the order of the backend.
+    pub files: Vec<OutputFile>,
+    /// What the files leave out or had to assume, in ascending order of places.
+    pub notes: Vec<Note>,
+}
+
+/// Something of the description that a target cannot express.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Where it stands.
+    pub place: Place,
+    /// What happened to it: lower case, offending text in backticks, no full stop.
+    pub message: String,
+    /// What to do.
+    pub help: Option<Cow<'static, str>>,
+    /// The other places that it holds for, in ascending order; the message counts them.
+    pub also: Vec<Place>,
+    /// How grave it is: a warning says that the files do not work as they are, a note what is not in them.
+    pub severity: Severity,
+}
+
+impl Note {
+    /// A note without advice.
+    pub fn new(place: impl Into<Place>, message: impl Into<String>) -> Self {
+        Self {
+            place: place.into(),
+            message: message.into(),
+            help: None,
+            also: Vec::new(),
+            severity: Severity::Note,
+        }
+    }
+
+    /// With advice.
+    pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// Of what does not work.
+    pub(crate) fn warning(mut self) -> Self {
+        self.severity = Severity::Warning;
+        self
+    }
+
+    /// All places that it holds for.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        std::iter::once(&self.place).chain(&self.also)
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.message)
+    }
+}
+
+/// Why nothing was generated.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GenerateError {
+    /// No target has this name.
+    #[error("`{name}` is no target; known are {}", known_targets())]
+    UnknownTarget {
+        /// The name.
+        name: String,
+    },
+    /// The node-ID is none.
+    #[error("`{node_id}` is no node-ID; node-IDs are 1 to 127")]
+    NodeId {
+        /// The number.
+        node_id: u8,
+    },
+    /// What stands before identifiers is none.
+    #[error(
+        "`{text}` is no identifier of at most 16 letters for `{option}`: write letters, digits and single `_`"
+    )]
+    Identifier {
+        /// The option, as the command line has it behind `--`.
+        option: &'static str,
+        /// The text.
+        text: String,
+    },
+    /// The device has no entry that could be generated.
+    #[error("the device has no entries")]
+    NoEntries {
+        /// Why the entries that it has could not be used.
+        notes: Vec<Note>,
+    },
+    /// Values that would come out wrong.
+    #[error("{}", list(.0))]
+    Inexpressible(
+        /// The places and what is wrong with them; at least one.
+        Vec<Note>,
+    ),
+    /// The target `template` was asked for without one.
+    #[error("the target `template` needs a template (`--template FILE`)")]
+    NoTemplate,
+    /// A template of the user's own cannot be read or rendered.
+    #[error("{file}{}: {message}", line.map(|line| format!(":{line}")).unwrap_or_default())]
+    UserTemplate {
+        /// The name of its file.
+        file: String,
+        /// The line, counted from 1; `None` where the file is meant.
+        line: Option<usize>,
+        /// What is wrong.
+        message: String,
+    },
+    /// A template could not be rendered, which is a defect of this crate.
+    #[error("cannot render the template of `{file}`: {source}")]
+    Template {
+        /// The file that it is for.
+        file: String,
+        /// What the template engine says.
+        source: askama::Error,
+    },
+}
+
+fn known_targets() -> String {
+    Target::all().map(|target| format!("`{}`", target.name())).collect::<Vec<_>>().join(", ")
+}
+
+fn list(notes: &[Note]) -> String {
+    notes.iter().map(Note::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// The files of `target` for `device`.
+///
+/// # Errors
+/// When the device asks for something that would come out wrong, see [`GenerateError`].
+pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
+    let mut generated = files_of(device, target, options)?;
+    generated.notes.splice(0..0, without_effect(&[target], options));
+    Ok(generated)
+}
+
+/// The same without a word about options that have no effect.
+pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
+    target.0.generate(device, options)
+}
+
+/// A note for each option that has no effect on any of the targets.
+pub fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
+    let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses().contains(choice));
+    let without = options.chosen().filter(|choice| !has_effect(choice));
+    let note = |choice: Choice| {
+        Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
+    };
+    without.map(note).collect()
+}
+
+/// What the tables of `target` take in flash and RAM, without the code that serves them, or why that is not known.
+///
+/// # Errors
+/// As [`generate`].
+pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
+    target.0.size(device, options)
+}
+
+/// A rendered template as a file, with one line feed at its end.
+fn render(file: impl Into<String>, template: &impl askama::Template) -> Result<OutputFile, GenerateError> {
+    let path = file.into();
+    match template.render() {
+        Ok(text) => Ok(OutputFile { path, contents: (text + "\n").into_bytes() }), // askama drops the last one
+        Err(source) => Err(GenerateError::Template { file: path, source }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn targets_are_found_by_name_and_no_name_repeats() {
+        let names: Vec<&str> = Target::all().map(Target::name).collect();
+        for name in &names {
+            assert_eq!(Target::named(name).map(Target::name).ok(), Some(*name));
+            assert_eq!(names.iter().filter(|other| *other == name).count(), 1, "{name}");
+        }
+        let error = Target::named("cobol").map(Target::name).map_err(|error| error.to_string());
+        let expected = "`cobol` is no target; known are `rust`, `c`";
+        assert!(error.is_err_and(|error| error.starts_with(expected)));
+    }
+}

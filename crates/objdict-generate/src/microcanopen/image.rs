@@ -1,0 +1,115 @@
+//! The process image.
+
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::model::{Part, Place};
+use crate::names::Scope;
+use crate::resolve::{Datum, Shape};
+use crate::variables::claim;
+
+/// The longest value that one SDO frame carries.
+pub(super) const LONGEST: usize = 4;
+
+/// The bytes that a PDO of the stack can begin at.
+const REACH: usize = 256;
+
+/// The image and its entries.
+#[derive(Debug)]
+pub(super) struct Image {
+    /// By index and sub-index.
+    pub(super) entries: Vec<ImageEntry>,
+    /// Bytes.
+    pub(super) size: usize,
+}
+
+/// An entry in the image.
+#[derive(Debug)]
+pub(super) struct ImageEntry {
+    pub(super) index: u16,
+    pub(super) sub: u8,
+    /// The end of the macro that is its offset.
+    pub(super) name: String,
+    pub(super) described: String,
+    pub(super) size: usize,
+    pub(super) read: bool,
+    pub(super) write: bool,
+    pub(super) default: Datum,
+    /// `None` until it has a place.
+    pub(super) offset: Option<usize>,
+}
+
+/// Whether the stack serves an entry by itself: error register and heartbeat time.
+pub(super) fn is_of_the_stack(index: u16, sub: u8) -> bool {
+    matches!((index, sub), (0x1001 | 0x1017, 0))
+}
+
+/// Whether an entry is part of the process image: it can change, and is no parameter of communication.
+fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
+    let resolved = &entry.resolved;
+    let length = resolved.shape.size();
+    let fixed = !matches!(resolved.shape, Shape::Bytes(..));
+    index >= 0x2000 && !resolved.constant && fixed && (1..=LONGEST).contains(&length)
+}
+
+impl Image {
+    /// The entries that belong to the image, none of them with a place.
+    pub(super) fn new(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Self {
+        let mut scope = Scope::of_constants("");
+        let mut entries = Vec::new();
+        for object in &dictionary.objects {
+            for (number, entry) in object.entries.iter().enumerate() {
+                let place = Place::entry(object.index, entry.sub);
+                let resolved = &entry.resolved;
+                if !belongs(object.index, entry) {
+                    continue;
+                }
+                if resolved.low.is_some() || resolved.high.is_some() {
+                    notes.push(Note::new(place.clone(), "the stack does not keep limits"));
+                }
+                if matches!(resolved.default, Datum::Formula(_)) {
+                    let text = "the node-ID is added once, when the image is initialised, as `OD_NODE_ID`";
+                    let text = text.replace("OD", &prefix.to_ascii_uppercase());
+                    notes.push(Note::new(place, text));
+                }
+                entries.push(ImageEntry {
+                    index: object.index,
+                    sub: entry.sub,
+                    name: claim(&mut scope, prefix, object, Some(number)).to_ascii_uppercase(),
+                    described: entry.entry.name.to_string(),
+                    size: resolved.shape.size(),
+                    read: resolved.access.is_readable(),
+                    write: resolved.access.is_writable(),
+                    default: resolved.default.clone(),
+                    offset: None,
+                });
+            }
+        }
+        Self { entries, size: 0 }
+    }
+
+    /// The number of an entry; `None` when it is not part of the image.
+    pub(super) fn find(&self, index: u16, sub: u8) -> Option<usize> {
+        self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub)).ok()
+    }
+
+    /// Gives everything that has no place yet one behind the others.
+    pub(super) fn place_the_rest(&mut self) {
+        for entry in &mut self.entries {
+            if entry.offset.is_none() {
+                entry.offset = Some(self.size);
+                self.size += entry.size;
+            }
+        }
+    }
+
+    /// Notes an image that is too long for the stack.
+    pub(super) fn check(&self, notes: &mut Vec<Note>) {
+        if self.size > REACH {
+            let text = format!(
+                "the process image has {} bytes; offsets of MicroCANopen reach {REACH}, those of its Plus version further",
+                self.size
+            );
+            notes.push(Note::new(Part::Device, text));
+        }
+    }
+}

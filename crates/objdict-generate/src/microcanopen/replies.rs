@@ -1,0 +1,77 @@
+//! The SDO replies: what never changes, or what the stack cannot let change.
+
+use super::image::{LONGEST, is_of_the_stack};
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::model::Place;
+use crate::resolve::{Datum, Shape};
+
+/// A row of the table.
+#[derive(Debug)]
+pub(super) struct Reply {
+    pub(super) index: u16,
+    pub(super) row: String,
+    pub(super) described: String,
+}
+
+/// The rows, by index and sub-index.
+pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Vec<Reply> {
+    let mut replies = Vec::new();
+    for object in &dictionary.objects {
+        for entry in &object.entries {
+            if let Some(row) = reply(object.index, entry, prefix, notes) {
+                replies.push(Reply { index: object.index, row, described: entry.entry.name.to_string() });
+            }
+        }
+    }
+    replies
+}
+
+/// The row of an entry; `None` where there is none, with a note where there should be one.
+fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<Note>) -> Option<String> {
+    let resolved = &entry.resolved;
+    let sub = entry.sub;
+    let mut say = |text: &str| notes.push(Note::new(Place::entry(index, sub), text));
+    if is_of_the_stack(index, sub) {
+        say("the stack serves the entry by itself");
+        return None;
+    }
+    let length = match &resolved.default {
+        Datum::Bytes(bytes) if matches!(resolved.shape, Shape::Bytes(..)) => bytes.len(),
+        _ => resolved.shape.size(),
+    };
+    if !(1..=LONGEST).contains(&length) {
+        let text =
+            format!("a value of {length} bytes; the stack has 1 to {LONGEST}, so the entry is left out");
+        say(&text);
+        return None;
+    }
+    let fixed = !matches!(resolved.shape, Shape::Bytes(..));
+    if index >= 0x2000 && fixed && !resolved.constant {
+        return None; // in the process image
+    }
+    if !resolved.access.is_readable() {
+        say("outside of the process image nothing can be written, so the entry is left out");
+        return None;
+    }
+    if resolved.access.is_writable() {
+        say("outside of the process image nothing can be written; an SDO reads the default");
+    }
+    let address = format!("0x{index:04X}, 0x{sub:02X}, {length}");
+    Some(match &resolved.default {
+        Datum::Formula(offset) => {
+            let node_id = format!("{}_NODE_ID", prefix.to_ascii_uppercase());
+            say(&format!("the node-ID of the reply is the constant `{node_id}`"));
+            format!("SDOREPLY({address}, (0x{offset:X}L + {node_id}))")
+        }
+        Datum::Word(word) => {
+            let bits = 64 - 8 * u32::try_from(length).unwrap_or(8);
+            format!("SDOREPLY({address}, 0x{:X}L)", word & (u64::MAX >> bits))
+        }
+        Datum::Bytes(bytes) => {
+            let byte = |at: usize| bytes.get(at).copied().unwrap_or(0);
+            let bytes: Vec<String> = (0..LONGEST).map(|at| format!("0x{:02X}", byte(at))).collect();
+            format!("SDOREPLY4({address}, {})", bytes.join(", "))
+        }
+    })
+}

@@ -1,0 +1,68 @@
+//! The mapping of PDOs.
+
+use super::Objects;
+use crate::Note;
+use crate::dictionary::Dictionary;
+use crate::model::{Pdo, PdoKind, Place};
+
+/// The mapping entries of each PDO.
+pub(super) const SLOTS: usize = 8;
+
+/// A PDO.
+#[derive(Debug)]
+pub(super) struct PdoRow {
+    pub(super) kind: PdoKind,
+    pub(super) number: u16,
+    /// Those that are used.
+    pub(super) entries: Vec<String>,
+}
+
+impl PdoRow {
+    /// Entries that are not used.
+    pub(super) fn unused(&self) -> usize {
+        SLOTS.saturating_sub(self.entries.len())
+    }
+}
+
+/// All PDOs that have a mapping, by number in their direction; those that the rows skip are empty.
+pub(super) fn pdos(dictionary: &Dictionary<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<PdoRow> {
+    let mut rows = Vec::new();
+    for kind in PdoKind::ALL {
+        let of_kind: Vec<Pdo<'_>> = dictionary.device.pdos().filter(|pdo| pdo.kind == kind).collect();
+        let last = of_kind.iter().map(|pdo| pdo.number).max().unwrap_or(0);
+        for number in 1..=last {
+            let pdo = of_kind.iter().find(|pdo| pdo.number == number);
+            let entries = pdo.map(|pdo| entries(pdo, objects, notes)).unwrap_or_default();
+            rows.push(PdoRow { kind, number, entries });
+        }
+    }
+    rows
+}
+
+fn entries(pdo: &Pdo<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<String> {
+    let index = pdo.mapping_index();
+    let mut entries = Vec::new();
+    for slot in pdo.used_slots() {
+        let Some(mapped) = slot.object.filter(|object| !object.is_unused()) else { continue };
+        let place = Place::entry(index, slot.sub);
+        if entries.len() == SLOTS {
+            notes.push(Note::new(place, format!("a PDO has {SLOTS} mapping entries at most")));
+            break;
+        }
+        let (object, sub, bits) = (mapped.index, mapped.sub, mapped.bits);
+        let address = match objects.address(object, sub) {
+            Some(row) => row.address.clone(),
+            None if mapped.is_dummy() => "NULL".to_owned(),
+            None => {
+                let text = format!("`{mapped}` is no entry of the dictionary; its address is NULL");
+                notes.push(Note::new(place, text));
+                "NULL".to_owned()
+            }
+        };
+        entries.push(format!("MAP_ENTRY(0x{object:04X}, 0x{sub:02X}, {bits}, {address})"));
+    }
+    if pdo.is_multiplexed() {
+        notes.push(Note::new(Place::entry(index, 0), "multiplexed PDOs are not mapped this way"));
+    }
+    entries
+}

@@ -1,0 +1,62 @@
+//! What templates/rust/_defaults.rs shows: the constants of identity and services.
+
+use askama::Template;
+
+use super::view::{grouped, hex};
+use crate::defaults::{Constant, ConstantValue};
+use crate::model::CobId;
+
+/// The module `defaults`.
+#[derive(Template)]
+#[template(path = "rust/_defaults.rs")]
+pub(super) struct Defaults {
+    items: Vec<ItemView>,
+}
+
+/// A constant or a function.
+struct ItemView {
+    /// What it is and where it stands.
+    meaning: String,
+    /// Of a function, whether it looks at its argument.
+    function: Option<bool>,
+    name: String,
+    type_: String,
+    /// An expression.
+    value: String,
+}
+
+impl Defaults {
+    pub(super) fn new(constants: &[Constant]) -> Self {
+        Self { items: constants.iter().map(item_view).collect() }
+    }
+}
+
+fn item_view(constant: &Constant) -> ItemView {
+    let Constant { name, source, meaning, value } = constant;
+    let (function, type_, value) = match value {
+        ConstantValue::CobId(cob_id) => of_node(*cob_id, None),
+        ConstantValue::CanId(cob_id) => of_node(*cob_id, Some(cob_id.can_id_mask())),
+        ConstantValue::Flag(flag) => (None, "bool".to_owned(), flag.to_string()),
+        ConstantValue::Code(number) => (None, "u32".to_owned(), hex((*number).into())),
+        ConstantValue::Number(number, bits) => (None, format!("u{bits}"), grouped(&number.to_string(), 3)),
+        ConstantValue::Consumers(consumers) => {
+            let list: Vec<String> =
+                consumers.iter().map(|(node, time)| format!("({node}, {time})")).collect();
+            (None, format!("[(u8, u16); {}]", list.len()), format!("[{}]", list.join(", ")))
+        }
+    };
+    let name = if function.is_some() { name.clone() } else { name.to_ascii_uppercase() };
+    let source = if source.starts_with("CiA") { format!("`CiA` {}", &source[4..]) } else { source.clone() };
+    ItemView { meaning: format!("{meaning} ({source})"), function, name, type_, value }
+}
+
+/// A number as a function of the node-ID, or some bits of it.
+fn of_node(cob_id: CobId, mask: Option<u32>) -> (Option<bool>, String, String) {
+    let number = cob_id.number();
+    let value = match (cob_id.depends_on_node_id(), mask) {
+        (true, None) => format!("{} + node_id as u32", hex(number.into())),
+        (true, Some(mask)) => format!("({} + node_id as u32) & {}", hex(number.into()), hex(mask.into())),
+        (false, mask) => hex((number & mask.unwrap_or(u32::MAX)).into()),
+    };
+    (Some(cob_id.depends_on_node_id()), "u32".to_owned(), value)
+}

@@ -1,0 +1,131 @@
+//! What a template sees: the JSON of the model, and its entries once more in the way that tables have them.
+
+use minijinja::Value;
+use minijinja::value::Serde;
+use serde::Serialize;
+
+use crate::Options;
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::model::DataType;
+use crate::names::{Scope, words};
+use crate::resolve::{Datum, Shape};
+
+/// The version of the names of the JSON.
+const VERSION: u32 = 1;
+
+#[derive(Serialize)]
+struct Context {
+    version: u32,
+    kind: &'static str,
+    /// As `objdict convert` to JSON writes it.
+    device: serde_json::Value,
+    made_by: String,
+    node_id: Option<u8>,
+    entries: Vec<EntryContext>,
+}
+
+/// An entry, ready for a table.
+#[derive(Serialize)]
+struct EntryContext {
+    index: u16,
+    sub: u8,
+    object: String,
+    name: String,
+    /// Unique among all entries.
+    identifier: String,
+    /// Whether it is the only entry of its object.
+    single: bool,
+    data_type: Option<&'static str>,
+    /// The index of the data type.
+    code: u16,
+    /// Bytes of a value, at most.
+    size: usize,
+    access: &'static str,
+    readable: bool,
+    writable: bool,
+    tpdo: bool,
+    rpdo: bool,
+    constant: bool,
+    /// Of integers and BOOLEAN; without the node-ID.
+    value: Option<i128>,
+    /// Whether the node-ID is to be added to the value.
+    plus_node_id: bool,
+    /// Little-endian; without the node-ID.
+    bytes: Vec<u8>,
+    low: Option<i128>,
+    high: Option<i128>,
+}
+
+/// The variables of a template.
+pub(super) fn of(dictionary: &Dictionary<'_>, options: &Options) -> Result<Value, serde_json::Error> {
+    let mut scope = Scope::of_lower_case("");
+    let mut entries = Vec::new();
+    for object in &dictionary.objects {
+        for entry in &object.entries {
+            entries.push(context(&mut scope, object, entry));
+        }
+    }
+    Ok(Value::from(Serde(Context {
+        version: VERSION,
+        kind: "device",
+        device: serde_json::to_value(dictionary.device)?,
+        made_by: options.made_by(),
+        node_id: dictionary.node_id,
+        entries,
+    })))
+}
+
+fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> EntryContext {
+    let resolved = &entry.resolved;
+    let or = |words: String, number: String| if words.is_empty() { format!("x{number}") } else { words };
+    let index = format!("{:04x}", object.index);
+    let object_words = or(words(&object.name), index.clone());
+    let single = object.is_single();
+    let identifier = if single {
+        scope.claim(&object_words, &index)
+    } else {
+        let sub = format!("{:02x}", entry.sub);
+        let entry_words = or(words(&entry.name), sub.clone());
+        scope.claim(&format!("{object_words}_{entry_words}"), &format!("{index}_{sub}"))
+    };
+    let size = resolved.shape.size();
+    let data_type = match resolved.shape {
+        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type,
+        Shape::Block(_) => entry.entry.data_type.unwrap_or(DataType(0)),
+    };
+    let number = |datum: &Datum| match datum {
+        Datum::Word(word) | Datum::Formula(word) => integer(data_type, *word),
+        Datum::Bytes(_) => None,
+    };
+    EntryContext {
+        index: object.index,
+        sub: entry.sub,
+        object: object.object.name().to_owned(),
+        name: entry.entry.name.to_string(),
+        identifier,
+        single,
+        data_type: data_type.name(),
+        code: data_type.0,
+        size,
+        access: resolved.access.name(),
+        readable: resolved.access.is_readable(),
+        writable: resolved.access.is_writable(),
+        tpdo: resolved.tpdo,
+        rpdo: resolved.rpdo,
+        constant: resolved.constant,
+        value: number(&resolved.default),
+        plus_node_id: matches!(resolved.default, Datum::Formula(_)),
+        bytes: match &resolved.default {
+            Datum::Word(word) | Datum::Formula(word) => word.to_le_bytes().into_iter().take(size).collect(),
+            Datum::Bytes(bytes) => bytes.clone(),
+        },
+        low: resolved.low.as_ref().and_then(number),
+        high: resolved.high.as_ref().and_then(number),
+    }
+}
+
+/// The number of an integer or BOOLEAN.
+fn integer(data_type: DataType, word: u64) -> Option<i128> {
+    let (low, _) = data_type.integer_range()?;
+    Some(if low < 0 { i128::from(word as i64) } else { i128::from(word) }) // a signed word is sign-extended
+}

@@ -1,0 +1,127 @@
+//! What a zencan node answers, entry by entry, and where that is not what the description says.
+
+use std::collections::BTreeMap;
+
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::model::{Access, Place};
+use crate::resolve::Datum;
+
+/// All entries that the node has.
+#[derive(Debug, Default)]
+pub(super) struct Answers(BTreeMap<(u16, u8), Answer>);
+
+/// What the node has for an entry.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub(super) access: Access,
+    pub(super) tpdo: bool,
+    pub(super) rpdo: bool,
+    /// Bytes at most.
+    pub(super) size: usize,
+    pub(super) held: Held,
+}
+
+/// The value after start.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Held {
+    /// These bytes.
+    Bytes(Vec<u8>),
+    /// The node-ID plus a number.
+    Formula(u64),
+    /// What the application or zencan itself says.
+    Served,
+}
+
+impl Answer {
+    /// A number that no PDO may carry.
+    pub(super) fn number(access: Access, size: usize, number: u64) -> Self {
+        let held = Held::Bytes(number.to_le_bytes().into_iter().take(size).collect());
+        Self { access, tpdo: false, rpdo: false, size, held }
+    }
+}
+
+impl Answers {
+    pub(super) fn put(&mut self, index: u16, sub: u8, answer: Answer) {
+        self.0.insert((index, sub), answer);
+    }
+
+    /// Bytes of an entry at most; `None` where there is none.
+    pub(super) fn size(&self, index: u16, sub: u8) -> Option<usize> {
+        self.0.get(&(index, sub)).map(|answer| answer.size)
+    }
+
+    /// Where the node is not as the device is described.
+    pub(super) fn differences(&self, dictionary: &Dictionary<'_>) -> Vec<Note> {
+        let mut notes = Vec::new();
+        let mut described = BTreeMap::new();
+        for object in &dictionary.objects {
+            for entry in &object.entries {
+                described.insert((object.index, entry.sub), ());
+                let place = Place::entry(object.index, entry.sub);
+                match self.0.get(&(object.index, entry.sub)) {
+                    Some(answer) => difference(&place, answer, entry, &mut notes),
+                    None if super::fixed::is_reserved(object.index) => {}
+                    None => notes.push(Note::new(place, "zencan has no such entry")),
+                }
+            }
+        }
+        for &(index, sub) in self.0.keys().filter(|at| !described.contains_key(*at)) {
+            notes.push(Note::new(Place::entry(index, sub), "zencan adds the entry"));
+        }
+        notes
+    }
+}
+
+fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
+    let resolved = &entry.resolved;
+    let described = described(entry);
+    if answer.held != Held::Served && answer.held != described {
+        let (is, shall_be) = (shown(&answer.held), shown(&described));
+        let note = Note::new(place.clone(), format!("the value is {is} in zencan, not {shall_be}"));
+        notes.push(match described {
+            Held::Formula(_) => note.help("generate with `--node-id`, or let the application set the value"),
+            _ => note,
+        });
+    }
+    for (verb, zencan, device) in [
+        ("read", answer.access.is_readable(), resolved.access.is_readable()),
+        ("write", answer.access.is_writable(), resolved.access.is_writable()),
+    ] {
+        match (zencan, device) {
+            (true, false) => notes.push(Note::new(place.clone(), format!("in zencan an SDO can {verb} it"))),
+            (false, true) => notes.push(Note::new(place.clone(), format!("in zencan no SDO can {verb} it"))),
+            _ => {}
+        }
+    }
+    if (answer.tpdo, answer.rpdo) != (resolved.tpdo, resolved.rpdo) {
+        notes.push(Note::new(place.clone(), "in zencan it is not for PDOs"));
+    }
+}
+
+fn described(entry: &ResolvedEntry<'_>) -> Held {
+    match &entry.resolved.default {
+        Datum::Word(word) => {
+            Held::Bytes(word.to_le_bytes().into_iter().take(entry.resolved.shape.size()).collect())
+        }
+        Datum::Formula(offset) => Held::Formula(*offset),
+        Datum::Bytes(bytes) => Held::Bytes(bytes.clone()),
+    }
+}
+
+fn shown(held: &Held) -> String {
+    match held {
+        Held::Formula(offset) => format!("`$NODEID+{offset:#X}`"),
+        Held::Served => "served".to_owned(),
+        Held::Bytes(bytes) if bytes.is_empty() => "empty".to_owned(),
+        Held::Bytes(bytes) if bytes.len() <= 8 => {
+            let number = bytes.iter().rev().fold(0_u64, |number, &byte| (number << 8) | u64::from(byte));
+            format!("`{number:#X}`")
+        }
+        Held::Bytes(bytes) if bytes.iter().all(|&byte| byte == 0) => format!("{} zero bytes", bytes.len()),
+        Held::Bytes(bytes) => {
+            let hex: String = bytes.iter().take(8).map(|byte| format!("{byte:02X}")).collect();
+            format!("`{hex}…` ({} bytes)", bytes.len())
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The objects that zencan makes itself of settings, so that they must not stand among the objects.
+
+use super::Maker;
+use super::answers::{Answer, Held};
+use super::value::text_of;
+use super::view::Head;
+use crate::model::{Access, Place};
+use crate::resolve::Datum;
+
+/// The index of the objects that store values.
+pub(super) const STORE: u16 = 0x1010;
+
+/// Whether zencan makes the object of a setting.
+pub(super) fn is_made_by_zencan(index: u16) -> bool {
+    matches!(index, 0x1000 | 0x1001 | 0x1008..=0x100A | STORE | 0x1017 | 0x1018 | 0x1400..=0x1BFF)
+}
+
+/// Whether zencan means something of its own by the index: the switch `autostart`, or the boot loader.
+pub(super) fn is_reserved(index: u16) -> bool {
+    matches!(index, 0x5000 | 0x5500 | 0x5510..=0x551F)
+}
+
+impl Maker<'_> {
+    /// The settings of the device, and the objects that they become.
+    pub(super) fn head(&mut self) -> Head {
+        self.number(0x1000, 0, 4, 0); // zencan knows no device type
+        self.number(0x1001, 0, 1, 0);
+        let [device_name, hardware_version, software_version] =
+            [0x1008, 0x1009, 0x100A].map(|index| self.name(index));
+        let device_name = match device_name {
+            Some(name) => name,
+            None => self.product_name(),
+        };
+        let hardware_version = hardware_version.unwrap_or_default();
+        let software_version = software_version.unwrap_or_default();
+        for (index, text) in
+            [(0x1008, &device_name), (0x1009, &hardware_version), (0x100A, &software_version)]
+        {
+            let held = Held::Bytes(text.as_bytes().to_vec());
+            let answer = Answer { access: Access::Const, tpdo: false, rpdo: false, size: text.len(), held };
+            self.answers.put(index, 0, answer);
+        }
+        let heartbeat_period = self.described(0x1017, 0, u64::from(u16::MAX));
+        self.number(0x1017, 0, 2, heartbeat_period);
+        let [vendor_id, product_code, revision_number] =
+            [1, 2, 3].map(|sub| self.described(0x1018, sub, u64::from(u32::MAX)));
+        for (sub, number) in (1..).zip([vendor_id, product_code, revision_number, 0]) {
+            self.number(0x1018, sub, 4, number); // the application sets the serial number
+        }
+        self.number(0x1018, 0, 1, 4);
+        if self.stores {
+            self.number(STORE, 0, 1, 1);
+            self.note(Place::entry(STORE, 0), "zencan 0.0.5 aborts the upload of the entry");
+            let answer = Answer { held: Held::Served, ..Answer::number(Access::Rw, 4, 0) };
+            self.answers.put(STORE, 1, answer);
+        }
+        Head {
+            device_name,
+            hardware_version,
+            software_version,
+            heartbeat_period,
+            support_storage: self.stores,
+            vendor_id,
+            product_code,
+            revision_number,
+        }
+    }
+
+    fn number(&mut self, index: u16, sub: u8, size: usize, number: u64) {
+        self.answers.put(index, sub, Answer::number(Access::Const, size, number));
+    }
+
+    /// The default of an entry.
+    pub(super) fn datum(&self, index: u16, sub: u8) -> Option<&Datum> {
+        let object = self.dictionary.objects.iter().find(|object| object.index == index)?;
+        Some(&object.entries.iter().find(|entry| entry.sub == sub)?.resolved.default)
+    }
+
+    /// The number of an entry; 0 where there is none or it is too large.
+    pub(super) fn described(&self, index: u16, sub: u8, most: u64) -> u64 {
+        match self.datum(index, sub) {
+            Some(Datum::Word(number)) if *number <= most => *number,
+            _ => 0,
+        }
+    }
+
+    /// The text of an object; `None` where there is no such object, empty where it is no text.
+    fn name(&self, index: u16) -> Option<String> {
+        match self.datum(index, 0)? {
+            Datum::Bytes(bytes) => {
+                Some(text_of(bytes).filter(|text| !text.contains('\0')).unwrap_or_default())
+            }
+            Datum::Word(_) | Datum::Formula(_) => Some(String::new()),
+        }
+    }
+
+    fn product_name(&self) -> String {
+        let info = self.dictionary.device.device_info.as_ref();
+        let name = info.and_then(|info| info.product_name.clone()).unwrap_or_default();
+        name.replace('\0', "")
+    }
+}

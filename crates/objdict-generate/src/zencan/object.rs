@@ -1,0 +1,135 @@
+//! Objects that zencan is told of, and what it answers for them.
+
+use super::Maker;
+use super::answers::{Answer, Held};
+use super::value::Kept;
+use super::view::{EntryView, Kind, ObjectView, SubView};
+use crate::dictionary::{ResolvedEntry, ResolvedObject};
+use crate::escape::toml_string;
+use crate::model::{Access, ObjectType, Place};
+use crate::names::{Scope, words};
+use crate::resolve::Datum;
+
+impl Maker<'_> {
+    /// An object of the device's own.
+    pub(super) fn object(&mut self, object: &ResolvedObject<'_>) -> ObjectView {
+        let index = object.index;
+        let name = toml_string(object.object.name());
+        if object.is_single() {
+            let entry = self.entry(object, &object.entries[0]);
+            return ObjectView { index, name, kind: Kind::Var(entry) };
+        }
+        // zencan says itself what sub-index 0 is, and FFh would count as the highest one
+        let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
+        let mut fields = Scope::of_lower_case("flags sub0");
+        let subs: Vec<SubView> = subs
+            .map(|entry| SubView {
+                sub: entry.sub,
+                name: toml_string(&entry.entry.name),
+                field: fields.claim(&words(&entry.name), &format!("{:02x}", entry.sub)),
+                entry: self.entry(object, entry),
+            })
+            .collect();
+        let highest = subs.last().map_or(0, |sub| sub.sub);
+        self.answers.put(index, 0, Answer::number(Access::Const, 1, highest.into()));
+        let is_array = object.object.object_type() == ObjectType::Array || object.object.compact.is_some();
+        let kind = match subs.split_first() {
+            Some((first, rest)) if is_array && are_alike(first, rest) => array(subs),
+            Some(_) if is_array => {
+                self.note(Place::object(index), "an ARRAY whose elements differ becomes a record in zencan");
+                Kind::Record(subs)
+            }
+            _ => Kind::Record(subs),
+        };
+        ObjectView { index, name, kind }
+    }
+
+    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> EntryView {
+        let (resolved, place) = (&entry.resolved, Place::entry(object.index, entry.sub));
+        let kept = Kept::of(resolved, self.dictionary.node_id);
+        if let Some(loss) = kept.loss {
+            self.note(place.clone(), loss);
+        }
+        if resolved.low.is_some() || resolved.high.is_some() {
+            self.note(place.clone(), "limits are not enforced: zencan has none");
+        }
+        let mut held = kept.held;
+        if let (Datum::Formula(offset), Some(node_id)) = (&resolved.default, self.dictionary.node_id) {
+            self.note(place, format!("`$NODEID+{offset:#X}` is worked out for node-ID {node_id}"));
+            held = Held::Formula(*offset);
+        }
+        let answer = Answer {
+            access: resolved.access,
+            tpdo: resolved.tpdo,
+            rpdo: resolved.rpdo,
+            size: kept.size,
+            held,
+        };
+        self.answers.put(object.index, entry.sub, answer);
+        EntryView {
+            data_type: kept.data_type,
+            access: access(resolved.access),
+            default: kept.default,
+            pdo_mapping: match (resolved.tpdo, resolved.rpdo) {
+                (false, false) => "none",
+                (true, false) => "tpdo",
+                (false, true) => "rpdo",
+                (true, true) => "both",
+            },
+            persist: self.is_stored(object, entry),
+        }
+    }
+
+    /// Whether the entry belongs to what object 1010h stores.
+    fn is_stored(&self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> bool {
+        let resolved = &entry.resolved;
+        let described = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
+        let is_command = object.index == 0x1011; // restores defaults
+        let may_be =
+            self.stores && !is_command && resolved.access.is_readable() && resolved.access.is_writable();
+        may_be
+            && match described.or_else(|| self.options.group_of(object.index)) {
+                Some(group) => !["RAM", "ROM"].iter().any(|plain| group.eq_ignore_ascii_case(plain)),
+                None => !resolved.tpdo && !resolved.rpdo,
+            }
+    }
+}
+
+/// zencan does not tell by the access whether an RPDO or a TPDO may carry the entry; `pdo_mapping` does.
+fn access(access: Access) -> &'static str {
+    match access {
+        Access::Ro => "ro",
+        Access::Wo => "wo",
+        Access::Rw | Access::Rwr | Access::Rww => "rw",
+        Access::Const => "const",
+    }
+}
+
+/// Whether the sub-indexes go on from 1 without a gap and differ in names and values only.
+fn are_alike(first: &SubView, rest: &[SubView]) -> bool {
+    let shape = |sub: &SubView| {
+        let EntryView { data_type, access, pdo_mapping, persist, .. } = &sub.entry;
+        (data_type.clone(), *access, *pdo_mapping, *persist)
+    };
+    first.sub == 1
+        && (2..=0xFF).zip(rest).all(|(sub, entry)| entry.sub == sub && shape(entry) == shape(first))
+}
+
+fn array(subs: Vec<SubView>) -> Kind {
+    let size = subs.len();
+    let none = subs.iter().all(|sub| sub.entry.default.is_none());
+    let mut defaults = Vec::with_capacity(size);
+    let mut alike = None;
+    for SubView { entry, .. } in subs {
+        let zero = if entry.data_type.starts_with("real") { "0.0" } else { "\"\"" };
+        defaults.push(entry.default.clone().unwrap_or_else(|| zero.to_owned()));
+        alike.get_or_insert(entry);
+    }
+    match alike {
+        Some(entry) => Kind::Array {
+            entry: EntryView { default: (!none).then(|| format!("[{}]", defaults.join(", "))), ..entry },
+            size,
+        },
+        None => Kind::Record(Vec::new()),
+    }
+}

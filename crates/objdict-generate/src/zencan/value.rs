@@ -1,0 +1,143 @@
+//! Data types and defaults as zencan writes them in TOML.
+
+use super::answers::Held;
+use crate::escape::toml_string;
+use crate::model::{Access, DataType, TypeKind};
+use crate::resolve::{Datum, Resolved, Shape};
+
+/// How zencan keeps an entry.
+pub(super) struct Kept {
+    /// Such as `uint16`.
+    pub(super) data_type: String,
+    /// A literal of TOML; `None` where zencan has zeros or nothing anyhow.
+    pub(super) default: Option<String>,
+    pub(super) held: Held,
+    /// Bytes at most.
+    pub(super) size: usize,
+    /// What is not as the description says.
+    pub(super) loss: Option<String>,
+}
+
+/// The bytes as a text.
+pub(super) fn text_of(bytes: &[u8]) -> Option<String> {
+    String::from_utf8(bytes.to_vec()).ok()
+}
+
+impl Kept {
+    /// An entry with the value that it has on the node `node_id`.
+    pub(super) fn of(resolved: &Resolved, node_id: Option<u8>) -> Self {
+        let writable = resolved.access.is_writable();
+        match (resolved.shape, &resolved.default) {
+            (Shape::Word(data_type), datum) => {
+                let word = match (datum, node_id) {
+                    (Datum::Formula(offset), Some(node_id)) => offset.wrapping_add(node_id.into()),
+                    (Datum::Word(word) | Datum::Formula(word), _) => *word,
+                    (Datum::Bytes(_), _) => 0, // only of other shapes
+                };
+                Self::word(data_type, resolved.shape.size(), word, writable)
+            }
+            (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => match data_type.kind() {
+                TypeKind::Domain => Self::domain(bytes.len()),
+                TypeKind::VisibleString => Self::string(bytes, room.into()),
+                _ => {
+                    let is_unicode = data_type == DataType::UNICODE_STRING;
+                    let mut kept = Self::octets(bytes, room.into(), resolved.access);
+                    let becomes =
+                        is_unicode.then(|| format!("UNICODE_STRING becomes `{}` in zencan", kept.data_type));
+                    let fixed =
+                        writable.then(|| "a string of octets always has all its bytes in zencan".to_owned());
+                    kept.loss = becomes.or(fixed);
+                    kept
+                }
+            },
+            (Shape::Block(length), Datum::Bytes(bytes)) => {
+                let mut kept = Self::octets(bytes, length.into(), Access::Const);
+                kept.loss =
+                    Some(format!("a type of the device's own becomes `{}` in zencan", kept.data_type));
+                kept
+            }
+            (shape, _) => Self::octets(&[], shape.size(), resolved.access), // only words have numbers
+        }
+    }
+
+    fn word(data_type: DataType, size: usize, word: u64, writable: bool) -> Self {
+        let bytes: Vec<u8> = word.to_le_bytes().into_iter().take(size).collect();
+        let signed = word as i64; // the same bits; zencan casts them back
+        let kind = data_type.kind();
+        let (name, default) = match kind {
+            TypeKind::Boolean => ("uint8".to_owned(), Some(word.to_string())),
+            TypeKind::Signed(bits @ (8 | 16 | 24 | 32 | 64)) => {
+                (format!("int{bits}"), Some(signed.to_string()))
+            }
+            TypeKind::Unsigned(bits @ (8 | 16 | 24 | 32 | 64)) => {
+                (format!("uint{bits}"), Some(signed.to_string()))
+            }
+            TypeKind::Real32 => ("real32".to_owned(), real32(f32::from_bits(word as u32))),
+            TypeKind::Real64 => ("real64".to_owned(), real64(f64::from_bits(word))),
+            TypeKind::TimeOfDay => ("timeofday".to_owned(), None),
+            TypeKind::TimeDifference => ("timedifference".to_owned(), None),
+            _ => {
+                let mut kept = Self::octets(&bytes, size, Access::Const);
+                let fewer = if writable { ", of which an SDO may write fewer bytes" } else { "" };
+                kept.loss = Some(format!("{data_type} becomes `{}` in zencan{fewer}", kept.data_type));
+                return kept;
+            }
+        };
+        let loss = (kind == TypeKind::Boolean).then(|| {
+            "BOOLEAN becomes `uint8`, for zencan 0.0.5 aborts the upload of its own `boolean`".to_owned()
+        });
+        let held = if default.is_some() { bytes } else { vec![0; size] };
+        Self { data_type: name, default, held: Held::Bytes(held), size, loss }
+    }
+
+    fn domain(length: usize) -> Self {
+        let default = if length > 0 { format!(", its default of {length} bytes too") } else { String::new() };
+        Self {
+            data_type: "domain".to_owned(),
+            default: None,
+            held: Held::Served,
+            size: 0,
+            loss: Some(format!("the application serves the DOMAIN{default}")),
+        }
+    }
+
+    /// A string that ends at its first zero byte.
+    fn string(bytes: &[u8], room: usize) -> Self {
+        let text = text_of(bytes).filter(|text| !text.contains('\0')).unwrap_or_default();
+        Self {
+            data_type: format!("visiblestring({room})"),
+            default: (!text.is_empty()).then(|| toml_string(&text)),
+            held: Held::Bytes(text.into_bytes()),
+            size: room,
+            loss: None,
+        }
+    }
+
+    /// Bytes, always as many: those of the default, where there is one.
+    fn octets(bytes: &[u8], room: usize, access: Access) -> Self {
+        let size = if bytes.is_empty() && access != Access::Const { room } else { bytes.len() };
+        let text = text_of(bytes).unwrap_or_default();
+        let mut held = text.clone().into_bytes();
+        held.resize(size, 0);
+        let is_zero = text.bytes().all(|byte| byte == 0);
+        Self {
+            data_type: format!("octetstring({size})"),
+            default: (!is_zero).then(|| toml_string(&text)),
+            held: Held::Bytes(held),
+            size,
+            loss: None,
+        }
+    }
+}
+
+/// zencan reads 64 bits and rounds them: the shortest digits, unless they would come out as another number.
+fn real32(number: f32) -> Option<String> {
+    let short = format!("{number:?}");
+    let comes_back = short.parse::<f64>().is_ok_and(|wide| (wide as f32).to_bits() == number.to_bits());
+    if comes_back { number.is_finite().then_some(short) } else { real64(number.into()) }
+}
+
+/// zencan-build knows no infinity and no NaN.
+fn real64(number: f64) -> Option<String> {
+    number.is_finite().then(|| format!("{number:?}"))
+}

@@ -1,0 +1,90 @@
+//! The kinds of channels that an I/O module can have, and how many of them there are (CiA 401, 1000h).
+
+use std::ops::RangeInclusive;
+
+use crate::demands::{self, Applied};
+use crate::model::{Device, DeviceKind, MappedObject};
+use crate::profile::default_mapping::{Channels, of_channels};
+use crate::profile::{index_in, number_of};
+use crate::{Facts, PdoFacts};
+
+/// The last PDO that has a default mapping.
+const LAST: u16 = 4;
+
+/// A kind of channels.
+pub(crate) struct Kind {
+    /// Its bit of the device type.
+    pub bit: u8,
+    /// What it is called.
+    pub name: &'static str,
+    /// The objects that hold its values, the usual one first.
+    indexes: &'static [RangeInclusive<u16>],
+}
+
+/// All kinds, in the order of their bits.
+pub(crate) static KINDS: [Kind; 4] = [
+    Kind {
+        bit: 16,
+        name: "digital inputs",
+        indexes: &[0x6000..=0x6000, 0x6100..=0x6100, 0x6120..=0x6120, 0x6020..=0x6027],
+    },
+    Kind {
+        bit: 17,
+        name: "digital outputs",
+        indexes: &[0x6200..=0x6200, 0x6300..=0x6300, 0x6320..=0x6320, 0x6220..=0x6227],
+    },
+    Kind { bit: 18, name: "analogue inputs", indexes: &[0x6401..=0x6401, 0x6400..=0x6400, 0x6402..=0x6404] },
+    Kind { bit: 19, name: "analogue outputs", indexes: &[0x6411..=0x6411, 0x6410..=0x6410, 0x6412..=0x6414] },
+];
+
+impl Kind {
+    fn indexes(&self, block: u8) -> impl Iterator<Item = u16> {
+        self.indexes.iter().cloned().flatten().map(move |index| index_in(block, index))
+    }
+
+    /// Whether a logical device has channels of the kind, or a module may bring them.
+    pub(crate) fn may_be_in(&self, device: &Device, block: u8) -> bool {
+        self.indexes(block).any(|index| demands::is_there(device, index))
+    }
+
+    /// The first object of a logical device that has channels of the kind.
+    pub(crate) fn first_in(&self, device: &Device, block: u8) -> Option<u16> {
+        self.indexes(block).find(|&index| device.object(index).is_some_and(|object| !object.orphan))
+    }
+}
+
+/// The PDOs of an EDS that the profile gives a mapping, with that mapping: none when bit 23 of the device type says that
+/// the manufacturer maps the channels, and none of a module of several logical devices.
+pub(crate) fn default_pdos<'a>(
+    facts: &'a Facts<'a>,
+    applied: &Applied<'_>,
+) -> Vec<(&'a PdoFacts<'a>, Vec<MappedObject>)> {
+    let device = facts.device;
+    let device_type = device.object(0x1000).and_then(|object| object.value(0)?.as_integer());
+    let is_of_manufacturer = device_type.is_some_and(|device_type| device_type >> 23 & 1 == 1);
+    let is_single = applied.block == 0 && device.profile() == number_of(device, 0);
+    if device.kind != DeviceKind::Type || is_of_manufacturer || !is_single {
+        return Vec::new();
+    }
+    let defaults = of_device(device).map(|channels| of_channels(&channels)).unwrap_or_default();
+    let defaults = defaults.into_iter().filter(|default| default.number <= LAST);
+    let described = defaults.filter_map(|default| {
+        let is_it = |pdo: &&PdoFacts<'_>| (pdo.pdo.kind, pdo.pdo.number) == (default.kind, default.number);
+        Some((facts.pdos.iter().find(is_it)?, default.mapped))
+    });
+    described.collect()
+}
+
+/// How many elements the arrays have that the default mapping is made of; `None` where modules bring them.
+pub(crate) fn of_device(device: &Device) -> Option<Channels> {
+    let number = |index: u16| {
+        let object = device.object(index).filter(|object| !object.orphan);
+        object.and_then(crate::model::Object::highest_sub).unwrap_or(0)
+    };
+    (!device.is_modular()).then(|| Channels {
+        digital_inputs: number(0x6000),
+        digital_outputs: number(0x6200),
+        analog_inputs: number(0x6401),
+        analog_outputs: number(0x6411),
+    })
+}

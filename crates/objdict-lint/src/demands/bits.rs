@@ -1,0 +1,67 @@
+//! Values of bits beside what a document says of them.
+
+use super::Expected;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, series};
+use crate::model::DataType;
+use crate::profile::{BitField, device_type_index};
+use crate::stated;
+
+/// Bits are set that the document gives no meaning.
+pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
+    let Some(value) = value(at) else { return };
+    let reserved = value & !at.facts.bits.iter().fold(0, |known, field| known | mask(field));
+    if reserved == 0 {
+        return;
+    }
+    let bits: Vec<u32> = (0..64).filter(|bit| reserved >> bit & 1 == 1).collect();
+    let (noun, verb, them) = if bits.len() == 1 { ("bit", "is", "it") } else { ("bits", "are", "them") };
+    let document = at.document();
+    let message = format!("{noun} {} of {at} {verb} set, {document} reserves {them}", series(bits));
+    let place = at.place().field(at.value_field());
+    let digits =
+        at.entry.data_type.and_then(DataType::bit_length).map_or(0, |bits| usize::from(bits).div_ceil(4));
+    let cleared = format!("0x{:0digits$X}", value & !reserved);
+    let finding = Diagnostic::new(rule, place.clone(), message).help(format!("write `{cleared}`"));
+    findings.push(finding.fix(Fix::risky(format!("write `{cleared}`")).set(place, cleared)));
+}
+
+/// A group of bits has a value that the document gives no meaning, though it lists meanings.
+pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
+    let Some(value) = value(at) else { return };
+    for field in at.facts.bits.iter().filter(|field| !field.values.is_empty()) {
+        if field.meaning(value).is_some() {
+            continue;
+        }
+        let bits = match (field.first, field.last) {
+            (first, last) if first == last => format!("bit {first}"),
+            (first, last) => format!("bits {first} to {last}"),
+        };
+        let message = format!(
+            "`{}` as {} ({bits} of {at}) means nothing in {}",
+            field.of(value),
+            field.name,
+            at.document()
+        );
+        let known = field.values.iter().map(|(range, meaning)| format!("{} {meaning}", range.start()));
+        let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
+        findings.push(finding.help(format!("the document knows {}", series(known))));
+    }
+}
+
+/// The value that has bits; `None` where another rule speaks of it, and of 1000h where the logical devices have types of
+/// their own.
+fn value(at: &Expected<'_>) -> Option<u64> {
+    let against = &at.against;
+    let is_type_of_all =
+        against.index == 0x1000 && device_type_index(against.device, against.applied.block) != 0x1000;
+    if at.facts.bits.is_empty() || at.counts() || is_type_of_all {
+        return None;
+    }
+    let [node_id, _] = stated::node_ids(against.device);
+    let value = at.entry.value()?.integer_for(node_id)?;
+    u64::try_from(value).ok().filter(|_| at.facts.accepts_value(value))
+}
+
+fn mask(field: &BitField) -> u64 {
+    field.of(u64::MAX).checked_shl(field.first.into()).unwrap_or(0)
+}

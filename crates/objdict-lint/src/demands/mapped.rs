@@ -1,0 +1,43 @@
+//! What PDOs carry beside what a document says of it.
+
+use super::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::PdoKind;
+use crate::profile::Mapping;
+use crate::{Facts, Target};
+
+/// A PDO carries an entry that the document has for PDOs of the other direction, though its access type would allow it.
+pub(crate) fn mapped_in_wrong_direction(
+    rule: &'static RuleInfo,
+    facts: &Facts<'_>,
+    applied: &Applied<'_>,
+    findings: &mut Findings,
+) {
+    for pdo in &facts.pdos {
+        for mapped in &pdo.mapped {
+            let (index, sub) = (mapped.object.index, mapped.object.sub);
+            let Target::Entry(entry) = &mapped.target else { continue };
+            let expected = applied.profile.object_in(applied.block, index);
+            let Some(expected) = expected.and_then(|object| object.entry(sub)) else { continue };
+            let right = match expected.mapping {
+                Some(Mapping::Tpdo) => PdoKind::Tpdo,
+                Some(Mapping::Rpdo) => PdoKind::Rpdo,
+                _ => continue,
+            };
+            // what its own section forbids is reported as that
+            if right == pdo.pdo.kind || !entry.is_mappable() || !entry.fits_pdo(pdo.pdo.kind) {
+                continue;
+            }
+            let message = format!(
+                "{} carries {index:04X}h:{sub:02X} ({}), {} has it for {}s",
+                pdo.pdo,
+                expected.name,
+                applied.document(),
+                right.name()
+            );
+            let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+            let finding = Diagnostic::new(rule, place, message);
+            findings.push(finding.help(format!("map it into one of the {}s", right.name())));
+        }
+    }
+}

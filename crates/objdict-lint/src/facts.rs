@@ -1,0 +1,308 @@
+//! What several rules need to know of a device's communication, found out once a run.
+
+use std::borrow::Cow;
+use std::ops::RangeInclusive;
+
+use crate::model::{
+    CobId, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, predefined, restricted,
+};
+use crate::{Options, Srdo};
+
+/// The communication of a device.
+pub(crate) struct Facts<'a> {
+    pub device: &'a Device,
+    /// What the check was told.
+    pub options: &'a Options,
+    /// Its PDOs, first RPDOs, then TPDOs, by number; those that `CompactPDO` implies are not among them.
+    pub pdos: Vec<PdoFacts<'a>>,
+    /// Every COB-ID that an object states, PDOs last; those of SRDOs are not among them.
+    pub cob_ids: Vec<CobIdUse>,
+    /// Its SRDOs, by number.
+    pub srdos: Vec<Srdo<'a>>,
+}
+
+/// A PDO with what its mapping entries name.
+pub(crate) struct PdoFacts<'a> {
+    pub pdo: Pdo<'a>,
+    /// The slots in use that name an object, in the order of the frame.
+    pub mapped: Vec<Mapped<'a>>,
+}
+
+/// A mapping entry in use.
+pub(crate) struct Mapped<'a> {
+    /// Sub-index of the mapping.
+    pub slot: u8,
+    /// What it names.
+    pub object: MappedObject,
+    /// What there is.
+    pub target: Target<'a>,
+}
+
+/// What a mapping entry names.
+pub(crate) enum Target<'a> {
+    /// A data type: a filler.
+    Dummy,
+    /// The object is described, the sub-index is not.
+    NoEntry,
+    /// The object is not described.
+    NoObject,
+    /// Not described, but a module or a dynamic channel may bring it.
+    Elsewhere,
+    /// Sub-index 0 of an ARRAY or RECORD, so a number of entries.
+    Count,
+    /// An entry with a value.
+    Entry(Cow<'a, Entry>),
+}
+
+/// A COB-ID with where it stands and what for.
+pub(crate) struct CobIdUse {
+    pub index: u16,
+    pub sub: u8,
+    pub service: Service,
+    pub cob_id: CobId,
+}
+
+/// What a COB-ID is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Service {
+    Sync,
+    Time,
+    Emcy,
+    /// The EMCY of another node.
+    EmcyConsumer,
+    /// From client to server, of a server of this device.
+    ServerRequest(u16),
+    /// From server to client.
+    ServerResponse(u16),
+    ClientRequest(u16),
+    ClientResponse(u16),
+    Pdo(PdoKind, u16),
+}
+
+impl<'a> Facts<'a> {
+    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
+        let pdos: Vec<PdoFacts<'a>> = device.pdos().map(|pdo| PdoFacts::new(device, pdo)).collect();
+        let cob_ids = cob_ids(device, &pdos);
+        Self { device, options, pdos, cob_ids, srdos: Srdo::all(device) }
+    }
+
+    /// The node-IDs that the description can be for: the one that the check was told or that of a DCF, else all.
+    pub(crate) fn node_ids(&self) -> RangeInclusive<u8> {
+        match self.options.node_id.or(self.device.node_id()) {
+            Some(node_id) => node_id..=node_id,
+            None => 1..=127,
+        }
+    }
+
+    /// The number that a sub-index holds after it was configured; a formula on the first node that the description can be
+    /// for.
+    pub(crate) fn number(&self, index: u16, sub: u8) -> Option<i128> {
+        self.device.value(index, sub)?.integer_for(*self.node_ids().start())
+    }
+
+    /// Whether the device follows a device profile, as far as 1000h says.
+    pub(crate) fn has_profile(&self) -> bool {
+        self.device.profile().is_some_and(|profile| profile != 0)
+    }
+}
+
+impl Facts<'_> {
+    /// The base that the number of an EDS stands on, where it lies in the predefined connection set and lacks the
+    /// node-ID. A DCF is for one node and may have numbers.
+    pub(crate) fn base_without_node_id(&self, cob_id: &CobIdUse) -> Option<u16> {
+        let base = match cob_id.service {
+            Service::Emcy => predefined::EMCY,
+            Service::Pdo(kind, number) => kind.predefined_can_id(number)?,
+            _ => return None,
+        };
+        let fixed = self.device.kind == DeviceKind::Type && !cob_id.cob_id.depends_on_node_id();
+        let is_number =
+            fixed && !cob_id.cob_id.is_extended() && cob_id.is_in_use() && cob_id.wrong_bits() == 0;
+        let in_set = (u32::from(base)..=u32::from(base) + 127).contains(&cob_id.cob_id.can_id(0));
+        (is_number && in_set).then_some(base)
+    }
+}
+
+impl Facts<'_> {
+    /// Whom the CAN-ID of a service in use belongs to on a node, where that is another service. SDO channels may use
+    /// the identifiers of the default SDOs of other nodes, and the default SDO has them.
+    pub(crate) fn owner(&self, cob_id: &CobIdUse, node: u8) -> Option<&'static str> {
+        let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
+        let can_id = cob_id.cob_id.can_id(node);
+        let by_right = match cob_id.service {
+            Service::ServerRequest(1) | Service::ServerResponse(1) => true,
+            Service::ServerRequest(_)
+            | Service::ServerResponse(_)
+            | Service::ClientRequest(_)
+            | Service::ClientResponse(_) => (0x580..0x680).contains(&can_id),
+            _ => false,
+        };
+        if !is_readable || by_right || self.base_without_node_id(cob_id).is_some() {
+            return None;
+        }
+        restricted(can_id)
+    }
+
+    /// Whether the CAN-ID of a service belongs to another one on every node that the description is for.
+    pub(crate) fn is_restricted(&self, cob_id: &CobIdUse) -> bool {
+        self.node_ids().all(|node| self.owner(cob_id, node).is_some())
+    }
+}
+
+impl<'a> PdoFacts<'a> {
+    fn new(device: &'a Device, pdo: Pdo<'a>) -> Self {
+        let used = pdo.used_slots().filter_map(|slot| Some((slot.sub, slot.object?)));
+        let used = used.filter(|(_, object)| !object.is_unused());
+        let mapped =
+            used.map(|(slot, object)| Mapped { slot, object, target: target(device, object) }).collect();
+        Self { pdo, mapped }
+    }
+
+    /// The communication parameter, when it is described as the RECORD that it is.
+    pub(crate) fn communication_record(&self) -> Option<&'a Object> {
+        self.pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
+    }
+
+    /// Its COB-ID, when it is stated.
+    pub(crate) fn cob_id(&self) -> Option<CobIdUse> {
+        let (index, service) = (self.pdo.communication_index(), Service::Pdo(self.pdo.kind, self.pdo.number));
+        self.pdo.cob_id.map(|cob_id| CobIdUse { index, sub: 1, service, cob_id })
+    }
+
+    /// Whether all that it carries is described and has the length that the mapping says, so that sums mean something.
+    pub(crate) fn lengths_are_right(&self) -> bool {
+        self.mapped.iter().all(|mapped| mapped.wrong_length().is_none() && !mapped.target.is_missing())
+    }
+}
+
+impl Mapped<'_> {
+    /// The length that it should have, when it has another.
+    pub(crate) fn wrong_length(&self) -> Option<u8> {
+        let Target::Entry(entry) = &self.target else { return None };
+        entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)
+    }
+}
+
+impl<'a> Target<'a> {
+    /// What there is of an object that a mapping entry names.
+    pub(crate) fn of(device: &'a Device, mapped: MappedObject) -> Self {
+        target(device, mapped)
+    }
+
+    /// Whether there is nothing to map.
+    pub(crate) fn is_missing(&self) -> bool {
+        matches!(self, Self::NoEntry | Self::NoObject)
+    }
+}
+
+fn target(device: &Device, mapped: MappedObject) -> Target<'_> {
+    if mapped.is_dummy() {
+        return Target::Dummy;
+    }
+    let Some(object) = device.object(mapped.index) else {
+        return if comes_from_elsewhere(device, mapped.index) { Target::Elsewhere } else { Target::NoObject };
+    };
+    if mapped.sub == 0 && (object.object_type().has_subs() || object.compact.is_some()) {
+        return Target::Count;
+    }
+    match object.entry(mapped.sub) {
+        Some(entry) => Target::Entry(entry),
+        None if comes_from_elsewhere(device, mapped.index) => Target::Elsewhere,
+        None => Target::NoEntry,
+    }
+}
+
+/// Whether a module brings an object or new sub-indexes of it, or a dynamic channel lies there.
+fn comes_from_elsewhere(device: &Device, index: u16) -> bool {
+    let by_module = device.modules.as_ref().is_some_and(|modules| {
+        let mut modules = modules.supported.values();
+        modules.any(|module| module.fixed.contains_key(&index) || module.extensions.contains_key(&index))
+    });
+    let network_variables = (0xA000..=0xBFFF).contains(&index) && device.dynamic_channels.is_some();
+    by_module || network_variables
+}
+
+fn cob_ids(device: &Device, pdos: &[PdoFacts<'_>]) -> Vec<CobIdUse> {
+    let mut uses = Vec::new();
+    let mut take = |index: u16, sub: u8, service: Service| {
+        let cob_id = device.value(index, sub).and_then(|value| CobId::from_value(&value));
+        uses.extend(cob_id.map(|cob_id| CobIdUse { index, sub, service, cob_id }));
+    };
+    take(0x1005, 0, Service::Sync);
+    take(0x1012, 0, Service::Time);
+    take(0x1014, 0, Service::Emcy);
+    if device.objects.contains_key(&0x1028) {
+        (1..=127).for_each(|sub| take(0x1028, sub, Service::EmcyConsumer));
+    }
+    for (&index, _) in device.objects.range(0x1200..=0x127F) {
+        take(index, 1, Service::ServerRequest(index - 0x1200 + 1));
+        take(index, 2, Service::ServerResponse(index - 0x1200 + 1));
+    }
+    for (&index, _) in device.objects.range(0x1280..=0x12FF) {
+        take(index, 1, Service::ClientRequest(index - 0x1280 + 1));
+        take(index, 2, Service::ClientResponse(index - 0x1280 + 1));
+    }
+    uses.extend(pdos.iter().filter_map(PdoFacts::cob_id));
+    uses
+}
+
+impl CobIdUse {
+    /// Whether the device sends or receives anything under it. SYNC is always received.
+    pub(crate) fn is_in_use(&self) -> bool {
+        match self.service {
+            Service::Sync => true,
+            Service::Time => self.cob_id.bit_30() || !self.cob_id.is_valid(),
+            // many stacks write 0, the CAN-ID of NMT, into a channel that is not configured
+            Service::ServerRequest(_)
+            | Service::ServerResponse(_)
+            | Service::ClientRequest(_)
+            | Service::ClientResponse(_) => self.cob_id.is_valid() && self.cob_id != CobId::new(0),
+            _ => self.cob_id.is_valid(),
+        }
+    }
+
+    /// Whether the device sends under it; else it receives.
+    pub(crate) fn is_sent(&self) -> bool {
+        match self.service {
+            Service::Sync | Service::Time => self.cob_id.bit_30(),
+            Service::EmcyConsumer | Service::ServerRequest(_) | Service::ClientResponse(_) => false,
+            Service::Emcy | Service::ServerResponse(_) | Service::ClientRequest(_) => true,
+            Service::Pdo(kind, _) => kind == PdoKind::Tpdo,
+        }
+    }
+
+    /// The bits of the number that are no flag of the service but lie outside its CAN-ID.
+    pub(crate) fn wrong_bits(&self) -> u32 {
+        let reserved = match self.service {
+            Service::Emcy | Service::EmcyConsumer => self.cob_id.number() & CobId::BIT_30,
+            _ => 0,
+        };
+        self.cob_id.stray_bits() | reserved
+    }
+}
+
+impl std::fmt::Display for Service {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Sync => f.write_str("SYNC"),
+            Self::Time => f.write_str("TIME"),
+            Self::Emcy => f.write_str("EMCY"),
+            Self::EmcyConsumer => f.write_str("EMCY consumer"),
+            Self::ServerRequest(number) | Self::ServerResponse(number) => write!(f, "SDO server {number}"),
+            Self::ClientRequest(number) | Self::ClientResponse(number) => write!(f, "SDO client {number}"),
+            Self::Pdo(kind, number) => write!(f, "{kind} {number}"),
+        }
+    }
+}
+
+/// Whether a sub-index is there and the description says nothing of its value, not even something wrong.
+pub(crate) fn is_unstated(object: &Object, sub: u8) -> bool {
+    if !object.has(sub) || object.value(sub).is_some() {
+        return false;
+    }
+    let item = Field::Item(sub.into());
+    let in_list = object.compact.as_ref().is_some_and(|compact| compact.misfits.get(&item).is_some());
+    let entry = object.subs.get(sub).unwrap_or(&object.main);
+    let unreadable = [Field::DefaultValue, Field::ParameterValue];
+    !in_list && unreadable.iter().all(|field| entry.misfits.get(field).is_none())
+}

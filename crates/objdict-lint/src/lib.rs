@@ -1,0 +1,137 @@
+//! The linter: rules about the model. A rule knows no files and no formats; it looks at a [`Device`] and speaks of
+//! [`Place`](crate::model::Place)s.
+
+mod channels;
+mod demands;
+mod drive;
+mod facts;
+mod index_set;
+mod options;
+mod respell;
+mod rule;
+mod rules;
+mod severities;
+mod srdo;
+mod stack;
+mod stated;
+mod supply;
+
+use objdict_model::{canopennode, diagnostic, model};
+use objdict_profile as profile;
+
+use crate::diagnostic::Findings;
+use crate::model::{Device, Object};
+
+pub(crate) use drive::{Drive, MODES};
+pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
+pub(crate) use index_set::IndexSet;
+pub use options::Options;
+pub(crate) use respell::{nearest_access, respell};
+pub use rule::Rule;
+pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
+pub use rules::RULES;
+pub use severities::{Level, Severities, UnknownLevel};
+pub(crate) use srdo::Srdo;
+pub(crate) use supply::{ListFixes, sub_0, with_members};
+
+/// The group of the rules that speak of nothing but tools.
+pub const PORTABILITY: &str = "portability";
+
+/// All rules on one device.
+pub fn check(device: &Device, options: &Options) -> Findings {
+    let mut findings = Findings::new();
+    let facts = Facts::new(device, options);
+    for rule in asked_for(options) {
+        match rule.check {
+            Check::Device(check) => check(device, &mut findings),
+            Check::Facts(check) => check(&facts, &mut findings),
+            Check::Pdo(check) => facts.pdos.iter().for_each(|pdo| check(&facts, pdo, &mut findings)),
+            Check::Applied(_)
+            | Check::Against(_)
+            | Check::Expected(_)
+            | Check::Object(_)
+            | Check::Entry(_) => {}
+        }
+    }
+    check_demands(&facts, &mut findings);
+    check_objects(device, options, &mut findings);
+    findings
+}
+
+/// The rules that look at a device: those about other tools where it is asked for tools.
+fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
+    let for_tools = !options.tools.is_empty();
+    RULES.iter().copied().filter(move |rule| for_tools || rule.info.group() != PORTABILITY)
+}
+
+/// One walk over what documents demand, for all rules of their groups.
+fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
+    let applied = demands::applied(facts.device, facts.options);
+    for one in &applied {
+        let rules = RULES.iter().filter(|rule| rule.info.group() == one.profile.group);
+        let rules: Vec<&Rule> = rules.copied().collect();
+        for rule in &rules {
+            if let Check::Applied(check) = rule.check {
+                check(&rule.info, facts, one, findings);
+            }
+        }
+        for against in demands::against(facts.device, one) {
+            for rule in &rules {
+                match rule.check {
+                    Check::Against(check) => check(&rule.info, &against, findings),
+                    Check::Expected(check) => {
+                        against.entries().for_each(|at| check(&rule.info, &at, findings));
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}
+
+/// One walk over the objects for all rules that look at one object or one entry at a time.
+fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
+    let mut object_checks = Vec::new();
+    let mut entry_checks = Vec::new();
+    for rule in asked_for(options) {
+        match rule.check {
+            Check::Object(check) => object_checks.push(check),
+            Check::Entry(check) => entry_checks.push(check),
+            _ => {}
+        }
+    }
+    for (&index, object) in &device.objects {
+        for check in &object_checks {
+            check(device, index, object, findings);
+        }
+        check_entries(device, Origin::Device, index, object, &entry_checks, findings);
+    }
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        for (&index, object) in &module.fixed {
+            check_entries(device, Origin::Fixed(number), index, object, &entry_checks, findings);
+        }
+        for (&index, extension) in &module.extensions {
+            let mut object = Object { main: extension.entry.clone(), ..Object::default() };
+            // some state the type of the object that is extended
+            object.main.object_type = object.main.object_type.filter(|object_type| !object_type.has_subs());
+            check_entries(device, Origin::Extension(number), index, &object, &entry_checks, findings);
+        }
+    }
+}
+
+/// All rules about entries on those that an object describes.
+fn check_entries(
+    device: &Device,
+    origin: Origin,
+    index: u16,
+    object: &Object,
+    checks: &[EntryCheck],
+    findings: &mut Findings,
+) {
+    for (sub, entry) in object.described() {
+        let at = EntryAt { device, origin, index, object, sub, entry };
+        for check in checks {
+            check(&at, findings);
+        }
+    }
+}

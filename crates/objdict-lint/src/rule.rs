@@ -1,0 +1,138 @@
+//! What a rule about the model is made of.
+
+use crate::demands::{Against, Applied, Expected};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
+use crate::{Facts, PdoFacts, stated};
+
+/// A rule about the model.
+pub struct Rule {
+    /// Its id, severity and page.
+    pub info: RuleInfo,
+    /// What it looks at.
+    pub(crate) check: Check,
+}
+
+/// A look at one entry.
+pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
+
+/// What a rule looks at. The linter walks over the device once and asks each rule at its places.
+#[derive(Clone, Copy)]
+pub(crate) enum Check {
+    /// The device as a whole.
+    Device(fn(&Device, &mut Findings)),
+    /// Each object with its index; one without a section of its own ([`Object::orphan`]) too.
+    Object(fn(&Device, u16, &Object, &mut Findings)),
+    /// Each entry that the description states: an object's own section, or a sub-index; of the modules too.
+    Entry(EntryCheck),
+    /// The communication as a whole.
+    Facts(fn(&Facts<'_>, &mut Findings)),
+    /// Each PDO that the description has an object for.
+    Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
+    /// Each logical device that the document of the rule's group holds for.
+    Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// Each object that the document says something of.
+    Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
+    /// Each described entry that the document says something of, of objects that have the shape that it gives them.
+    Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
+}
+
+/// An entry with where it is.
+#[derive(Clone, Copy)]
+pub(crate) struct EntryAt<'a> {
+    pub device: &'a Device,
+    pub origin: Origin,
+    pub index: u16,
+    /// Its object; of an extension one that has nothing but the entry.
+    pub object: &'a Object,
+    /// The sub-index; `None` for the object's own section.
+    pub sub: Option<u8>,
+    pub entry: &'a Entry,
+}
+
+/// Whose entry it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// The device's.
+    Device,
+    /// That of a fixed object of the module with this number.
+    Fixed(u16),
+    /// What the module with this number adds to an object.
+    Extension(u16),
+}
+
+impl EntryAt<'_> {
+    /// The entry as a place.
+    pub(crate) fn place(&self) -> Place {
+        let index = self.index;
+        Place::of(match (self.origin, self.sub) {
+            (Origin::Device, Some(sub)) => Part::Entry(index, sub),
+            (Origin::Device, None) => Part::Object(index),
+            (Origin::Fixed(module), Some(sub)) => Part::Module(module, ModulePart::FixedEntry(index, sub)),
+            (Origin::Fixed(module), None) => Part::Module(module, ModulePart::Fixed(index)),
+            (Origin::Extension(module), _) => Part::Module(module, ModulePart::SubExt(index)),
+        })
+    }
+
+    /// The object's own section as a place.
+    pub(crate) fn object_place(&self) -> Place {
+        Self { sub: None, ..*self }.place()
+    }
+
+    /// A field of the entry as a place.
+    pub(crate) fn field(&self, field: Field) -> Place {
+        self.place().field(field)
+    }
+
+    /// The object type of the entry, VAR where it is missing; `None` where the description leaves it in doubt.
+    pub(crate) fn object_type(&self) -> Option<ObjectType> {
+        match self.sub {
+            None => stated::object_type(self.object),
+            Some(_) if stated::is_misfit(self.entry, &Field::ObjectType) => None,
+            Some(_) => Some(self.entry.object_type.unwrap_or(ObjectType::Var)),
+        }
+    }
+
+    /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or what a compact object's sub-indexes
+    /// share; not the bare header of an ARRAY or RECORD.
+    pub(crate) fn holds_value(&self) -> bool {
+        self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()
+    }
+}
+
+/// So many further places of one finding are shown.
+const MAX_RELATED: usize = 8;
+
+/// A finding with the other places where the same is wrong; when they are many, with the first ones and a count.
+pub(crate) fn with_others(finding: Diagnostic, places: impl Iterator<Item = (Place, String)>) -> Diagnostic {
+    let mut places = places.peekable();
+    let mut finding = finding;
+    for shown in 1.. {
+        let Some((place, text)) = places.next() else { break };
+        if shown == MAX_RELATED && places.peek().is_some() {
+            let more = places.count();
+            return finding.label(place, format!("{text}, and {more} more"));
+        }
+        finding = finding.label(place, text);
+    }
+    finding
+}
+
+/// Declares a rule about the model: a `static RULE` whose page is its doc comment.
+///
+/// `rule! { /// page … "cia306/name", Error, Entry(check), fix Safe }`; without the part `fix` for a rule that mends nothing.
+macro_rules! rule {
+    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
+        $(#[doc = $doc])+
+        pub(crate) static RULE: $crate::Rule = $crate::Rule {
+            info: objdict_model::diagnostic::RuleInfo {
+                id: $id,
+                severity: objdict_model::diagnostic::Severity::$severity,
+                fix: objdict_model::fix_of!($($safety)?),
+                docs: concat!($($doc, "\n"),+),
+            },
+            check: $crate::Check::$kind($check),
+        };
+    };
+}
+pub(crate) use rule;

@@ -1,0 +1,90 @@
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::PdoKind;
+use crate::{CobIdUse, Facts, Service, rule};
+
+rule! {
+    /// two services of the device use the same CAN-ID
+    ///
+    /// ## What it checks
+    /// Whether any two of SYNC, TIME, EMCY, SDO channels and PDOs that are in use send under the same CAN-ID, or receive under the same CAN-ID. A formula is evaluated for every node-ID in an EDS, for the node in a DCF. Two RPDOs that receive the same frame are a warning, for that can be meant.
+    ///
+    /// ## Why it matters
+    /// A receiver cannot tell the frames apart; a device that gets one does with it what it should do with the other.
+    ///
+    /// ## Example
+    /// `[1400sub1]` and `[1401sub1]`, both with `DefaultValue=$NODEID+0x200`
+    ///
+    /// ## How to mend
+    /// Give each its own CAN-ID: the predefined connection set has one for each of the first four PDOs of a direction.
+    ///
+    /// ## Source
+    /// CiA 301 §7.3.3, §7.3.5
+    "cia301/cob-id-collision", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let mut fixed: BTreeMap<Key, &CobIdUse> = BTreeMap::new();
+    let mut per_node: BTreeMap<Key, &CobIdUse> = BTreeMap::new();
+    let is_looked_at = |cob_id: &&CobIdUse| {
+        let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
+        // a number that lacks the node-ID, or that belongs to another service, is reported as that
+        is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
+    };
+    for cob_id in facts.cob_ids.iter().filter(is_looked_at) {
+        let node = facts.device.node_id();
+        let key = Key::new(cob_id, node.unwrap_or(0));
+        // on a known node every COB-ID is a number
+        let map =
+            if cob_id.cob_id.depends_on_node_id() && node.is_none() { &mut per_node } else { &mut fixed };
+        match map.get(&key) {
+            Some(first) => findings.push(collision(facts, first, cob_id, node)),
+            None => {
+                map.insert(key, cob_id);
+            }
+        }
+    }
+    for (key, cob_id) in &fixed {
+        let bases = key.with(key.can_id.saturating_sub(127))..key.with(key.can_id);
+        for (base, other) in per_node.range(bases) {
+            let node = u8::try_from(key.can_id - base.can_id).ok();
+            findings.push(collision(facts, other, cob_id, node));
+        }
+    }
+}
+
+/// What may be there once. Formulas on no node are compared by their number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    is_sent: bool,
+    is_extended: bool,
+    can_id: u32,
+}
+
+impl Key {
+    fn new(cob_id: &CobIdUse, node: u8) -> Self {
+        let (is_sent, is_extended) = (cob_id.is_sent(), cob_id.cob_id.is_extended());
+        Self { is_sent, is_extended, can_id: cob_id.cob_id.can_id(node) }
+    }
+
+    fn with(self, can_id: u32) -> Self {
+        Self { can_id, ..self }
+    }
+}
+
+fn collision(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Option<u8>) -> Diagnostic {
+    let place = |cob_id: &CobIdUse| facts.device.value_place(cob_id.index, cob_id.sub);
+    let does = if second.is_sent() { "send" } else { "receive" };
+    let on_node = match node {
+        Some(node) if facts.device.node_id().is_none() => format!(" on node {node}"),
+        _ => String::new(),
+    };
+    let (one, other) = (first.service, second.service);
+    let message = format!("{other} and {one} {does} under the same CAN-ID `{}`{on_node}", second.cob_id);
+    let finding = Diagnostic::new(&RULE.info, place(second), message)
+        .label(place(first), format!("{one} has it here"))
+        .help("give each its own CAN-ID, or set bit 31 to switch one off");
+    let is_rpdo = |service| matches!(service, Service::Pdo(PdoKind::Rpdo, _));
+    if is_rpdo(one) && is_rpdo(other) { finding.severity(Severity::Warning) } else { finding }
+}

@@ -1,0 +1,48 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::predefined;
+use crate::{Facts, Service, rule};
+
+rule! {
+    /// the default SDO has another CAN-ID than CiA 301 gives it
+    ///
+    /// ## What it checks
+    /// Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.
+    ///
+    /// ## Why it matters
+    /// The default SDO is how everybody reaches the device; its CAN-IDs cannot be changed. A tool that believes the description talks to nobody, or to another node.
+    ///
+    /// ## Example
+    /// `[1200sub1]` with `DefaultValue=0x600`
+    ///
+    /// ## How to mend
+    /// Write `$NODEID+0x600` and `$NODEID+0x580`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.33, §7.3.5
+    "cia301/default-sdo-cob-id", Error, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for cob_id in &facts.cob_ids {
+        let (base, direction) = match cob_id.service {
+            Service::ServerRequest(1) => (predefined::SDO_REQUEST, "from client to server"),
+            Service::ServerResponse(1) => (predefined::SDO_RESPONSE, "from server to client"),
+            _ => continue,
+        };
+        let expected = predefined::per_node(base);
+        let is_right = match facts.device.node_id() {
+            Some(node) => cob_id.cob_id.on_node(node) == expected.on_node(node),
+            None => cob_id.cob_id == expected,
+        };
+        if !is_right {
+            let message = format!(
+                "`{}` as COB-ID of the default SDO {direction}, which is always `{expected}`",
+                cob_id.cob_id
+            );
+            let place = facts.device.value_place(cob_id.index, cob_id.sub);
+            let title = format!("write `{expected}`");
+            let fix = Fix::risky(title.clone()).set(place.clone(), expected.to_string());
+            findings.push(Diagnostic::new(&RULE.info, place, message).help(title).fix(fix));
+        }
+    }
+}

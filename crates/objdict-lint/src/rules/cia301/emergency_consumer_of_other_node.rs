@@ -1,0 +1,51 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::{Facts, Service, rule};
+
+rule! {
+    /// an entry of the EMCY consumer listens to another node
+    ///
+    /// ## What it checks
+    /// Whether each COB-ID of 1028h that is in use and lies in 81h to FFh is 80h plus its sub-index, which is the node-ID of the node that sends it, and whether none of a DCF is that of the node itself.
+    ///
+    /// ## Why it matters
+    /// The device takes the error of one node for that of another.
+    ///
+    /// ## Example
+    /// `[1028sub5]` with `DefaultValue=0x86`
+    ///
+    /// ## How to mend
+    /// Write 80h plus the sub-index, or set bit 31 to listen to nobody.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.31
+    "cia301/emergency-consumer-of-other-node", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let consumers = facts.cob_ids.iter().filter(|cob_id| cob_id.service == Service::EmcyConsumer);
+    for consumer in consumers.filter(|consumer| consumer.is_in_use() && consumer.wrong_bits() == 0) {
+        if consumer.cob_id.depends_on_node_id() && facts.device.node_id().is_none() {
+            continue;
+        }
+        let can_id = consumer.cob_id.can_id(*facts.node_ids().start());
+        let node = u32::from(consumer.sub);
+        if consumer.cob_id.is_extended() || !(0x81..=0xFF).contains(&can_id) {
+            continue;
+        }
+        let message = if can_id != 0x80 + node {
+            let sub = sub_index(consumer.sub);
+            format!(
+                "sub-index {sub} of 1028h is for node {node}, and `{}` is of node {}",
+                consumer.cob_id,
+                can_id - 0x80
+            )
+        } else if facts.device.node_id() == Some(consumer.sub) {
+            format!("sub-index {} of 1028h makes node {node} listen to its own EMCY", sub_index(consumer.sub))
+        } else {
+            continue;
+        };
+        let place = facts.device.value_place(consumer.index, consumer.sub);
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        findings.push(finding.help("write 80h plus the sub-index, or set bit 31 to listen to nobody"));
+    }
+}

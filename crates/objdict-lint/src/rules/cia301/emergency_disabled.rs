@@ -1,0 +1,42 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::Place;
+use crate::{Facts, Service, rule};
+
+rule! {
+    /// the emergency object is switched off by default though the device has it
+    ///
+    /// ## What it checks
+    /// Whether bit 31 of 1014h is clear on a device with 1015h, the inhibit time of EMCY, in an EDS.
+    ///
+    /// ## Why it matters
+    /// Bit 31 says that EMCY does not exist. The bit of SYNC and TIME at that place says another thing, so it is easily set by mistake, and then no error of the device reaches the network.
+    ///
+    /// ## Example
+    /// `[1014]` with `DefaultValue=$NODEID+0x80000080`
+    ///
+    /// ## How to mend
+    /// Clear bit 31: `$NODEID+0x80`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.17
+    "cia301/emergency-disabled", Warning, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let emcy = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Emcy);
+    let Some(emcy) = emcy.filter(|emcy| !emcy.cob_id.is_valid() && device.objects.contains_key(&0x1015))
+    else {
+        return;
+    };
+    // a configuration may switch it off on purpose
+    if device.object(0x1014).is_some_and(|object| object.main.configured_value().is_some()) {
+        return;
+    }
+    let message = format!("bit 31 of `{}` says that the device has no EMCY", emcy.cob_id);
+    let place = device.value_place(0x1014, 0);
+    let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+    let finding = finding.label(Place::object(0x1015), "its inhibit time is here");
+    findings.push(finding.help("clear bit 31: `$NODEID+0x80`"));
+}

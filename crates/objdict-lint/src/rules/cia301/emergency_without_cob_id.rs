@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::{Device, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// an object about emergencies on a device without EMCY
+    ///
+    /// ## What it checks
+    /// Whether a device with 1015h (inhibit time EMCY) has 1014h, the COB-ID of EMCY. For 1003h (pre-defined error field) it is a note: a device may keep its errors and tell nobody.
+    ///
+    /// ## Why it matters
+    /// The device tells that it sends EMCY and not under which CAN-ID.
+    ///
+    /// ## Example
+    /// `[1015]`, and no `[1014]`
+    ///
+    /// ## How to mend
+    /// Add 1014h with the default `$NODEID+0x80`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.17, §7.5.2.18
+    "cia301/emergency-without-cob-id", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    if stated::is_there(device, 0x1014) {
+        return;
+    }
+    let help = "add 1014h (UNSIGNED32) with the default `$NODEID+0x80`";
+    if device.objects.contains_key(&0x1015) {
+        let message = "1015h (inhibit time EMCY) is there, and 1014h (COB-ID EMCY) is not";
+        findings.push(Diagnostic::new(&RULE.info, Place::object(0x1015), message).help(help));
+    } else if device.objects.contains_key(&0x1003) {
+        let message = "1003h (pre-defined error field) is there, and 1014h (COB-ID EMCY) is not";
+        let finding = Diagnostic::new(&RULE.info, Place::object(0x1003), message).help(help);
+        findings.push(finding.severity(Severity::Note));
+    }
+}

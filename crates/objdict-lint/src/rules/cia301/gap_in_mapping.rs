@@ -1,0 +1,43 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::Place;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// the sub-indexes of a PDO mapping have a gap
+    ///
+    /// ## What it checks
+    /// Whether the described sub-indexes of each PDO mapping beyond those in use follow each other. A gap among those in use is an error of its own.
+    ///
+    /// ## Why it matters
+    /// Objects are mapped in the order of the sub-indexes without gap, so those behind the gap can never be used.
+    ///
+    /// ## Example
+    /// `[1A00sub1]` and `[1A00sub3]`, and no `[1A00sub2]`
+    ///
+    /// ## How to mend
+    /// Describe the missing sub-index, or remove those behind it.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36, table 69
+    "cia301/gap-in-mapping", Note, Pdo(check)
+}
+
+fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let mut expected = 1..=64u8;
+    let Some(slot) = pdo.slots.iter().find(|slot| expected.next() != Some(slot.sub)) else { return };
+    let missing = pdo.slots.iter().take_while(|other| other.sub < slot.sub).count();
+    let missing = u8::try_from(missing + 1).unwrap_or(u8::MAX);
+    let counts = pdo.mapped_count.is_some_and(|count| (missing..=64).contains(&count));
+    if counts || pdo.is_multiplexed() {
+        return;
+    }
+    let index = pdo.mapping_index();
+    let message = format!(
+        "{index:04X}h has sub-index {}, and no sub-index {}",
+        sub_index(slot.sub),
+        sub_index(missing)
+    );
+    let finding = Diagnostic::new(&RULE.info, Place::entry(index, slot.sub), message);
+    findings.push(finding.help(format!("add `[{index:X}sub{missing:X}]`, or remove those behind it")));
+}

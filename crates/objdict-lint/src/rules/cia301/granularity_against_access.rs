@@ -1,0 +1,60 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Access, Field, Object, Part, Place};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// the granularity says one thing about the PDO mapping, its access types another
+    ///
+    /// ## What it checks
+    /// Whether `Granularity` is 0 when no PDO mapping can be written, and not 0 when one can. A mapping that can be written in part only is the matter of another rule.
+    ///
+    /// ## Why it matters
+    /// Tools look at `Granularity` to know whether the mapping can be changed at all: with 0 they do not let the user change what could be changed, else they let him and the device refuses.
+    ///
+    /// ## Example
+    /// `Granularity=0`, and `[1A00sub0]` and `[1A00sub1]` with `AccessType=rw`
+    ///
+    /// ## How to mend
+    /// Write 0 for a fixed mapping, 8 for one of whole bytes, 1 for one of single bits.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia301/granularity-against-access", Warning, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity);
+    let Some(granularity) = granularity.filter(|&granularity| granularity <= 64) else { return };
+    let described = facts.pdos.iter().filter_map(|PdoFacts { pdo, .. }| Some((pdo, pdo.mapping?)));
+    let known: Vec<_> = described.filter_map(|(pdo, object)| Some((pdo, is_writable(object)?))).collect();
+    let (message, help, related) = match granularity {
+        0 => {
+            let Some((pdo, _)) = known.iter().find(|(_, writable)| *writable) else { return };
+            let message = "`0` says that the PDO mapping is fixed, and it can be written".to_owned();
+            let help = "write `Granularity=8` for a mapping of whole bytes, or make the mapping `const`";
+            (message, help, (pdo, "can be written"))
+        }
+        _ => {
+            let all_fixed = known.len() == facts.pdos.len() && known.iter().all(|(_, writable)| !writable);
+            let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
+            let message =
+                format!("`{granularity}` says that the PDO mapping can be changed, and none can be written");
+            (message, "write `Granularity=0` for a fixed mapping", (pdo, "cannot be written"))
+        }
+    };
+    let place = Place::of(Part::DeviceInfo).field(Field::Granularity);
+    let (pdo, text) = related;
+    let value = if granularity == 0 { "8" } else { "0" };
+    let fix = Fix::risky(format!("write `Granularity={value}`")).set(place.clone(), value);
+    let finding = Diagnostic::new(&RULE.info, place, message).help(help).fix(fix);
+    findings.push(finding.label(Place::object(pdo.mapping_index()), text));
+}
+
+/// Whether all of a mapping can be written; `None` where that is not said, or true of a part only.
+fn is_writable(object: &Object) -> Option<bool> {
+    let mut accesses = object.entries().filter(|(sub, _)| *sub <= 64);
+    // sub-index 0 of a compactly stored mapping is read-only by definition
+    let skipped = usize::from(object.compact.is_some());
+    let first = accesses.nth(skipped)?.1.access.map(Access::is_writable)?;
+    accesses.all(|(_, entry)| entry.access.map(Access::is_writable) == Some(first)).then_some(first)
+}

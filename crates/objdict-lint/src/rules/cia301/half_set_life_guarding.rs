@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// life guarding has one of its two values
+    ///
+    /// ## What it checks
+    /// Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both more. A heartbeat time makes them meaningless.
+    ///
+    /// ## Why it matters
+    /// The node watches its master for the product of the two. With a 0 among them it watches nobody, though the other one looks as if it did.
+    ///
+    /// ## Example
+    /// `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=0`
+    ///
+    /// ## How to mend
+    /// Write both, or 0 into both.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.11, §7.5.2.12
+    "cia301/half-set-life-guarding", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let (Some(time), Some(factor)) = (facts.number(0x100C, 0), facts.number(0x100D, 0)) else { return };
+    let has_heartbeat = facts.number(0x1017, 0).is_some_and(|time| time > 0);
+    if has_heartbeat || (time == 0) == (factor == 0) {
+        return;
+    }
+    let (set, zero) = if time == 0 { (0x100D, 0x100C) } else { (0x100C, 0x100D) };
+    let message = format!("the guard time is {time} ms and the life time factor {factor}: nobody is watched");
+    let finding = Diagnostic::new(&RULE.info, facts.device.value_place(zero, 0), message)
+        .label(facts.device.value_place(set, 0), "the other one is set");
+    findings.push(finding.help("write both 100Ch and 100Dh, or 0 into both"));
+}

@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, Service, rule};
+
+rule! {
+    /// one direction of an SDO channel is valid and the other is not
+    ///
+    /// ## What it checks
+    /// Whether the two COB-IDs of an SDO server or client (1201h to 12FFh) are both in use or both not. Bit 31 switches one off, and so does 0, which many stacks have in a channel that is not configured.
+    ///
+    /// ## Why it matters
+    /// A channel exists when both are valid. One valid COB-ID takes a CAN-ID away and gives no SDO.
+    ///
+    /// ## Example
+    /// `[1280sub1]` with `DefaultValue=0x605` and `[1280sub2]` with `DefaultValue=0x80000585`
+    ///
+    /// ## How to mend
+    /// Set bit 31 in both, or clear it in both.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.33, §7.5.2.34
+    "cia301/half-valid-sdo", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let channels = facts.cob_ids.windows(2).filter_map(|pair| match pair {
+        [request, response] if request.index == response.index => match request.service {
+            Service::ServerRequest(number) if number > 1 => Some((request, response)),
+            Service::ClientRequest(_) => Some((request, response)),
+            _ => None,
+        },
+        _ => None,
+    });
+    for (request, response) in channels.filter(|(one, other)| one.is_in_use() != other.is_in_use()) {
+        let (valid, invalid) = if request.is_in_use() { (request, response) } else { (response, request) };
+        let message = format!(
+            "{} has a valid COB-ID `{}` in sub-index {} and none in sub-index {}",
+            request.service, valid.cob_id, valid.sub, invalid.sub
+        );
+        let device = facts.device;
+        let finding = Diagnostic::new(&RULE.info, device.value_place(valid.index, valid.sub), message)
+            .label(device.value_place(invalid.index, invalid.sub), "says that there is none");
+        findings.push(finding.help("set bit 31 in both, or clear it in both"));
+    }
+}

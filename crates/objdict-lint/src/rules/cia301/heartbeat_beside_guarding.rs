@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// heartbeat and node guarding are both switched on
+    ///
+    /// ## What it checks
+    /// Whether 1017h, the heartbeat time, is 0 where 100Ch, the guard time, and 100Dh, the life time factor, are not.
+    ///
+    /// ## Why it matters
+    /// A node does one or the other: with a heartbeat time it sends heartbeats and answers no guarding, and life guarding then sees a master that has gone.
+    ///
+    /// ## Example
+    /// `[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`
+    ///
+    /// ## How to mend
+    /// Write 0 into 100Ch and 100Dh.
+    ///
+    /// ## Source
+    /// CiA 301 §7.2.8.2, §7.5.2.20
+    "cia301/heartbeat-beside-guarding", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let is_on = |index| facts.number(index, 0).is_some_and(|number| number > 0);
+    if !is_on(0x1017) || !is_on(0x100C) || !is_on(0x100D) {
+        return;
+    }
+    let place = |index| facts.device.value_place(index, 0);
+    let message = "the guard time is set beside a heartbeat time, and a node does not do both";
+    let finding = Diagnostic::new(&RULE.info, place(0x100C), message)
+        .label(place(0x1017), "the heartbeat time")
+        .label(place(0x100D), "the life time factor");
+    findings.push(finding.help("write 0 into 100Ch and 100Dh, or into 1017h"));
+}

@@ -1,0 +1,33 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// one of the two objects that hold the EDS is missing
+    ///
+    /// ## What it checks
+    /// Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format.
+    ///
+    /// ## Why it matters
+    /// A tool cannot unpack a file whose format it does not know, and a format alone is of no use.
+    ///
+    /// ## Example
+    /// `[1021]`, and no `[1022]`
+    ///
+    /// ## How to mend
+    /// Add the other object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for a file that is not compressed.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.24, §7.5.2.25
+    "cia301/incomplete-eds-storage", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    for (there, other, lacks) in [(0x1021, 0x1022, "the format"), (0x1022, 0x1021, "the file")] {
+        if device.objects.contains_key(&there) && !stated::is_there(device, other) {
+            let message = format!("{there:04X}h is there, and {other:04X}h with {lacks} is not");
+            let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
+            findings.push(finding.help(format!("add {other:04X}h, or remove {there:04X}h")));
+        }
+    }
+}

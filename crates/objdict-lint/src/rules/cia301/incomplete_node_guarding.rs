@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// one of the two objects of node guarding is missing
+    ///
+    /// ## What it checks
+    /// Whether 100Ch (guard time) and 100Dh (life time factor) are there together or not at all.
+    ///
+    /// ## Why it matters
+    /// The life time is the product of the two; a device with one of them cannot notice that its master has gone.
+    ///
+    /// ## Example
+    /// `[100C]` without `[100D]`
+    ///
+    /// ## How to mend
+    /// Add the other one, or remove both and use the heartbeat.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.11, §7.5.2.12
+    "cia301/incomplete-node-guarding", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let names = [(0x100C, "guard time"), (0x100D, "life time factor")];
+    for ((index, name), (other, other_name)) in [(names[0], names[1]), (names[1], names[0])] {
+        if device.objects.contains_key(&index) && !stated::is_there(device, other) {
+            let message = format!("{index:04X}h ({name}) is there without {other:04X}h ({other_name})");
+            let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+            findings.push(finding.help(format!("add {other:04X}h, or remove {index:04X}h")));
+        }
+    }
+}

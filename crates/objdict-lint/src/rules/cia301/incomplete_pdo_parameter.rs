@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO communication parameter lacks the COB-ID or the transmission type
+    ///
+    /// ## What it checks
+    /// Whether each object from 1400h to 15FFh and from 1800h to 19FFh has sub-indexes 1 and 2.
+    ///
+    /// ## Why it matters
+    /// A manager cannot configure the PDO, and a tool cannot say when it is sent.
+    ///
+    /// ## Example
+    /// `[1801]` with `[1801sub0]` and `[1801sub1]` only
+    ///
+    /// ## How to mend
+    /// Describe the missing sub-index.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35, §7.5.2.37
+    "cia301/incomplete-pdo-parameter", Error, Pdo(check)
+}
+
+fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let Some(object) = pdo.communication_record() else { return };
+    let pdo = &pdo.pdo;
+    let index = pdo.communication_index();
+    for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
+        if !object.has(sub) {
+            let message = format!("{pdo} has no sub-index {sub} ({name}) in {index:04X}h");
+            let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+            findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+        }
+    }
+}

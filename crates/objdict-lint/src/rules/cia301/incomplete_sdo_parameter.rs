@@ -1,0 +1,38 @@
+use crate::demands::Against;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::Place;
+use crate::rule;
+
+rule! {
+    /// an SDO parameter lacks a sub-index
+    ///
+    /// ## What it checks
+    /// Whether each SDO server (1200h to 127Fh) has the COB-IDs of both directions, sub-indexes 1 and 2, and each SDO client (1280h to 12FFh) the node-ID of its server, sub-index 3, too.
+    ///
+    /// ## Why it matters
+    /// An SDO channel needs both identifiers; a client does not know whom it talks to without the node-ID.
+    ///
+    /// ## Example
+    /// `[1280]` with sub-indexes 0 to 2 only
+    ///
+    /// ## How to mend
+    /// Describe the missing sub-index.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.33, §7.5.2.34
+    "cia301/incomplete-sdo-parameter", Error, Against(check)
+}
+
+fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let (index, object) = (at.index, at.object);
+    if !(0x1200..=0x12FF).contains(&index) || object.orphan || !object.object_type().has_subs() {
+        return;
+    }
+    let needed = at.facts.entries.iter().filter(|entry| entry.is_mandatory() && entry.first > 0);
+    for entry in needed.filter(|entry| !object.has(entry.first)) {
+        let (sub, name) = (entry.first, &entry.name);
+        let message = format!("{at} has no sub-index {sub} ({name})");
+        let finding = Diagnostic::new(rule, Place::object(index), message);
+        findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+    }
+}

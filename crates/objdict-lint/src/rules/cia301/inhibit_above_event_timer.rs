@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::PdoKind;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// the inhibit time of a TPDO is longer than its event timer
+    ///
+    /// ## What it checks
+    /// Whether the inhibit time of each event-driven TPDO (types 254 and 255), which counts in 100 µs, is at most as long as its event timer, which counts in milliseconds. 0 means off.
+    ///
+    /// ## Why it matters
+    /// The event timer wants to send the PDO before the inhibit time allows it. Mostly the inhibit time was written in milliseconds.
+    ///
+    /// ## Example
+    /// `[1800sub3]` with `DefaultValue=5000` (500 ms) and `[1800sub5]` with `DefaultValue=100`
+    ///
+    /// ## How to mend
+    /// Shorten the inhibit time, or lengthen the event timer.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.37
+    "cia301/inhibit-above-event-timer", Warning, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let (Some(inhibit), Some(event)) = (pdo.inhibit_time, pdo.event_timer) else { return };
+    let is_longer = u32::from(inhibit) > u32::from(event) * 10;
+    if pdo.kind == PdoKind::Rpdo || !pdo.is_event_driven() || event == 0 || !is_longer {
+        return;
+    }
+    let index = pdo.communication_index();
+    let (whole, tenth) = (inhibit / 10, inhibit % 10);
+    let message = format!(
+        "{pdo} has an inhibit time of {whole}.{tenth} ms (`{inhibit}`), and shall be sent every {event} ms"
+    );
+    let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 3), message)
+        .label(facts.device.value_place(index, 5), "its event timer");
+    findings.push(finding.help("the inhibit time counts in 100 µs, the event timer in ms"));
+}

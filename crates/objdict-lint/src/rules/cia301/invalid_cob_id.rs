@@ -1,0 +1,66 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::{Facts, rule};
+
+rule! {
+    /// a COB-ID has bits that mean nothing
+    ///
+    /// ## What it checks
+    /// Whether bits 11 to 28 are clear in each COB-ID whose bit 29 says that the CAN-ID has 11 bits, and bit 30 in those of EMCY, which is reserved there. SYNC, TIME, EMCY, SDO and PDO are looked at; a formula is evaluated for the highest node-ID.
+    ///
+    /// ## Why it matters
+    /// Some devices refuse such a value, others cut it, so that the service uses another CAN-ID than the one that is written. Mostly a digit is missing: `0x8000000` was meant to be `0x80000000`.
+    ///
+    /// ## Example
+    /// `[1804sub1]` with `DefaultValue=0x8000000`
+    ///
+    /// ## How to mend
+    /// Count the digits: bit 31 is `0x80000000`, and the CAN-ID takes the lowest three.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35
+    "cia301/invalid-cob-id", Error, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for cob_id in &facts.cob_ids {
+        let bits = cob_id.wrong_bits();
+        if bits == 0 {
+            continue;
+        }
+        let message = format!(
+            "`{}` as COB-ID of {} has {} set, which {} nothing there",
+            cob_id.cob_id,
+            cob_id.service,
+            bit_names(bits),
+            if bits.count_ones() == 1 { "means" } else { "mean" }
+        );
+        let place = facts.device.value_place(cob_id.index, cob_id.sub);
+        let number = cob_id.cob_id.number();
+        let finding = Diagnostic::new(&RULE.info, place.clone(), message).help(help(number));
+        let meant = meant(number).filter(|_| !cob_id.cob_id.depends_on_node_id());
+        findings.push(match meant {
+            Some(meant) => {
+                finding.fix(Fix::risky(format!("write `0x{meant:08X}`")).set(place, format!("0x{meant:08X}")))
+            }
+            None => finding,
+        });
+    }
+}
+
+fn bit_names(bits: u32) -> String {
+    let numbers: Vec<String> =
+        (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit| bit.to_string()).collect();
+    if numbers.len() == 1 { format!("bit {}", numbers[0]) } else { format!("bits {}", numbers.join(", ")) }
+}
+
+fn help(number: u32) -> String {
+    match meant(number) {
+        Some(meant) => format!("did you mean `0x{meant:08X}`?"),
+        None => "write a CAN-ID of at most 7FFh, and flags in the first digit only".to_owned(),
+    }
+}
+
+/// The number whose flag digit slipped one place to the right.
+fn meant(number: u32) -> Option<u32> {
+    matches!(number >> 24, 0x04 | 0x08 | 0x0C).then_some((number >> 24 << 28) | (number & 0x7FF))
+}

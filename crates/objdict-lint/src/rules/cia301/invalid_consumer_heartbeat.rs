@@ -1,0 +1,58 @@
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Device;
+use crate::rule;
+
+rule! {
+    /// an entry of the heartbeat consumer cannot watch a node
+    ///
+    /// ## What it checks
+    /// Whether each value of 1016h that has a time names a node from 1 to 127, has its upper byte clear, does not name the node of the DCF itself, and does not watch a node that an entry before it watches.
+    ///
+    /// ## Why it matters
+    /// A device answers such a value with an abort, or watches nobody. Mostly the node-ID was forgotten, and the value is just the time.
+    ///
+    /// ## Example
+    /// `[1016sub1]` with `DefaultValue=750`
+    ///
+    /// ## How to mend
+    /// Write the node-ID into bits 16 to 23: `0x000702EE` watches node 7 for 750 ms.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.19
+    "cia301/invalid-consumer-heartbeat", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(object) = device.object(0x1016) else { return };
+    let mut watched: BTreeMap<u32, u8> = BTreeMap::new();
+    for sub in 1..=127 {
+        let value = object.value(sub).and_then(|value| value.as_integer());
+        let Some(value) = value.and_then(|value| u32::try_from(value).ok()) else { continue };
+        let (node, time) = (value >> 16 & 0xFF, value & 0xFFFF);
+        if value == 0 || (time == 0 && value >> 24 == 0) {
+            continue;
+        }
+        let place = device.value_place(0x1016, sub);
+        let finding =
+            |message: String, help: String| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
+        if value >> 24 != 0 {
+            let message = format!("`0x{value:08X}` of 1016h sub-index {sub} has bits above the node-ID set");
+            findings.push(finding(message, format!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
+        } else if node == 0 || node > 127 {
+            let message = format!("1016h sub-index {sub} watches for {time} ms, but `{node}` is no node-ID");
+            let help = format!("write the node-ID from 1 to 127 before the time: `0x00nn{time:04X}`");
+            findings.push(finding(message, help));
+        } else if device.node_id().is_some_and(|own| u32::from(own) == node) {
+            let message = format!("1016h sub-index {sub} makes node {node} watch itself");
+            findings.push(finding(message, "write the node-ID of another node, or 0 for none".to_owned()));
+        } else if let Some(&first) = watched.get(&node) {
+            let message = format!("1016h sub-indexes {first} and {sub} both watch node {node}");
+            let twice = finding(message, "keep one of them, and write 0 into the other".to_owned());
+            findings.push(twice.label(device.value_place(0x1016, first), "the first one"));
+        } else {
+            watched.insert(node, sub);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// the device type contradicts itself
+    ///
+    /// ## What it checks
+    /// Whether 1000h with the profile number 0 in its low word, which says that the device follows no profile, has 0 in its high word too.
+    ///
+    /// ## Why it matters
+    /// The high word means something within a profile only. A master that compares the device type, or takes the profile from it, draws the wrong conclusion.
+    ///
+    /// ## Example
+    /// `[1000]` with `DefaultValue=0x00030000`
+    ///
+    /// ## How to mend
+    /// Write the number of the profile into the low word, such as `0x00030191` for CiA 401, or 0 as a whole.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.1
+    "cia301/invalid-device-type", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let Some(device_type) = facts.number(0x1000, 0).filter(|&number| number > 0) else { return };
+    let (profile, additional) = (device_type & 0xFFFF, device_type >> 16);
+    if profile != 0 || additional == 0 {
+        return;
+    }
+    let message = format!("`0x{device_type:08X}` names no profile, and adds `0x{additional:04X}` to it");
+    let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
+    findings.push(finding.help("write the number of the profile into the low word, or 0 as a whole"));
+}

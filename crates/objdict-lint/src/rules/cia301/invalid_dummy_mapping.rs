@@ -1,0 +1,66 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{DataType, Field, MappedObject, Part, PdoKind, Place};
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a filler in a PDO mapping is not allowed
+    ///
+    /// ## What it checks
+    /// Whether each mapping entry that names a data type instead of an object (below 0020h) stands in an RPDO, names an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not forbidden in `DummyUsage`.
+    ///
+    /// ## Why it matters
+    /// A filler makes an RPDO skip bits that are for others. A TPDO has nothing to send there; a device refuses a type that it does not support as a filler.
+    ///
+    /// ## Example
+    /// `[1600sub2]` with `DefaultValue=0x00050010`
+    ///
+    /// ## How to mend
+    /// Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and set the key in `DummyUsage`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.1; CiA 306-1 §4.6.2
+    "cia301/invalid-dummy-mapping", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Dummy)) {
+        let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+        if let Some((what, help)) = defect(pdo.pdo.kind, mapped.object) {
+            let message = format!("{} {what}", pdo.pdo);
+            findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
+        } else if let Some(key) = forbidden(facts, mapped.object) {
+            let data_type = DataType(mapped.object.index);
+            let message =
+                format!("{} has a filler of type {data_type}, which the device does not support", pdo.pdo);
+            let key = Place::of(Part::DummyUsage).field(key);
+            let finding = Diagnostic::new(&RULE.info, place, message).label(key, "not allowed here");
+            findings.push(finding.help("use a type that `DummyUsage` allows"));
+        }
+    }
+}
+
+fn defect(kind: PdoKind, dummy: MappedObject) -> Option<(String, String)> {
+    let data_type = DataType(dummy.index);
+    let bits = data_type.bit_length();
+    if kind == PdoKind::Tpdo {
+        let what = format!("maps the data type {data_type}, and only an RPDO may have fillers");
+        return Some((what, "map an object".to_owned()));
+    }
+    let Some(bits) = bits.filter(|_| data_type.is_dummy()) else {
+        let what = format!("maps {:04X}h, which is no data type that can be a filler", dummy.index);
+        return Some((what, "use BOOLEAN or an integer type: `0x00050008` skips one byte".to_owned()));
+    };
+    let right = format!("write `0x{:08X}`", MappedObject { bits, sub: 0, ..dummy }.to_number());
+    if dummy.sub != 0 {
+        return Some((format!("has a filler with sub-index {}, which is always 0", dummy.sub), right));
+    }
+    let what = format!("has a filler of {} bits, but {data_type} has {bits}", dummy.bits);
+    (bits != dummy.bits).then_some((what, right))
+}
+
+/// The key that says that the type is no filler on this device.
+fn forbidden(facts: &Facts<'_>, dummy: MappedObject) -> Option<Field> {
+    let usage = facts.device.dummy_usage.as_ref()?;
+    let allowed = usage.types.get(&DataType(dummy.index))?;
+    (!allowed).then(|| Field::Named(format!("Dummy{:04X}", dummy.index).into()))
+}

@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::Device;
+use crate::rule;
+
+rule! {
+    /// an error behavior has a reserved value
+    ///
+    /// ## What it checks
+    /// Whether each value of 1029h is 0 (to pre-operational), 1 (no change) or 2 (to stopped), or one from 128 on, which manufacturers define.
+    ///
+    /// ## Why it matters
+    /// A device refuses the value, and a manager does not know what the device will do when the network fails.
+    ///
+    /// ## Example
+    /// `[1029sub1]` with `DefaultValue=3`
+    ///
+    /// ## How to mend
+    /// Write the behavior that the device has.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.32
+    "cia301/invalid-error-behavior", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(object) = device.object(0x1029) else { return };
+    for sub in 1..=254 {
+        let value = object.value(sub).and_then(|value| value.as_integer());
+        let Some(value) = value.filter(|value| (3..128).contains(value)) else { continue };
+        let message =
+            format!("`{value}` as error behavior in sub-index {} of 1029h is reserved", sub_index(sub));
+        let finding = Diagnostic::new(&RULE.info, device.value_place(0x1029, sub), message);
+        findings.push(finding.help("write 0 for pre-operational, 1 for no change or 2 for stopped"));
+        if object.compact.is_some() {
+            return; // all of them share one value
+        }
+    }
+}

@@ -1,0 +1,54 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::PdoKind;
+use crate::{Facts, rule, with_others};
+
+rule! {
+    /// the overflow value of the SYNC counter is reserved, or does not fit the PDOs
+    ///
+    /// ## What it checks
+    /// Whether 1019h is 0 or from 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.
+    ///
+    /// ## Why it matters
+    /// The device refuses 1 and the values above 240. A counter that is no multiple of n starts anew in the middle of a cycle, so that the PDO comes early once in every round.
+    ///
+    /// ## Example
+    /// `[1019]` with `DefaultValue=1`
+    ///
+    /// ## How to mend
+    /// Write 0 for a SYNC without a counter, else the least common multiple of the transmission types.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.22
+    "cia301/invalid-sync-counter", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let value = device.value(0x1019, 0).and_then(|value| value.as_integer());
+    let Some(overflow) = value.and_then(|value| u8::try_from(value).ok()) else { return };
+    let place = device.value_place(0x1019, 0);
+    if overflow == 1 || overflow > 240 {
+        let message = format!("`{overflow}` as overflow value of the SYNC counter is reserved");
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        findings.push(finding.help("write 0 for no counter, or 2 to 240"));
+        return;
+    }
+    let cycles =
+        |transmission_type: &u8| (2..=240).contains(transmission_type) && overflow % transmission_type != 0;
+    let tpdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    let tpdos = tpdos.filter(|pdo| pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true));
+    let mut broken = tpdos.filter_map(|pdo| Some((pdo, pdo.transmission_type.filter(cycles)?))).peekable();
+    if overflow == 0 || broken.peek().is_none() {
+        return;
+    }
+    let message = format!(
+        "the SYNC counter overflows at `{overflow}`, which is no multiple of every transmission type"
+    );
+    let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
+    let finding = finding.help("write the least common multiple of the transmission types");
+    let others = broken.map(|(pdo, every)| {
+        let at = device.value_place(pdo.communication_index(), 2);
+        (at, format!("{pdo} is sent once in {every} SYNCs"))
+    });
+    findings.push(with_others(finding, others));
+}

@@ -1,0 +1,59 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::PdoKind;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a TPDO waits for a SYNC that never comes
+    ///
+    /// ## What it checks
+    /// Whether the SYNC start value of each TPDO is at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter, where it has no effect, is a warning.
+    ///
+    /// ## Why it matters
+    /// The TPDO starts with the SYNC whose counter has the start value. The counter goes from 1 to the overflow value, so a higher start value never comes.
+    ///
+    /// ## Example
+    /// `[1800sub6]` with `DefaultValue=12` and `[1019]` with `DefaultValue=10`
+    ///
+    /// ## How to mend
+    /// Write 0 to start with any SYNC, or a value up to that of 1019h.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.22, §7.5.2.37
+    "cia301/invalid-sync-start-value", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(start) = pdo.sync_start_value.filter(|&start| start > 0 && pdo.kind == PdoKind::Tpdo) else {
+        return;
+    };
+    let device = facts.device;
+    let finding =
+        |message| Diagnostic::new(&RULE.info, device.value_place(pdo.communication_index(), 6), message);
+    let counter = device.value(0x1019, 0).and_then(|value| value.as_integer());
+    if start > 240 {
+        let finding = finding(format!("`{start}` as SYNC start value of {pdo}, which takes 0 to 240"));
+        findings.push(finding.help("write 0 to start with any SYNC"));
+        return;
+    }
+    match counter {
+        None if device.objects.contains_key(&0x1019) => {}
+        None | Some(0) => {
+            let finding = finding(format!(
+                "`{start}` as SYNC start value of {pdo} has no effect without a SYNC counter"
+            ));
+            let finding = match counter {
+                Some(_) => finding.label(device.value_place(0x1019, 0), "the counter is switched off here"),
+                None => finding,
+            };
+            findings.push(finding.severity(Severity::Warning).help("write 0, or give 1019h a value"));
+        }
+        Some(overflow) if i128::from(start) > overflow => {
+            let finding =
+                finding(format!("{pdo} waits for SYNC number `{start}`, and the counter ends at {overflow}"));
+            let finding = finding.label(device.value_place(0x1019, 0), "the counter ends here");
+            findings.push(finding.help(format!("write at most {overflow}")));
+        }
+        Some(_) => {}
+    }
+}

@@ -1,0 +1,57 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Device, Field, PdoKind, Place};
+use crate::rule;
+
+rule! {
+    /// entries can be mapped, but there is no PDO in their direction
+    ///
+    /// ## What it checks
+    /// Whether a device that has PDOs has a TPDO for its entries with `PDOMapping=1` and the access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are left alone.
+    ///
+    /// ## Why it matters
+    /// Tools offer the entries for mapping, and nothing can carry them. Mostly PDOs were left out of the description.
+    ///
+    /// ## Example
+    /// `AccessType=rww` and `PDOMapping=1` in `[2000]`, and TPDOs only
+    ///
+    /// ## How to mend
+    /// Describe the PDOs, or write `PDOMapping=0`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35 to §7.5.2.38
+    "cia301/mappable-without-pdo", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let [rpdo, tpdo] = PdoKind::ALL.map(|kind| has_pdo(device, kind));
+    let (missing, fits): (PdoKind, fn(Access) -> bool) = match (rpdo, tpdo) {
+        (true, false) => (PdoKind::Tpdo, |access| access.fits_tpdo() && !access.fits_rpdo()),
+        (false, true) => (PdoKind::Rpdo, |access| access.fits_rpdo() && !access.fits_tpdo()),
+        _ => return,
+    };
+    if device.is_modular() || device.dynamic_channels.is_some() {
+        return;
+    }
+    let mut entries = device.objects.range(0x2000..).flat_map(|(&index, object)| {
+        let place = move |sub: Option<u8>| sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        object.described().map(move |(sub, entry)| (place(sub), entry))
+    });
+    let found = entries.find(|(_, entry)| {
+        let has_length = entry.data_type.is_some_and(|data_type| data_type.bit_length().is_some());
+        entry.is_mappable() && has_length && entry.access.is_some_and(fits)
+    });
+    let Some((place, _)) = found else { return };
+    let message = format!("the entry is for {missing}s, and the device has none");
+    let finding = Diagnostic::new(&RULE.info, place.field(Field::PdoMapping), message);
+    findings.push(finding.help("describe the PDOs, or write `PDOMapping=0`"));
+}
+
+fn has_pdo(device: &Device, kind: PdoKind) -> bool {
+    let info = device.device_info.as_ref();
+    let declared = info.and_then(|info| match kind {
+        PdoKind::Rpdo => info.rpdo_count,
+        PdoKind::Tpdo => info.tpdo_count,
+    });
+    // a count without objects is the matter of the rule about counts
+    declared.is_some_and(|count| count > 0) || device.pdos().any(|pdo| pdo.kind == kind)
+}

@@ -1,0 +1,49 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::Place;
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps an object that does not exist
+    ///
+    /// ## What it checks
+    /// Whether each entry in use of a PDO mapping names an object and sub-index of the description. What a module or a dynamic channel may bring counts as existing; on a modular device anything else that is missing is a note.
+    ///
+    /// ## Why it matters
+    /// The device refuses the mapping with an abort, and the PDO does not work. Tools that fill the frame from the dictionary fail there.
+    ///
+    /// ## Example
+    /// `[1A00sub1]` with `DefaultValue=0x60000108`, and no `[6000]`
+    ///
+    /// ## How to mend
+    /// Describe the object, or map another one. A number of eight digits is index, sub-index and length.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2
+    "cia301/mapped-object-missing", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in pdo.mapped.iter().filter(|mapped| mapped.target.is_missing()) {
+        let (object, index) = (mapped.object, pdo.pdo.mapping_index());
+        let place = facts.device.value_place(index, mapped.slot);
+        let finding = match mapped.target {
+            Target::NoEntry => {
+                let message = format!(
+                    "{} maps {:04X}h:{:02X}, which has no such sub-index",
+                    pdo.pdo, object.index, object.sub
+                );
+                let finding = Diagnostic::new(&RULE.info, place, message);
+                let finding = finding.label(Place::object(object.index), "the object is here");
+                finding.help("describe the sub-index, or map another one")
+            }
+            _ => {
+                let message = format!(
+                    "{} maps {:04X}h:{:02X}, and there is no such object",
+                    pdo.pdo, object.index, object.sub
+                );
+                Diagnostic::new(&RULE.info, place, message).help("describe the object, or map another one")
+            }
+        };
+        findings.push(if facts.device.is_modular() { finding.severity(Severity::Note) } else { finding });
+    }
+}

@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Field, Place};
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps an object that no PDO may carry
+    ///
+    /// ## What it checks
+    /// Whether each entry that a PDO mapping names has `PDOMapping` set.
+    ///
+    /// ## Why it matters
+    /// Either the object can be mapped and no tool offers it, or it cannot and the default mapping is wrong.
+    ///
+    /// ## Example
+    /// `[1A00sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `PDOMapping=0`
+    ///
+    /// ## How to mend
+    /// Write `PDOMapping=1` at the object, or map another one.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36; CiA 306-1 §4.6.3.2
+    "cia301/mapped-object-not-mappable", Error, Pdo(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in &pdo.mapped {
+        let Target::Entry(entry) = &mapped.target else { continue };
+        if entry.is_mappable() || entry.misfits.get(&Field::PdoMapping).is_some() {
+            continue;
+        }
+        let (index, sub) = (mapped.object.index, mapped.object.sub);
+        let message = format!("{} maps {index:04X}h:{sub:02X}, which no PDO may carry", pdo.pdo);
+        let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
+        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let fix = Fix::risky("write `PDOMapping=1` there").set(target.clone().field(Field::PdoMapping), "1");
+        let finding = finding.label(target.field(Field::PdoMapping), "says that it is not mappable").fix(fix);
+        findings.push(finding.help("write `PDOMapping=1` there, or map another object"));
+    }
+}

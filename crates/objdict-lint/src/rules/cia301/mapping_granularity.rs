@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Field, Part, Place};
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps an object that is no multiple of the granularity
+    ///
+    /// ## What it checks
+    /// Whether the length of each object that a PDO maps by default is a multiple of the device's `Granularity`. 0 means that the mapping is fixed, and then nothing is looked at.
+    ///
+    /// ## Why it matters
+    /// A device with a granularity of 8 maps whole bytes; it refuses a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.
+    ///
+    /// ## Example
+    /// `Granularity=8`, and `[1A00sub1]` with `DefaultValue=0x60200101`
+    ///
+    /// ## How to mend
+    /// Write the granularity that the device has, or map objects of whole bytes.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia301/mapping-granularity", Warning, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity);
+    let Some(granularity) = granularity.filter(|granularity| (2..=64).contains(granularity)) else { return };
+    let is_odd = |bits: u8| !bits.is_multiple_of(granularity);
+    let mut known = pdo.mapped.iter().filter(|mapped| match mapped.target {
+        Target::Entry(_) => mapped.wrong_length().is_none(),
+        _ => matches!(mapped.target, Target::Dummy),
+    });
+    let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
+    let message = format!("{} maps {}, and the granularity is `{granularity}` bits", pdo.pdo, first.object);
+    let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    let finding = finding.label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");
+    findings.push(finding.help("write the granularity that the device has, or map whole multiples of it"));
+}

@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps the number of entries instead of an entry
+    ///
+    /// ## What it checks
+    /// Whether a mapping entry that names sub-index 0 names a VAR. Sub-index 0 of an ARRAY or RECORD is a count.
+    ///
+    /// ## Why it matters
+    /// The PDO carries a constant. Mostly the sub-indexes were counted from 0, and the last one is missing.
+    ///
+    /// ## Example
+    /// `[1A01sub1]` with `DefaultValue=0x64010010`, and 6401h is an ARRAY
+    ///
+    /// ## How to mend
+    /// Begin with sub-index 1: `0x64010110`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.2, §7.5.2.36
+    "cia301/mapping-of-count", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Count)) {
+        let index = mapped.object.index;
+        let message = format!("{} maps {index:04X}h:00, which is the number of its entries", pdo.pdo);
+        let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        let finding = finding.label(Place::object(index), "the values are in sub-indexes 1 and above");
+        findings.push(finding.help("map a sub-index from 1 on"));
+    }
+}

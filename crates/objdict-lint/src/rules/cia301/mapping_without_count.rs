@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Field, Place};
+use crate::{Facts, PdoFacts, is_unstated, rule};
+
+rule! {
+    /// nobody says how many objects a PDO maps
+    ///
+    /// ## What it checks
+    /// Whether sub-index 0 of each PDO mapping that cannot be written has a value.
+    ///
+    /// ## Why it matters
+    /// The mapping of such a PDO is known from the description alone, and without the number of objects it is not known: no tool can show what the PDO carries.
+    ///
+    /// ## Example
+    /// `[1A00sub0]` with `AccessType=const` and no `DefaultValue`
+    ///
+    /// ## How to mend
+    /// Write the number of mapped objects.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36, §7.5.2.38
+    "cia301/mapping-without-count", Warning, Pdo(check)
+}
+
+fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(object) = pdo.mapping.filter(|object| !object.orphan && is_unstated(object, 0)) else { return };
+    let Some(entry) =
+        object.subs.get(0).filter(|entry| entry.access.is_some_and(|access| !Access::is_writable(access)))
+    else {
+        return;
+    };
+    if entry.data_type.is_none() {
+        return;
+    }
+    let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
+    let message = format!("the mapping of {pdo} is fixed, and nobody says how many objects it has");
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    findings.push(finding.help("write the number of mapped objects"));
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Field, Object, Place};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO mapping can be changed, but the PDO cannot be switched off
+    ///
+    /// ## What it checks
+    /// Whether the COB-ID of each PDO whose mapping can be written can be written too.
+    ///
+    /// ## Why it matters
+    /// A mapping may be changed only while bit 31 of the COB-ID is set. Where nobody can set it, devices refuse to change the mapping, or tools do not try.
+    ///
+    /// ## Example
+    /// `[1800sub1]` with `AccessType=const` and `[1A00sub0]` with `AccessType=rw`
+    ///
+    /// ## How to mend
+    /// Make the COB-ID `rw`, or the mapping `const`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36, §7.5.2.38
+    "cia301/mapping-without-switch", Note, Pdo(check)
+}
+
+fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let access = |object: Option<&Object>, sub| object?.subs.get(sub)?.access;
+    let writable = |sub| access(pdo.mapping, sub).is_some_and(Access::is_writable);
+    let fixed = access(pdo.communication, 1).filter(|access| !access.is_writable());
+    let Some(fixed) = fixed.filter(|_| writable(0) && writable(1)) else { return };
+    let at = |index, sub| Place::entry(index, sub).field(Field::AccessType);
+    let message =
+        format!("the COB-ID of {pdo} is `{fixed}`, so nobody can switch it off to change its mapping");
+    let finding = Diagnostic::new(&RULE.info, at(pdo.communication_index(), 1), message)
+        .label(at(pdo.mapping_index(), 0), "the mapping can be written");
+    findings.push(finding.help("make the COB-ID `rw`, or the mapping `const`"));
+}

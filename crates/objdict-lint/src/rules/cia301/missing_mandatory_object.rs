@@ -1,0 +1,47 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::{ObjectList, Part, Place};
+use crate::profile::Need;
+use crate::{Facts, rule, stated};
+
+rule! {
+    /// an object that every device has is missing
+    ///
+    /// ## What it checks
+    /// Whether 1000h (device type), 1001h (error register) and 1018h (identity) are there. An object that is listed without being described, or stands in the wrong list, is the matter of other rules.
+    ///
+    /// ## Why it matters
+    /// A manager reads 1000h and 1018h when a node boots and refuses one that answers with an abort; tools tell devices apart by 1018h.
+    ///
+    /// ## Example
+    /// no `[1018]`
+    ///
+    /// ## How to mend
+    /// Describe the object, and name it in `MandatoryObjects`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1
+    "cia301/missing-mandatory-object", Error, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    // a file that has nothing of a device is no device with missing objects
+    if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
+        return;
+    }
+    for facts in applied.profile.objects.iter().filter(|facts| facts.need == Need::Mandatory) {
+        let (index, name) = (facts.first, &facts.name);
+        // what is listed and not described has a rule of its own
+        if stated::is_there(device, index) {
+            continue;
+        }
+        let place = match device.lists.mandatory {
+            Some(_) => Place::of(Part::List(ObjectList::Mandatory)),
+            None => Place::device(),
+        };
+        let message = format!("the mandatory object {index:04X}h ({name}) is missing");
+        let help = format!("add `[{index:04X}]` and name `0x{index:04X}` in `MandatoryObjects`");
+        findings.push(Diagnostic::new(rule, place, message).help(help));
+    }
+}

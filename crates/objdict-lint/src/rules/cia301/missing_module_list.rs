@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Part, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// a modular device has no list of its modules
+    ///
+    /// ## What it checks
+    /// Whether a device with modules in `[SupportedModules]` has 1027h, the module list.
+    ///
+    /// ## Why it matters
+    /// A master reads 1027h to learn which modules are plugged in. Without it, it cannot hold the station against its configuration.
+    ///
+    /// ## Example
+    /// `[SupportedModules]` with `NrOfEntries=2`, and no `[1027]`
+    ///
+    /// ## How to mend
+    /// Add 1027h, an ARRAY of UNSIGNED16 with an element for each module, or describe it among the fixed objects of the modules.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.30, CiA 306-1 §6.2
+    "cia301/missing-module-list", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) else {
+        return;
+    };
+    let by_module = modules
+        .supported
+        .values()
+        .any(|module| module.fixed.contains_key(&0x1027) || module.extensions.contains_key(&0x1027));
+    if by_module || stated::is_there(device, 0x1027) {
+        return;
+    }
+    let message = "the device has modules, and no 1027h that lists those plugged in";
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::SupportedModules), message);
+    findings.push(finding.help("add 1027h (module list, ARRAY of UNSIGNED16)"));
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Identity, Place};
+use crate::rule;
+
+rule! {
+    /// the identity object has no vendor-ID
+    ///
+    /// ## What it checks
+    /// Whether 1018h has sub-index 1. The other members are optional.
+    ///
+    /// ## Why it matters
+    /// The vendor-ID is the one member that every identity object has; managers compare it with 1F85h, and product code and revision mean nothing without it.
+    ///
+    /// ## Example
+    /// `[1018]` with `[1018sub0]` and `[1018sub2]` only
+    ///
+    /// ## How to mend
+    /// Describe `[1018sub1]`, an UNSIGNED32 that is read-only, with the vendor-ID that CiA gave you as its default.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.21
+    "cia301/missing-vendor-id", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(object) = device.object(Identity::INDEX) else { return };
+    if object.orphan || object.has(1) || !object.object_type().has_subs() {
+        return;
+    }
+    let place = Place::object(Identity::INDEX);
+    let finding =
+        Diagnostic::new(&RULE.info, place, "the identity object 1018h has no sub-index 1, the vendor-ID");
+    findings.push(finding.help(
+        "add `[1018sub1]` with `DataType=0x0007`, `AccessType=ro` and the vendor-ID as `DefaultValue`",
+    ));
+}

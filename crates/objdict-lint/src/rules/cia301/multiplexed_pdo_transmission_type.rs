@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a multiplexed PDO has a synchronous transmission type
+    ///
+    /// ## What it checks
+    /// Whether the transmission type of each multiplexed PDO, whose mapping counts 254 or 255, is 254 or 255.
+    ///
+    /// ## Why it matters
+    /// A multiplexed PDO carries one entry a frame, and is sent when that entry has something to say. SYNC cannot trigger it.
+    ///
+    /// ## Example
+    /// `[1A00sub0]` with `DefaultValue=255` and `[1800sub2]` with `DefaultValue=1`
+    ///
+    /// ## How to mend
+    /// Write 254 or 255.
+    ///
+    /// ## Source
+    /// CiA 301 §7.2.2.6, §7.5.2.36
+    "cia301/multiplexed-pdo-transmission-type", Warning, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(transmission_type @ 0..=240) = pdo.transmission_type.filter(|_| pdo.is_multiplexed()) else {
+        return;
+    };
+    let place = facts.device.value_place(pdo.communication_index(), 2);
+    let message =
+        format!("{pdo} is a multiplexed PDO, and type `{transmission_type}` makes it wait for SYNC");
+    let finding = Diagnostic::new(&RULE.info, place, message)
+        .label(facts.device.value_place(pdo.mapping_index(), 0), "this makes it a multiplexed PDO");
+    findings.push(finding.help("write 254 or 255"));
+}

@@ -1,0 +1,43 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::PdoKind;
+use crate::{Facts, rule};
+
+rule! {
+    /// a multiplexed PDO with source addresses lacks its list
+    ///
+    /// ## What it checks
+    /// Whether a device with a TPDO whose mapping counts 254 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).
+    ///
+    /// ## Why it matters
+    /// With source addressing, the lists say which entries are sent, and where a received one is written. Without them nothing is sent, and what comes is thrown away.
+    ///
+    /// ## Example
+    /// `[1600sub0]` with `DefaultValue=254`, and no `[1FD0]`
+    ///
+    /// ## How to mend
+    /// Add the list, or count 255 for destination addressing, which needs none.
+    ///
+    /// ## Source
+    /// CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40
+    "cia301/multiplexed-pdo-without-list", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    for kind in PdoKind::ALL {
+        let (first, last, name) = match kind {
+            PdoKind::Tpdo => (0x1FA0, 0x1FCF, "object scanner list"),
+            PdoKind::Rpdo => (0x1FD0, 0x1FFF, "object dispatching list"),
+        };
+        let mut pdos = facts.pdos.iter().map(|facts| &facts.pdo).filter(|pdo| pdo.kind == kind);
+        let Some(pdo) = pdos.find(|pdo| pdo.mapped_count == Some(0xFE)) else { continue };
+        let is_listed = device.lists.iter().any(|(_, index)| (first..=last).contains(&index));
+        if is_listed || device.objects.range(first..=last).next().is_some() {
+            continue;
+        }
+        let message = format!("{pdo} is multiplexed by source address, and there is no {name}");
+        let finding = Diagnostic::new(&RULE.info, device.value_place(pdo.mapping_index(), 0), message);
+        findings
+            .push(finding.help(format!("add {first:04X}h ({name}), or count 255 for destination addresses")));
+    }
+}

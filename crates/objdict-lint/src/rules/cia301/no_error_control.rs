@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// the device has neither a heartbeat nor node guarding
+    ///
+    /// ## What it checks
+    /// Whether there is 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).
+    ///
+    /// ## Why it matters
+    /// CiA 301 demands one of the two. Without it nobody notices that the device has gone.
+    ///
+    /// ## Example
+    /// a device with 1000h, 1001h and 1018h only
+    ///
+    /// ## How to mend
+    /// Add 1017h, an UNSIGNED16 that can be written; the heartbeat is the one that CiA recommends.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.11, §7.5.2.12, §7.5.2.20
+    "cia301/no-error-control", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    // a file without a single communication object is a fragment, and that is reported
+    if [0x1017, 0x100C, 0x100D].into_iter().any(|index| stated::is_there(device, index))
+        || device.objects.range(0x1000..0x2000).next().is_none()
+    {
+        return;
+    }
+    let message =
+        "the device has no error control: neither a heartbeat (1017h) nor node guarding (100Ch, 100Dh)";
+    findings.push(
+        Diagnostic::new(&RULE.info, Place::device(), message).help("add 1017h, producer heartbeat time"),
+    );
+}

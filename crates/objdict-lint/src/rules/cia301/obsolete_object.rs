@@ -1,0 +1,32 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Object, Place};
+use crate::profile;
+use crate::rule;
+
+rule! {
+    /// an object of an old edition of CiA 301
+    ///
+    /// ## What it checks
+    /// Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which version 4 of CiA 301 gave up and keeps reserved.
+    ///
+    /// ## Why it matters
+    /// It does no harm, but nobody reads these objects any more: 1018h, 1200h and the PDO records tell what they told.
+    ///
+    /// ## Example
+    /// `[100B]`, the node-ID
+    ///
+    /// ## How to mend
+    /// Leave the object out of new devices.
+    ///
+    /// ## Source
+    /// CiA 301 annex A, list of objects
+    "cia301/obsolete-object", Note, Object(check)
+}
+
+fn check(_: &Device, index: u16, _: &Object, findings: &mut Findings) {
+    if let Some(purpose) = profile::obsolete(index) {
+        let message = format!("{index:04X}h ({purpose}) is obsolete since version 4 of CiA 301");
+        let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+        findings.push(finding.help("leave it out where no old tool needs it"));
+    }
+}

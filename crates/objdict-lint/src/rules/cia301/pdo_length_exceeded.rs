@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO carries more than 64 bits
+    ///
+    /// ## What it checks
+    /// Whether the lengths of the objects that a PDO maps add up to 64 bits at most. It is silent where an object is missing or a length is wrong, for that is reported there.
+    ///
+    /// ## Why it matters
+    /// A CAN frame has eight bytes. The device refuses the mapping when sub-index 0 is written, with abort 0604 0042h.
+    ///
+    /// ## Example
+    /// five UNSIGNED16 in `[1A00]`
+    ///
+    /// ## How to mend
+    /// Move objects to another PDO.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36
+    "cia301/pdo-length-exceeded", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let bits: u32 = pdo.mapped.iter().map(|mapped| u32::from(mapped.object.bits)).sum();
+    if bits <= 64 || !pdo.lengths_are_right() {
+        return;
+    }
+    let mut sum = 0;
+    let beyond = pdo.mapped.iter().find(|mapped| {
+        sum += u32::from(mapped.object.bits);
+        sum > 64
+    });
+    let index = pdo.pdo.mapping_index();
+    let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
+    let message = format!("{} carries {bits} bits, {} more than fit into a frame", pdo.pdo, bits - 64);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
+    findings.push(finding.help("move this object and what follows it to another PDO"));
+}

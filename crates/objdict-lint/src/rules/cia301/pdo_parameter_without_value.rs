@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, PdoFacts, is_unstated, rule};
+
+rule! {
+    /// the COB-ID or transmission type of a PDO has no value
+    ///
+    /// ## What it checks
+    /// Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.
+    ///
+    /// ## Why it matters
+    /// Nobody knows under which CAN-ID a new device sends the PDO, and when. A tool that restores the defaults leaves out this one.
+    ///
+    /// ## Example
+    /// `[1800sub2]` without `DefaultValue`
+    ///
+    /// ## How to mend
+    /// Write the value that the device has after its defaults were restored.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35, §7.5.2.37
+    "cia301/pdo-parameter-without-value", Note, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let Some(object) = pdo.communication_record() else { return };
+    let pdo = &pdo.pdo;
+    let index = pdo.communication_index();
+    for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
+        let has_type = object.subs.get(sub).is_none_or(|entry| entry.data_type.is_some());
+        if has_type && is_unstated(object, sub) {
+            let message = format!("the {name} of {pdo} has no value");
+            let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, sub), message);
+            findings.push(finding.help("write the value of a device whose defaults were restored"));
+            return;
+        }
+    }
+}

@@ -1,0 +1,45 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::DeviceKind;
+use crate::{Facts, rule, with_others};
+
+rule! {
+    /// a PDO without a predefined CAN-ID is switched on by default
+    ///
+    /// ## What it checks
+    /// Whether the default COB-ID of PDO 5 and above has bit 31 set. One finding for the device, with every such PDO. A DCF is not looked at: it says what a node is configured to, and tools write that as default.
+    ///
+    /// ## Why it matters
+    /// The predefined connection set has no CAN-ID for these PDOs. One that is on after a reset uses an identifier that another device may have, before any manager could say otherwise.
+    ///
+    /// ## Example
+    /// `[1804sub1]` with `DefaultValue=$NODEID+0x1C0`
+    ///
+    /// ## How to mend
+    /// Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35 table 67, §7.5.2.37 table 71
+    "cia301/pdo-valid-by-default", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let is_type = device.kind == DeviceKind::Type;
+    let mut on = facts.pdos.iter().filter_map(|of_pdo| {
+        let pdo = &of_pdo.pdo;
+        let entry = pdo.communication?.subs.get(1)?;
+        let cob_id = of_pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)?;
+        // a CAN-ID that belongs to another service is reported as that
+        let is_looked_at = pdo.number > 4 && is_type && !facts.is_restricted(&cob_id);
+        (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
+    });
+    let Some((first, cob_id)) = on.next() else { return };
+    let message = format!("`{cob_id}` switches {first} on by default, and it has no predefined CAN-ID");
+    let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 1), message);
+    let finding = finding.help(format!("set bit 31: `{}`", cob_id.disabled()));
+    let place = |index| device.value_place(index, 1);
+    findings.push(with_others(
+        finding,
+        on.map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too"))),
+    ));
+}

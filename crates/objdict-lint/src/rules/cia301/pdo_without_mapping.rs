@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO has one of its two objects only
+    ///
+    /// ## What it checks
+    /// Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may bring the other one.
+    ///
+    /// ## Why it matters
+    /// Without the mapping nobody knows what the PDO carries, without the communication parameter not when and under which CAN-ID. `CompactPDO` allows to leave out both objects, not one.
+    ///
+    /// ## Example
+    /// `[1802]`, and no `[1A02]`
+    ///
+    /// ## How to mend
+    /// Describe the other object, or remove this one.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1
+    "cia301/pdo-without-mapping", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
+    let (there, what, missing, other) = match (pdo.communication, pdo.mapping) {
+        (Some(_), None) => (communication, "a communication parameter", mapping, "mapping parameter"),
+        (None, Some(_)) => (mapping, "a mapping parameter", communication, "communication parameter"),
+        _ => return,
+    };
+    let device = facts.device;
+    let mut modules = device.modules.iter().flat_map(|modules| modules.supported.values());
+    if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
+        return;
+    }
+    let message = format!("{pdo} has {what}, {there:04X}h, and no {other}, {missing:04X}h");
+    let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
+    findings.push(finding.help(format!("add {missing:04X}h, or remove {there:04X}h")));
+}

@@ -1,0 +1,50 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{DataType, Field, Place};
+use crate::{Facts, rule, stated, with_others};
+
+rule! {
+    /// a PDO communication parameter has the reserved sub-index 4
+    ///
+    /// ## What it checks
+    /// Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. One finding for the device, with every such PDO. An UNSIGNED8, which older devices have there for compatibility, is a note: a quarter of the files that we looked at have it, and it does no harm. Another data type is a warning, for then something is meant that has its place elsewhere.
+    ///
+    /// ## Why it matters
+    /// CiA 301 keeps the sub-index reserved; a device answers there with an abort. Who writes the event timer into it, which is sub-index 5, gets no event timer.
+    ///
+    /// ## Example
+    /// `[1800sub4]`
+    ///
+    /// ## How to mend
+    /// Remove the section. The gap between 3 and 5 is right, and sub-index 0 stays the highest one.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37
+    "cia301/reserved-pdo-sub-index", Warning, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    let with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?)));
+    let Some((first, _)) = with.clone().next() else { return };
+    let place = |index| Place::entry(index, 4);
+    let message =
+        format!("{first} has sub-index 4 in {:04X}h, which is reserved", first.communication_index());
+    let finding = Diagnostic::new(&RULE.info, place(first.communication_index()), message);
+    let finding = finding.help("remove the section; the event timer is sub-index 5");
+    let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
+    let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
+    let fix = with.clone().fold(Fix::risky("remove the section"), |fix, (pdo, _)| {
+        let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
+        let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
+        let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
+        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else {
+            return fix;
+        };
+        let highest = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4).max().unwrap_or_default();
+        let count = Place::entry(pdo.communication_index(), 0).field(Field::DefaultValue);
+        fix.set(count, highest.to_string())
+    });
+    let finding = finding.fix(fix);
+    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")));
+    findings.push(with_others(finding, others));
+}

@@ -1,0 +1,58 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::{CobIdUse, Facts, rule};
+
+rule! {
+    /// a service uses a CAN-ID that belongs to another one
+    ///
+    /// ## What it checks
+    /// Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO, and one with the COB-ID 0 is not in use. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.
+    ///
+    /// ## Why it matters
+    /// Another node answers an SDO under that CAN-ID, or sends its heartbeat: two nodes send the same identifier and disturb each other.
+    ///
+    /// ## Example
+    /// `[1804sub1]` with `DefaultValue=$NODEID+0x580`
+    ///
+    /// ## How to mend
+    /// Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or switch the service off with bit 31.
+    ///
+    /// ## Source
+    /// CiA 301 §7.3.5, table 40
+    "cia301/restricted-can-id", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let mut nodes = Vec::new();
+    for cob_id in &facts.cob_ids {
+        nodes.clear();
+        nodes.extend(facts.node_ids().filter_map(|node| Some((node, facts.owner(cob_id, node)?))));
+        let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { continue };
+        let finding = finding(facts, cob_id, first, last.0, nodes.len() == facts.node_ids().count());
+        findings.push(finding);
+    }
+}
+
+fn finding(
+    facts: &Facts<'_>,
+    cob_id: &CobIdUse,
+    (first, owner): (u8, &'static str),
+    last: u8,
+    everywhere: bool,
+) -> Diagnostic {
+    let can_id = cob_id.cob_id.can_id(first);
+    let on_nodes = match (cob_id.cob_id.depends_on_node_id(), everywhere) {
+        (false, _) => String::new(),
+        (true, true) => format!(" (on node {first})"),
+        (true, false) => format!(" (on nodes {first} to {last})"),
+    };
+    let message = format!(
+        "`{}` gives {} the restricted CAN-ID {can_id:03X}h{on_nodes}: {owner}",
+        cob_id.cob_id, cob_id.service
+    );
+    let place = facts.device.value_place(cob_id.index, cob_id.sub);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    let finding =
+        finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh, or set bit 31 to switch it off");
+    let is_likely = everywhere || first == *facts.node_ids().start();
+    if is_likely { finding } else { finding.severity(Severity::Warning) }
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::PdoKind;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a TPDO is sent on request only
+    ///
+    /// ## What it checks
+    /// Whether each valid TPDO has another transmission type than 252 and 253, with which it waits for a remote frame. One that forbids remote frames at the same time has a finding of its own.
+    ///
+    /// ## Why it matters
+    /// CiA advises against remote frames: controllers of different makers answer them differently, some not at all, and CAN FD has none.
+    ///
+    /// ## Example
+    /// `[1800sub2]` with `DefaultValue=253`
+    ///
+    /// ## How to mend
+    /// Use 254 or 255 with an event timer, or a synchronous type.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.37, table 72; CiA 801
+    "cia301/rtr-only-pdo", Note, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(transmission_type @ (252 | 253)) = pdo.transmission_type else { return };
+    let allows_rtr = pdo.cob_id.is_some_and(|cob_id| cob_id.is_valid() && !cob_id.bit_30());
+    if pdo.kind != PdoKind::Tpdo || !allows_rtr {
+        return;
+    }
+    let message =
+        format!("{pdo} has transmission type `{transmission_type}`, and is sent on remote frames only");
+    let place = facts.device.value_place(pdo.communication_index(), 2);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    findings.push(finding.help("use 254 or 255 with an event timer, or a synchronous type"));
+}

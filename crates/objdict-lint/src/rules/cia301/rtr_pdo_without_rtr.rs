@@ -1,0 +1,43 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{CobId, PdoKind};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a TPDO is sent on request only and forbids to request it
+    ///
+    /// ## What it checks
+    /// Whether the COB-ID of each TPDO with transmission type 252 or 253 has bit 30 clear.
+    ///
+    /// ## Why it matters
+    /// Bit 30 says that nobody may ask for the PDO with a remote frame, the types say that it is sent for no other reason: it is never sent.
+    ///
+    /// ## Example
+    /// `[1800sub1]` with `DefaultValue=$NODEID+0x40000180` and `[1800sub2]` with `DefaultValue=253`
+    ///
+    /// ## How to mend
+    /// Use an event-driven or a synchronous type; CiA advises against remote frames.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.37 tables 70 and 72
+    "cia301/rtr-pdo-without-rtr", Warning, Pdo(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let on_request = pdo.transmission_type.filter(|transmission_type| matches!(transmission_type, 252 | 253));
+    let (Some(transmission_type), Some(cob_id)) = (on_request, pdo.cob_id) else { return };
+    if pdo.kind == PdoKind::Tpdo && cob_id.is_valid() && cob_id.bit_30() {
+        let index = pdo.communication_index();
+        let message = format!(
+            "{pdo} is sent on request only (type `{transmission_type}`), and bit 30 of `{cob_id}` forbids it"
+        );
+        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 2), message)
+            .label(facts.device.value_place(index, 1), "no RTR allowed here");
+        let flags = if cob_id.depends_on_node_id() { "$NODEID+" } else { "" };
+        let number = cob_id.number() & !CobId::BIT_30;
+        let fix = Fix::risky("clear bit 30")
+            .set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
+        let finding = finding.fix(fix);
+        findings.push(finding.help(format!("use another type, or clear bit 30: `{flags}0x{number:X}`")));
+    }
+}

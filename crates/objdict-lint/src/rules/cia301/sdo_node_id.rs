@@ -1,0 +1,56 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{CobIdUse, Facts, Service, rule};
+
+rule! {
+    /// an SDO channel names the wrong node
+    ///
+    /// ## What it checks
+    /// Whether sub-index 3 of each SDO channel in use, but for the default SDO, is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, names that node.
+    ///
+    /// ## Why it matters
+    /// The node-ID tells tools whom the channel leads to. A channel to a wrong node-ID talks to nobody, or is shown where it does not belong.
+    ///
+    /// ## Example
+    /// `[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`
+    ///
+    /// ## How to mend
+    /// Write the node-ID of the node at the other end.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.33, §7.5.2.34
+    "cia301/sdo-node-id", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let requests = facts.cob_ids.iter().filter(|cob_id| match cob_id.service {
+        Service::ServerRequest(number) => number > 1,
+        service => matches!(service, Service::ClientRequest(_)),
+    });
+    for request in requests.filter(|request| request.is_in_use()) {
+        let Some(node) = facts.number(request.index, 3) else { continue };
+        let own = facts.device.node_id().map(i128::from);
+        let service = request.service;
+        let message = if !(1..=127).contains(&node) {
+            format!("{service} leads to node `{node}`, and node-IDs are 1 to 127")
+        } else if own == Some(node) {
+            format!("{service} leads to node {node}, which is the node itself")
+        } else if let Some(server) = default_server(facts, request).filter(|&server| server != node) {
+            format!("{service} uses the default SDO of node {server}, and names node {node}")
+        } else {
+            continue;
+        };
+        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(request.index, 3), message)
+            .label(facts.device.value_place(request.index, 1), "its COB-ID");
+        findings.push(finding.help("write the node-ID of the node at the other end"));
+    }
+}
+
+/// The node whose default SDO a client uses.
+fn default_server(facts: &Facts<'_>, request: &CobIdUse) -> Option<i128> {
+    let is_client = matches!(request.service, Service::ClientRequest(_));
+    if !is_client || request.cob_id.depends_on_node_id() && facts.device.node_id().is_none() {
+        return None;
+    }
+    let can_id = request.cob_id.can_id(*facts.node_ids().start());
+    (0x601..=0x67F).contains(&can_id).then_some(i128::from(can_id) - 0x600)
+}

@@ -1,0 +1,66 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{CobId, DeviceKind, predefined};
+use crate::{CobIdUse, Facts, Service, rule};
+
+rule! {
+    /// the default CAN-ID of SYNC, TIME or EMCY is not that of the predefined connection set
+    ///
+    /// ## What it checks
+    /// Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. Flags are left alone, and so is what another rule about the COB-ID reports.
+    ///
+    /// ## Why it matters
+    /// The predefined connection set makes devices of all makers work together as delivered. A device that takes SYNC from elsewhere does not hear it.
+    ///
+    /// ## Example
+    /// `[1005]` with `DefaultValue=$NODEID+0x80`
+    ///
+    /// ## How to mend
+    /// Write `0x80`, `0x100` or `$NODEID+0x80`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.3.5, tables 38 and 39
+    "cia301/service-cob-id-not-predefined", Warning, Facts(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    if facts.device.kind != DeviceKind::Type {
+        return;
+    }
+    for cob_id in &facts.cob_ids {
+        let base = match cob_id.service {
+            Service::Sync => predefined::SYNC,
+            Service::Time => predefined::TIME,
+            Service::Emcy => predefined::EMCY,
+            _ => continue,
+        };
+        if let Some(expected) = expected(facts, cob_id, base) {
+            let place = facts.device.value_place(cob_id.index, cob_id.sub);
+            let message = format!(
+                "`{}` as default COB-ID of {}, which the predefined connection set puts elsewhere",
+                cob_id.cob_id, cob_id.service
+            );
+            let finding = Diagnostic::new(&RULE.info, place.clone(), message);
+            let fix = Fix::risky("take the CAN-ID of the predefined connection set")
+                .set(place, expected.to_string());
+            findings.push(finding.help(format!("write `{expected}`")).fix(fix));
+        }
+    }
+}
+
+/// What the COB-ID should be, flags as they are, where it is another.
+fn expected(facts: &Facts<'_>, cob_id: &CobIdUse, base: u16) -> Option<CobId> {
+    let per_node = cob_id.service == Service::Emcy;
+    let stated = cob_id.cob_id;
+    let is_explained = !cob_id.is_in_use()
+        || cob_id.wrong_bits() != 0
+        || facts.is_restricted(cob_id)
+        || facts.base_without_node_id(cob_id).is_some();
+    let is_right = !stated.is_extended()
+        && stated.depends_on_node_id() == per_node
+        && stated.number() & 0x7FF == u32::from(base);
+    if is_explained || is_right {
+        return None;
+    }
+    let number = stated.number() & (CobId::BIT_30 | CobId::BIT_31) | u32::from(base);
+    if per_node { CobId::per_node(number) } else { Some(CobId::new(number)) }
+}

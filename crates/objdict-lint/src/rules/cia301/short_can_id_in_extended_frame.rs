@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// a COB-ID is marked as one of 29 bits and has 11
+    ///
+    /// ## What it checks
+    /// Whether a COB-ID in use with bit 29 set, which makes it one of an extended frame, has more than 11 bits.
+    ///
+    /// ## Why it matters
+    /// Extended frames are a rare choice, and a base frame with the same number is another identifier. Mostly bit 29 was set in place of bit 30 or 31.
+    ///
+    /// ## Example
+    /// `[1800sub1]` with `DefaultValue=$NODEID+0x20000180`
+    ///
+    /// ## How to mend
+    /// Clear bit 29.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.5, §7.5.2.35, figures 53 to 71
+    "cia301/short-can-id-in-extended-frame", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for cob_id in facts.cob_ids.iter().filter(|cob_id| cob_id.cob_id.is_extended() && cob_id.is_in_use()) {
+        if cob_id.cob_id.can_id(127) > 0x7FF || cob_id.wrong_bits() != 0 {
+            continue;
+        }
+        let message = format!(
+            "`{}` of {} has the bit of 29-bit identifiers, and 11 bits",
+            cob_id.cob_id, cob_id.service
+        );
+        let place = facts.device.value_place(cob_id.index, cob_id.sub);
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        findings.push(finding.help("clear bit 29; to switch the service off, set bit 31"));
+    }
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// the device stores parameters and cannot restore them
+    ///
+    /// ## What it checks
+    /// Whether a device with 1010h, store parameters, has 1011h, restore default parameters, and the other way round.
+    ///
+    /// ## Why it matters
+    /// Whoever stored a wrong bit rate or COB-ID wants the delivered state back, and restoring means something only where something can be stored.
+    ///
+    /// ## Example
+    /// `[1010]`, and no `[1011]`
+    ///
+    /// ## How to mend
+    /// Add the other object.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.13, §7.5.2.14
+    "cia301/store-without-restore", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let pairs = [
+        (0x1010, 0x1011, "the device stores parameters, and has no 1011h that restores the defaults"),
+        (0x1011, 0x1010, "the device restores defaults, and has no 1010h that stores anything else"),
+    ];
+    for (there, other, message) in pairs {
+        if device.objects.contains_key(&there) && !stated::is_there(device, other) {
+            let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
+            findings.push(finding.help(format!("add {other:04X}h")));
+        }
+    }
+}

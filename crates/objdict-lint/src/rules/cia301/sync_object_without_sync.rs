@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Object, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// an object about SYNC on a device without SYNC
+    ///
+    /// ## What it checks
+    /// Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.
+    ///
+    /// ## Why it matters
+    /// Period, window and counter belong to a SYNC message that the device does not know.
+    ///
+    /// ## Example
+    /// `[1006]`, and no `[1005]`
+    ///
+    /// ## How to mend
+    /// Add 1005h, or remove the object.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22
+    "cia301/sync-object-without-sync", Warning, Object(check)
+}
+
+fn check(device: &Device, index: u16, _: &Object, findings: &mut Findings) {
+    let name = match index {
+        0x1006 => "communication cycle period",
+        0x1007 => "synchronous window length",
+        0x1019 => "synchronous counter overflow value",
+        _ => return,
+    };
+    if stated::is_there(device, 0x1005) {
+        return;
+    }
+    let message = format!("{index:04X}h ({name}) is there, and 1005h for SYNC is not");
+    let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+    findings.push(finding.help(format!("add 1005h (COB-ID SYNC), or remove {index:04X}h")));
+}

@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, Service, rule, stated};
+
+rule! {
+    /// the device sends SYNC and has no period for it
+    ///
+    /// ## What it checks
+    /// Whether a device whose 1005h has bit 30 set (it produces SYNC) has 1006h, the communication cycle period.
+    ///
+    /// ## Why it matters
+    /// Nobody can say how often it sends SYNC.
+    ///
+    /// ## Example
+    /// `[1005]` with `DefaultValue=0x40000080`, and no `[1006]`
+    ///
+    /// ## How to mend
+    /// Add 1006h, an UNSIGNED32 in microseconds, or clear bit 30.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.5, §7.5.2.6
+    "cia301/sync-producer-without-period", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let is_there = stated::is_there(device, 0x1006);
+    let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
+    let Some(sync) = sync.filter(|sync| sync.is_sent() && !is_there) else { return };
+    let message =
+        format!("`{}` makes the device send SYNC, and there is no 1006h for the period", sync.cob_id);
+    let finding = Diagnostic::new(&RULE.info, device.value_place(0x1005, 0), message);
+    findings
+        .push(finding.help("add 1006h (communication cycle period, UNSIGNED32), or clear bit 30 of 1005h"));
+}

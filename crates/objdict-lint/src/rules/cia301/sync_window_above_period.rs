@@ -1,0 +1,33 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// the window for synchronous PDOs is longer than the SYNC period
+    ///
+    /// ## What it checks
+    /// Whether 1007h, the synchronous window length, is at most 1006h, the communication cycle period. Both count in microseconds; 0 means that there is none.
+    ///
+    /// ## Why it matters
+    /// Synchronous PDOs have to be sent inside the window that SYNC opens. A window that outlasts the period never closes, and a device refuses it.
+    ///
+    /// ## Example
+    /// `[1006]` with `DefaultValue=1000` and `[1007]` with `DefaultValue=5000`
+    ///
+    /// ## How to mend
+    /// Shorten the window, or lengthen the period.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.6, §7.5.2.7
+    "cia301/sync-window-above-period", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let (Some(period), Some(window)) = (facts.number(0x1006, 0), facts.number(0x1007, 0)) else { return };
+    if period == 0 || window <= period {
+        return;
+    }
+    let message = format!("the synchronous window is {window} µs long, and SYNC comes every {period} µs");
+    let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1007, 0), message)
+        .label(facts.device.value_place(0x1006, 0), "the period of SYNC");
+    findings.push(finding.help("shorten the window, or lengthen the period"));
+}

@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule, stated, with_others};
+
+rule! {
+    /// a synchronous PDO on a device without SYNC
+    ///
+    /// ## What it checks
+    /// Whether a device with a valid PDO of a synchronous transmission type (0 to 240, of a TPDO also 252) has 1005h, the COB-ID of SYNC. One finding for the device, with every such PDO.
+    ///
+    /// ## Why it matters
+    /// Without 1005h the device knows no SYNC, so the PDO is never sent or never taken over.
+    ///
+    /// ## Example
+    /// `[1801sub2]` with `DefaultValue=1`, and no `[1005]`
+    ///
+    /// ## How to mend
+    /// Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.5, §7.5.2.35, §7.5.2.37
+    "cia301/synchronous-pdo-without-sync", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    if stated::is_there(device, 0x1005) {
+        return;
+    }
+    let mut synchronous = facts
+        .pdos
+        .iter()
+        .map(|facts| &facts.pdo)
+        .filter(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true));
+    let Some(first) = synchronous.next() else { return };
+    let transmission_type = first.transmission_type.unwrap_or_default();
+    let message =
+        format!("{first} has the synchronous type `{transmission_type}`, and there is no 1005h for SYNC");
+    let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 2), message);
+    let finding = finding
+        .help("add 1005h (COB-ID SYNC, UNSIGNED32, default 0x80), or use transmission type 254 or 255");
+    let place = |index| device.value_place(index, 2);
+    let others = synchronous.map(|pdo| (place(pdo.communication_index()), format!("{pdo} too")));
+    findings.push(with_others(finding, others));
+}

@@ -1,0 +1,46 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::PdoKind;
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO has a timer that does nothing
+    ///
+    /// ## What it checks
+    /// Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. Only those that a SYNC does not trigger have a use for the timers, and what is received cannot be inhibited.
+    ///
+    /// ## Why it matters
+    /// Whoever wrote the time believes that it works. Often the transmission type is the one that is wrong.
+    ///
+    /// ## Example
+    /// `[1800sub2]` with `DefaultValue=1` and `[1800sub5]` with `DefaultValue=100`
+    ///
+    /// ## How to mend
+    /// Write 0, or the transmission type 254 or 255.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35, §7.5.2.37
+    "cia301/timer-without-effect", Note, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let is_cyclic = matches!(pdo.transmission_type, Some(0..=240)) && pdo.kind == PdoKind::Tpdo;
+    let index = pdo.communication_index();
+    let timers = [
+        (3, "inhibit time", pdo.inhibit_time, is_cyclic || pdo.kind == PdoKind::Rpdo),
+        (5, "event timer", pdo.event_timer, is_cyclic),
+    ];
+    let mut idle =
+        timers.into_iter().filter(|(_, _, time, is_idle)| *is_idle && time.is_some_and(|time| time > 0));
+    let Some((sub, name, Some(time), _)) = idle.next() else { return };
+    let place = facts.device.value_place(index, sub);
+    let finding = match pdo.transmission_type.filter(|_| is_cyclic) {
+        Some(transmission_type) => {
+            let message = format!("{pdo} is sent with SYNC, so its {name} of `{time}` has no effect");
+            let reason = format!("type {transmission_type} is a synchronous one");
+            Diagnostic::new(&RULE.info, place, message).label(facts.device.value_place(index, 2), reason)
+        }
+        None => Diagnostic::new(&RULE.info, place, format!("the {name} `{time}` of {pdo} has no effect")),
+    };
+    findings.push(finding.help("write 0, or the transmission type 254 or 255"));
+}

@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{DeviceKind, PdoKind};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a node sends under the PDO identifier of another one
+    ///
+    /// ## What it checks
+    /// Whether each valid TPDO of a DCF that uses a CAN-ID of TPDOs of the predefined connection set uses that of its own node. Linking to the RPDO of another node is what its CAN-IDs are for, and not looked at.
+    ///
+    /// ## Why it matters
+    /// The other node sends its TPDO under the same CAN-ID, unless it was reconfigured: two senders of one identifier disturb each other.
+    ///
+    /// ## Example
+    /// `NodeID=5`, and `[1800sub1]` with `ParameterValue=0x186`
+    ///
+    /// ## How to mend
+    /// Use the CAN-ID of the own node-ID, and link it on the other node's side.
+    ///
+    /// ## Source
+    /// CiA 301 §7.3.5
+    "cia301/tpdo-of-other-node", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let Some(own) = facts.device.node_id().filter(|_| facts.device.kind == DeviceKind::Node) else { return };
+    for cob_id in facts.pdos.iter().filter(|pdo| pdo.pdo.kind == PdoKind::Tpdo).filter_map(PdoFacts::cob_id) {
+        let can_id = cob_id.cob_id.can_id(own);
+        let is_plain = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
+        let is_of_tpdo = (0x181..0x500).contains(&can_id) && can_id & 0x80 != 0;
+        let node = can_id & 0x7F;
+        if !is_plain || !is_of_tpdo || node == 0 || node == u32::from(own) {
+            continue;
+        }
+        let number = (can_id >> 8) & 0x7;
+        let message = format!(
+            "{} of node {own} is sent as `{can_id:03X}h`, the TPDO {number} of node {node}",
+            cob_id.service
+        );
+        let finding =
+            Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
+        findings.push(finding.help("use a CAN-ID of this node, and let the other node listen to it"));
+    }
+}

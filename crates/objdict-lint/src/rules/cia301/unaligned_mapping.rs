@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// an object of whole bytes starts in the middle of a byte of its PDO
+    ///
+    /// ## What it checks
+    /// Whether each object of 8 bits or more that a PDO maps starts at a whole byte of the frame.
+    ///
+    /// ## Why it matters
+    /// Most devices and masters copy whole bytes, and refuse the mapping or read it wrongly.
+    ///
+    /// ## Example
+    /// `[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`
+    ///
+    /// ## How to mend
+    /// Map the single bits last, or fill up the byte before.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36
+    "cia301/unaligned-mapping", Note, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity).unwrap_or(0);
+    // with another granularity the object that breaks the bytes is reported
+    if granularity > 1 || !pdo.lengths_are_right() {
+        return;
+    }
+    let mut start = 0u32;
+    for mapped in &pdo.mapped {
+        if mapped.object.bits >= 8 && !start.is_multiple_of(8) {
+            let message = format!("{} maps {} from bit {start} on", pdo.pdo, mapped.object);
+            let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(finding.help("map the single bits last, or fill up the byte before"));
+            return;
+        }
+        start += u32::from(mapped.object.bits);
+    }
+}

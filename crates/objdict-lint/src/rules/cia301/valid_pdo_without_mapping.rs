@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, PdoFacts, rule};
+
+rule! {
+    /// a PDO is switched on and maps nothing
+    ///
+    /// ## What it checks
+    /// Whether each PDO whose mapping counts 0 objects is switched off by bit 31 of its COB-ID.
+    ///
+    /// ## Why it matters
+    /// A TPDO without objects sends empty frames, or the device refuses it; an RPDO takes a CAN-ID for nothing.
+    ///
+    /// ## Example
+    /// `[1801sub1]` with `DefaultValue=$NODEID+0x280`, and `[1A01sub0]` with `DefaultValue=0`
+    ///
+    /// ## How to mend
+    /// Set bit 31 of the COB-ID, or map something.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.35 to §7.5.2.38
+    "cia301/valid-pdo-without-mapping", Warning, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    // a CAN-ID that belongs to another service is reported as that
+    if pdo.cob_id().is_some_and(|cob_id| facts.is_restricted(&cob_id)) {
+        return;
+    }
+    let Some(cob_id) = pdo.pdo.cob_id.filter(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0) else {
+        return;
+    };
+    if pdo.pdo.mapped_count != Some(0) {
+        return;
+    }
+    let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
+    let message = format!("`{cob_id}` switches {} on, and it maps nothing", pdo.pdo);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    let finding =
+        finding.label(facts.device.value_place(pdo.pdo.mapping_index(), 0), "no objects are mapped");
+    findings.push(finding.help(format!("set bit 31: `{}`, or map something", cob_id.disabled())));
+}

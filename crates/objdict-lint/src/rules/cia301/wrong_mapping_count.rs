@@ -1,0 +1,56 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::Object;
+use crate::{Facts, PdoFacts, is_unstated, rule};
+
+rule! {
+    /// the number of mapped objects is impossible, or more than are mapped
+    ///
+    /// ## What it checks
+    /// Whether sub-index 0 of each PDO mapping is 0 to 64, or 254 or 255 for a multiplexed PDO, and whether each of the entries that it counts is described and states an object.
+    ///
+    /// ## Why it matters
+    /// A device refuses a number that its entries do not fill. A tool that shows the PDO shows a frame with holes.
+    ///
+    /// ## Example
+    /// `[1A00sub0]` with `DefaultValue=3`, and no `[1A00sub3]`
+    ///
+    /// ## How to mend
+    /// Write the number of entries in use, counted from sub-index 1 without gap.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36 table 69
+    "cia301/wrong-mapping-count", Error, Pdo(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let (Some(count), Some(object)) = (pdo.pdo.mapped_count, pdo.pdo.mapping) else { return };
+    let index = pdo.pdo.mapping_index();
+    let place = facts.device.value_place(index, 0);
+    let finding = |message: String| Diagnostic::new(&RULE.info, place.clone(), message);
+    if (65..=253).contains(&count) {
+        let finding =
+            finding(format!("`{count}` as number of objects that {} maps, which takes 0 to 64", pdo.pdo));
+        findings
+            .push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
+        return;
+    }
+    if count > 64 || object.orphan || !object.object_type().has_subs() {
+        return;
+    }
+    let is_empty = |sub: u8| is_unstated(object, sub) || mapped_number(object, sub) == Some(0);
+    let Some(sub) = (1..=count).find(|&sub| !object.has(sub) || is_empty(sub)) else { return };
+    let message = format!("{} maps `{count}` objects", pdo.pdo);
+    let finding = if object.has(sub) {
+        let finding = finding(format!("{message}, but sub-index {sub} of {index:04X}h names none"));
+        finding.label(facts.device.value_place(index, sub), "the first entry without an object")
+    } else {
+        finding(format!("{message}, but {index:04X}h has no sub-index {sub}"))
+    };
+    let title = format!("write the number of entries in use: `{}`", sub - 1);
+    let fix = Fix::risky(title.clone()).set(place.clone(), (sub - 1).to_string());
+    findings.push(finding.help(title).fix(fix));
+}
+
+fn mapped_number(object: &Object, sub: u8) -> Option<i128> {
+    object.value(sub)?.as_integer()
+}

@@ -1,0 +1,55 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Field, PdoKind, Place};
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps an object of the other direction
+    ///
+    /// ## What it checks
+    /// Whether the objects that a TPDO carries can be read and are no process output (`wo`, `rww`), and those that an RPDO carries can be written and are no process input (`ro`, `const`, `rwr`).
+    ///
+    /// ## Why it matters
+    /// An RPDO cannot write what is read-only: the device refuses the mapping, or drops the data without a word.
+    ///
+    /// ## Example
+    /// `[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`
+    ///
+    /// ## How to mend
+    /// Map the object into a PDO of its direction, or mend its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2
+    "cia301/wrong-mapping-direction", Error, Pdo(check)
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in &pdo.mapped {
+        let Target::Entry(entry) = &mapped.target else { continue };
+        let Some(access) = entry.access.filter(|_| entry.is_mappable() && !entry.fits_pdo(pdo.pdo.kind))
+        else {
+            continue;
+        };
+        let (index, sub) = (mapped.object.index, mapped.object.sub);
+        let message = format!("{} maps {index:04X}h:{sub:02X}, which is {}", pdo.pdo, what_it_is(access));
+        let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
+        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        let finding = finding.label(target.field(Field::AccessType), "its access type");
+        findings.push(finding.help(match pdo.pdo.kind {
+            PdoKind::Rpdo => "map what can be written: `rww`, `rw` or `wo`",
+            PdoKind::Tpdo => "map what can be read: `ro`, `rwr` or `rw`",
+        }));
+    }
+}
+
+fn what_it_is(access: Access) -> &'static str {
+    match access {
+        Access::Ro => "read-only (`ro`)",
+        Access::Const => "constant (`const`)",
+        Access::Wo => "write-only (`wo`)",
+        Access::Rwr => "a process input (`rwr`)",
+        Access::Rww => "a process output (`rww`)",
+        Access::Rw => "for PDOs of the other direction",
+    }
+}

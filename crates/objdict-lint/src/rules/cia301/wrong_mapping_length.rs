@@ -1,0 +1,47 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{DataType, Field, MappedObject, Place};
+use crate::{Facts, PdoFacts, Target, rule};
+
+rule! {
+    /// a PDO maps an object with another length than it has
+    ///
+    /// ## What it checks
+    /// Whether the last two digits of each mapping entry, the length in bits, are those of the object's data type. Objects whose type has no fixed length are not looked at. A BOOLEAN with 8 bits is a warning: devices that map whole bytes only do it, CANopenNode among them.
+    ///
+    /// ## Why it matters
+    /// The device refuses the mapping with an abort; a receiver takes the following objects from the wrong place of the frame.
+    ///
+    /// ## Example
+    /// `[1A00sub1]` with `DefaultValue=0x60000110`, and `[6000sub1]` is UNSIGNED8
+    ///
+    /// ## How to mend
+    /// Write the length of the data type, in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36
+    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe
+}
+
+fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    for mapped in &pdo.mapped {
+        let (Some(bits), Target::Entry(entry)) = (mapped.wrong_length(), &mapped.target) else { continue };
+        let MappedObject { index, sub, bits: stated } = mapped.object;
+        let data_type = entry.data_type.map(|data_type| data_type.to_string()).unwrap_or_default();
+        let unit = if stated == 1 { "bit" } else { "bits" };
+        let message = format!(
+            "{} maps {stated} {unit} of {index:04X}h:{sub:02X}, which has {bits} ({data_type})",
+            pdo.pdo
+        );
+        let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
+        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let finding = Diagnostic::new(&RULE.info, place.clone(), message);
+        let finding = finding.label(target.field(Field::DataType), "its data type");
+        let right = MappedObject { bits, ..mapped.object };
+        let right = format!("0x{:08X}", right.to_number());
+        let title = format!("write `{right}`");
+        let finding = finding.help(title.clone()).fix(Fix::risky(title).set(place, right));
+        let whole_byte = entry.data_type == Some(DataType::BOOLEAN) && stated == 8;
+        findings.push(if whole_byte { finding.severity(Severity::Warning) } else { finding });
+    }
+}

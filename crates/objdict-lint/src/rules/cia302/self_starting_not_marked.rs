@@ -1,0 +1,39 @@
+use crate::demands::Against;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::model::{Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a device starts by itself, and the description says that it does not boot so
+    ///
+    /// ## What it checks
+    /// Whether a device that enters operational without a master, which is what bits 0 and 2 of 1F80h say when they are clear, has not `SimpleBootUpSlave=0`.
+    ///
+    /// ## Why it matters
+    /// A master that relies on the description waits with its configuration for a node that already sends. Some drives have 1F80h with 0 and wait for their master all the same, so it is a note.
+    ///
+    /// ## Example
+    /// `[1F80]` with `DefaultValue=0x00000000`, and `SimpleBootUpSlave=0`
+    ///
+    /// ## How to mend
+    /// Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h when the device waits for its master.
+    ///
+    /// ## Source
+    /// CiA 302-2 (1F80h); CiA 306-1 §4.4
+    "cia302/self-starting-not-marked", Note, Against(check), fix Unsafe
+}
+
+fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let value = at.object.value(0).filter(|_| at.index == 0x1F80 && at.has_its_shape());
+    let starts = value.and_then(|value| value.as_integer()).is_some_and(|value| value & 0b101 == 0);
+    let marked = at.device.device_info.as_ref().and_then(|info| info.simple_boot_up_slave);
+    if starts && marked == Some(false) {
+        let message =
+            "1F80h lets the device enter operational by itself, `SimpleBootUpSlave` says that it does not";
+        let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpSlave);
+        let finding = Diagnostic::new(rule, place.clone(), message);
+        let finding = finding.label(at.device.value_place(at.index, 0), "bit 2 is clear");
+        let fix = Fix::risky("write `SimpleBootUpSlave=1`").set(place, "1");
+        findings.push(finding.help("write `SimpleBootUpSlave=1`").fix(fix));
+    }
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, rule};
+
+rule! {
+    /// 13FFh has no checksum for an SRDO
+    ///
+    /// ## What it checks
+    /// Whether 13FFh has a sub-index for each SRDO that the device has: sub-index 1 for 1301h, and so on.
+    ///
+    /// ## Why it matters
+    /// The configuration of an SRDO without a checksum can never be declared valid.
+    ///
+    /// ## Example
+    /// `[1302]`, and a 13FFh with one element
+    ///
+    /// ## How to mend
+    /// Describe an element for each SRDO.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/checksum-missing", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let Some(object) =
+        facts.device.object(0x13FF).filter(|object| !object.orphan && object.object_type().has_subs())
+    else {
+        return;
+    };
+    let number = |srdo: &crate::Srdo<'_>| u8::try_from(srdo.number).unwrap_or(u8::MAX);
+    if let Some(srdo) = facts.srdos.iter().find(|srdo| !object.has(number(srdo))) {
+        let message = format!("13FFh has no sub-index {} for the checksum of {srdo}", srdo.number);
+        let finding = Diagnostic::new(&RULE.info, Place::object(0x13FF), message);
+        findings.push(finding.help("describe an element for each SRDO"));
+    }
+}

@@ -1,0 +1,46 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, Srdo, rule};
+
+rule! {
+    /// two SRDOs of the device have the same COB-ID
+    ///
+    /// ## What it checks
+    /// Whether the COB-IDs of all SRDOs that have a direction differ.
+    ///
+    /// ## Why it matters
+    /// The device cannot tell the two apart; one that is sent disturbs what it should receive.
+    ///
+    /// ## Example
+    /// `[1301sub5]` and `[1302sub5]`, both with `DefaultValue=0x101`
+    ///
+    /// ## How to mend
+    /// Give each SRDO its own pair.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/cob-id-collision", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let mut seen: Vec<(i128, usize)> = Vec::new();
+    for (at, srdo) in facts.srdos.iter().enumerate().filter(|(_, srdo)| srdo.is_on()) {
+        // the second COB-ID follows the first, or is reported
+        let Some(cob_id) = srdo.cob_id(facts, 5) else { continue };
+        let place = |at: usize| {
+            let index = facts.srdos.get(at).map_or(0x1301, Srdo::communication_index);
+            facts.device.value_place(index, 5)
+        };
+        match seen.iter().find(|(other, _)| *other == cob_id) {
+            Some(&(_, first)) => {
+                let message = format!(
+                    "{srdo} has the COB-IDs of SRDO {}",
+                    facts.srdos.get(first).map_or(0, |srdo| srdo.number)
+                );
+                let finding =
+                    Diagnostic::new(&RULE.info, place(at), message).label(place(first), "first here");
+                findings.push(finding.help("give each SRDO its own pair of COB-IDs"));
+            }
+            None => seen.push((cob_id, at)),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, rule};
+
+const SUBS: [(u8, &str); 6] = [
+    (1, "information direction"),
+    (2, "refresh time or SCT"),
+    (3, "SRVT"),
+    (4, "transmission type"),
+    (5, "COB-ID 1"),
+    (6, "COB-ID 2"),
+];
+
+rule! {
+    /// an SRDO communication parameter lacks a sub-index
+    ///
+    /// ## What it checks
+    /// Whether each object from 1301h to 1340h has the sub-indexes 1 to 6.
+    ///
+    /// ## Why it matters
+    /// All of them are part of the safety configuration and its checksum; none has a value that goes without saying.
+    ///
+    /// ## Example
+    /// `[1301]` with sub-indexes 0 to 4 only
+    ///
+    /// ## How to mend
+    /// Describe the missing sub-index.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/incomplete-srdo-parameter", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        let Some(object) =
+            srdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
+        else {
+            continue;
+        };
+        let index = srdo.communication_index();
+        for (sub, name) in SUBS.into_iter().filter(|(sub, _)| !object.has(*sub)) {
+            let message = format!("{srdo} has no sub-index {sub} ({name}) in {index:04X}h");
+            let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+            findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+        }
+    }
+}

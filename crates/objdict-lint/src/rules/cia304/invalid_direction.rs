@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// an SRDO goes in no direction
+    ///
+    /// ## What it checks
+    /// Whether the information direction of each SRDO is 0 (switched off), 1 (sent) or 2 (received).
+    ///
+    /// ## Why it matters
+    /// The device refuses any other value, and nobody knows whether it is the one that sends.
+    ///
+    /// ## Example
+    /// `[1301sub1]` with `DefaultValue=3`
+    ///
+    /// ## How to mend
+    /// Write 0, 1 or 2.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/invalid-direction", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        let Some(direction) = srdo.number(1).filter(|direction| !(0..=2).contains(direction)) else {
+            continue;
+        };
+        let place = facts.device.value_place(srdo.communication_index(), 1);
+        let message = format!("`{direction}` is no information direction of {srdo}");
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        findings.push(finding.help("write 0 for none, 1 for one that is sent or 2 for one that is received"));
+    }
+}

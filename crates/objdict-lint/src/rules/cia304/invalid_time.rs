@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::{Facts, rule};
+
+rule! {
+    /// the times of an SRDO cannot be kept
+    ///
+    /// ## What it checks
+    /// Whether the refresh time (SCT of one that is received) and the validation time (SRVT) of each SRDO that has a direction are not 0, and whether the validation time is not longer than the refresh time.
+    ///
+    /// ## Why it matters
+    /// The two frames of an SRDO have to come within the validation time, and the next pair within the cycle time. A time of 0 can never be kept; a validation time beyond the cycle lets the frames of two cycles pass as one pair.
+    ///
+    /// ## Example
+    /// `[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`
+    ///
+    /// ## How to mend
+    /// Write times in milliseconds; the validation time is the shorter one.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/invalid-time", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in facts.srdos.iter().filter(|srdo| srdo.is_on()) {
+        let (cycle, validation) = (srdo.number(2), srdo.number(3));
+        let place = |sub| facts.device.value_place(srdo.communication_index(), sub);
+        let name = if srdo.number(1) == Some(2) { "safeguard cycle time" } else { "refresh time" };
+        let finding = match (cycle, validation) {
+            (Some(0), _) => Diagnostic::new(&RULE.info, place(2), format!("the {name} of {srdo} is 0 ms")),
+            (_, Some(0)) => {
+                Diagnostic::new(&RULE.info, place(3), format!("the validation time of {srdo} is 0 ms"))
+            }
+            (Some(cycle), Some(validation)) if validation > cycle => {
+                let message =
+                    format!("{srdo} has {validation} ms to be validated, and its {name} is {cycle} ms");
+                let finding = Diagnostic::new(&RULE.info, place(3), message).severity(Severity::Warning);
+                finding.label(place(2), format!("the {name}"))
+            }
+            _ => continue,
+        };
+        findings.push(finding.help("write times in milliseconds, the validation time the shorter one"));
+    }
+}

@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, Target, rule};
+
+rule! {
+    /// an SRDO maps an object that does not exist
+    ///
+    /// ## What it checks
+    /// Whether each object that an SRDO maps is described. Fillers, and objects that modules bring, are left alone.
+    ///
+    /// ## Why it matters
+    /// The device refuses the mapping, or the description lacks a part of the safety function.
+    ///
+    /// ## Example
+    /// `[1381sub1]` with `DefaultValue=0x61000108`, and no `[6100]`
+    ///
+    /// ## How to mend
+    /// Describe the object, or map the one that was meant.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/mapped-object-missing", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        for (sub, mapped) in srdo.mapped() {
+            let what = match Target::of(facts.device, mapped) {
+                Target::NoObject => "and there is no such object",
+                Target::NoEntry => "and the object has no such sub-index",
+                Target::Count => "which is a number of entries",
+                _ => continue,
+            };
+            let message = format!("{srdo} maps {:04X}h:{:02X}, {what}", mapped.index, mapped.sub);
+            let place = facts.device.value_place(srdo.mapping_index(), sub);
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(finding.help("describe the object, or map the one that was meant"));
+        }
+    }
+}

@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, rule, stated};
+
+rule! {
+    /// a device with SRDOs lacks the objects that guard their configuration
+    ///
+    /// ## What it checks
+    /// Whether a device with SRDOs has 13FEh, whether the configuration is valid, and 13FFh, its checksums.
+    ///
+    /// ## Why it matters
+    /// A configuration tool writes the checksums and then declares the configuration valid. Without these objects the device can never be made to send or accept an SRDO.
+    ///
+    /// ## Example
+    /// `[1301]` and `[1381]`, and no `[13FF]`
+    ///
+    /// ## How to mend
+    /// Add 13FEh, an UNSIGNED8, and 13FFh, an ARRAY of UNSIGNED16 with an element for each SRDO.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/missing-safety-object", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    let Some(first) = facts.srdos.first() else { return };
+    let place = match first.communication {
+        Some(_) => Place::object(first.communication_index()),
+        None => Place::object(first.mapping_index()),
+    };
+    for (index, name) in [(0x13FE, "configuration valid"), (0x13FF, "safety configuration checksum")] {
+        if !stated::is_there(facts.device, index) {
+            let message = format!("the device has SRDOs, and no {index:04X}h ({name})");
+            findings
+                .push(Diagnostic::new(&RULE.info, place.clone(), message).help(format!("add {index:04X}h")));
+        }
+    }
+}

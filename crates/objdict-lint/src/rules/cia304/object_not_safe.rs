@@ -1,0 +1,49 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Device;
+use crate::{Facts, Target, rule};
+
+rule! {
+    /// an SRDO maps an entry that is not for SRDOs
+    ///
+    /// ## What it checks
+    /// Whether each entry that an SRDO maps says `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.
+    ///
+    /// ## Why it matters
+    /// A tool that configures the SRDO does not offer the entry, and refuses the mapping that is there.
+    ///
+    /// ## Example
+    /// `[1381sub1]` that names an entry with `SRDOMapping=0`
+    ///
+    /// ## How to mend
+    /// Write `SRDOMapping=1`, or map an entry that is made for it.
+    ///
+    /// ## Source
+    /// CiA 306-1 annex A, EN 50325-5 (CiA 304)
+    "cia304/object-not-safe", Warning, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    if facts.srdos.is_empty() || !uses_srdo_mapping(facts.device) {
+        return;
+    }
+    for srdo in &facts.srdos {
+        for (sub, mapped) in srdo.mapped() {
+            let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
+            if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
+                continue;
+            }
+            let message =
+                format!("{srdo} maps {:04X}h:{:02X}, which is not for SRDOs", mapped.index, mapped.sub);
+            let place = facts.device.value_place(srdo.mapping_index(), sub);
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(finding.help("write `SRDOMapping=1` there, or map an entry that is made for it"));
+        }
+    }
+}
+
+fn uses_srdo_mapping(device: &Device) -> bool {
+    let says = |entry: &crate::model::Entry| {
+        entry.safety.as_ref().is_some_and(|safety| safety.srdo_mapping == Some(true))
+    };
+    device.objects.values().any(|object| object.described().any(|(_, entry)| says(entry)))
+}

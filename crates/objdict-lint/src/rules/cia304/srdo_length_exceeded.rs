@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// an SRDO carries more than 64 bits
+    ///
+    /// ## What it checks
+    /// Whether the plain objects that an SRDO maps, and the inverted ones, are at most 64 bits together.
+    ///
+    /// ## Why it matters
+    /// A frame has eight bytes.
+    ///
+    /// ## Example
+    /// nine pairs of 8 bits in `[1381]`
+    ///
+    /// ## How to mend
+    /// Take objects out, or put them into another SRDO.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/srdo-length-exceeded", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        let bits: u32 = srdo.pairs().map(|(plain, _)| u32::from(plain.1.bits)).sum();
+        if bits > 64 {
+            let place = facts.device.value_place(srdo.mapping_index(), 0);
+            let message = format!("{srdo} carries {bits} bits, and a frame has 64");
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(finding.help("take objects out, or put them into another SRDO"));
+        }
+    }
+}

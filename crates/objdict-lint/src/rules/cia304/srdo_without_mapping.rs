@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::Place;
+use crate::{Facts, rule, stated};
+
+rule! {
+    /// an SRDO has one of its two objects only
+    ///
+    /// ## What it checks
+    /// Whether a mapping (1381h to 13C0h) belongs to each communication parameter of an SRDO (1301h to 1340h), and the other way round.
+    ///
+    /// ## Why it matters
+    /// The one says when and under which identifiers the SRDO is sent, the other what it carries. A safety configuration needs both for its checksum.
+    ///
+    /// ## Example
+    /// `[1301]`, and no `[1381]`
+    ///
+    /// ## How to mend
+    /// Add the other object.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/srdo-without-mapping", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        let (there, missing, what) = match (srdo.communication, srdo.mapping) {
+            (Some(_), None) => (srdo.communication_index(), srdo.mapping_index(), "mapping"),
+            (None, Some(_)) => (srdo.mapping_index(), srdo.communication_index(), "communication parameter"),
+            _ => continue,
+        };
+        if stated::is_there(facts.device, missing) {
+            continue;
+        }
+        let message = format!("{srdo} has {there:04X}h, and no {missing:04X}h for its {what}");
+        let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
+        findings.push(finding.help(format!("add {missing:04X}h, or remove {there:04X}h")));
+    }
+}

@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, rule};
+
+rule! {
+    /// the two objects of a pair in an SRDO have different lengths
+    ///
+    /// ## What it checks
+    /// Whether the inverted object of each pair that an SRDO maps (even sub-indexes) has the length of the plain one (odd sub-indexes).
+    ///
+    /// ## Why it matters
+    /// The receiver compares the two frames bit by bit. With different lengths, what follows is compared with something else, and the device goes to its safe state.
+    ///
+    /// ## Example
+    /// `[1381sub1]` with `DefaultValue=0x61000108` and `[1381sub2]` with `DefaultValue=0x61010110`
+    ///
+    /// ## How to mend
+    /// Map the inverted object that belongs to the plain one.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/unequal-pair", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        for (plain, inverted) in srdo.pairs().filter(|(plain, inverted)| plain.1.bits != inverted.1.bits) {
+            let place = |sub| facts.device.value_place(srdo.mapping_index(), sub);
+            let message = format!("{srdo} maps {}, and inverted {}", plain.1, inverted.1);
+            let finding = Diagnostic::new(&RULE.info, place(inverted.0), message)
+                .label(place(plain.0), "the plain object");
+            findings.push(finding.help("map the inverted object that belongs to the plain one"));
+        }
+    }
+}

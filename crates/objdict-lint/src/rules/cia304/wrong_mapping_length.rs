@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::{Facts, Target, rule};
+
+rule! {
+    /// an SRDO maps an object with another length than it has
+    ///
+    /// ## What it checks
+    /// Whether the length in each entry of an SRDO mapping is that of the data type of the object.
+    ///
+    /// ## Why it matters
+    /// The device refuses the mapping, or everything behind the object lies elsewhere in the frame.
+    ///
+    /// ## Example
+    /// `[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is an UNSIGNED8
+    ///
+    /// ## How to mend
+    /// Write the length of the data type in bits as the last two digits.
+    ///
+    /// ## Source
+    /// EN 50325-5 (CiA 304)
+    "cia304/wrong-mapping-length", Error, Facts(check)
+}
+
+fn check(facts: &Facts<'_>, findings: &mut Findings) {
+    for srdo in &facts.srdos {
+        for (sub, mapped) in srdo.mapped() {
+            let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
+            let Some(data_type) = entry.data_type else { continue };
+            let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
+            let message = format!("{srdo} maps {mapped}, but it is {data_type} of {bits} bits");
+            let place = facts.device.value_place(srdo.mapping_index(), sub);
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
+            findings.push(finding.help(format!("write `0x{right:08X}`")));
+        }
+    }
+}

@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::{is_unstated, rule};
+
+rule! {
+    /// the numbers by which LSS selects a device are not all stated
+    ///
+    /// ## What it checks
+    /// Whether 1018h sub-indexes 2 and 3, product code and revision number, have a value on a device with `LSS_Supported=1`. The vendor-ID has a rule of its own, the serial number belongs to the single device.
+    ///
+    /// ## Why it matters
+    /// An LSS manager that is configured from the description selects the device by vendor-ID, product code, revision number and serial number, and cannot build the first three.
+    ///
+    /// ## Example
+    /// `LSS_Supported=1`, and no `DefaultValue` in `[1018sub2]`
+    ///
+    /// ## How to mend
+    /// Write the values.
+    ///
+    /// ## Source
+    /// CiA 305, CiA 301 §7.5.2.21
+    "cia305/incomplete-address", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let supports_lss = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(true));
+    let Some(object) = device.object(0x1018).filter(|object| supports_lss && object.compact.is_none()) else {
+        return;
+    };
+    for (sub, name) in [(2, "product code"), (3, "revision number")] {
+        let has_type = object.subs.get(sub).is_some_and(|entry| entry.data_type.is_some());
+        if has_type && is_unstated(object, sub) {
+            let message = format!("the {name} that LSS selects the device by has no value");
+            let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, sub), message)
+                .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "the device supports LSS");
+            findings.push(finding.help("write the value"));
+        }
+    }
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, DeviceKind, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// all devices of a type have the same serial number
+    ///
+    /// ## What it checks
+    /// Whether the default of 1018h sub-index 4, the serial number, is 0 or missing in an EDS of a device with `LSS_Supported=1`.
+    ///
+    /// ## Why it matters
+    /// LSS tells devices of a type apart by their serial numbers. A number in the EDS is that of the one device on the author's desk; a tool that takes it for the others finds none.
+    ///
+    /// ## Example
+    /// `LSS_Supported=1`, and `DefaultValue=123456` in `[1018sub4]`
+    ///
+    /// ## How to mend
+    /// Remove the value, or write 0; the number of a node belongs into its DCF.
+    ///
+    /// ## Source
+    /// CiA 305, CiA 301 §7.5.2.21
+    "cia305/serial-number-in-eds", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let supports_lss = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(true));
+    let serial_number = device.identity().serial_number.filter(|&number| number != 0);
+    let Some(serial_number) = serial_number.filter(|_| supports_lss && device.kind == DeviceKind::Type)
+    else {
+        return;
+    };
+    let message = format!("every device of the type has the serial number `{serial_number}`");
+    let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, 4), message)
+        .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs different ones");
+    findings.push(finding.help("remove the value; the number of a node belongs into its DCF"));
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a node waits for its node-ID, and nobody can give it one
+    ///
+    /// ## What it checks
+    /// Whether a DCF with `NodeID=255`, a node that gets its node-ID by LSS, is of a device with `LSS_Supported=1`.
+    ///
+    /// ## Why it matters
+    /// The node is never reached: without a node-ID it has no SDO, and without LSS it gets none.
+    ///
+    /// ## Example
+    /// `NodeID=255` and `LSS_Supported=0`
+    ///
+    /// ## How to mend
+    /// Write the node-ID, or `LSS_Supported=1` if the device supports it.
+    ///
+    /// ## Source
+    /// CiA 305, CiA 306-1 §5.4
+    "cia305/unconfigured-without-lss", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let waits = device.commissioning.as_ref().is_some_and(|node| node.node_id == Some(255));
+    let refuses = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(false));
+    if !waits || !refuses {
+        return;
+    }
+    let message = "`255` makes the node wait for LSS, which it does not support";
+    let place = Place::of(Part::Commissioning).field(Field::NodeId);
+    let finding = Diagnostic::new(&RULE.info, place, message)
+        .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "says so");
+    findings.push(finding.help("write the node-ID"));
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Access, Field};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// an access type speaks of PDOs, but the entry is not mappable
+    ///
+    /// ## What it checks
+    /// Whether entries with access `rwr` or `rww` have `PDOMapping=1`.
+    ///
+    /// ## Why it matters
+    /// `rwr` and `rww` are `rw` with the direction of the PDO that may carry the entry. One of the two keys is wrong, and the process value may be missing in every tool.
+    ///
+    /// ## Example
+    /// `AccessType=rww` and `PDOMapping=0`
+    ///
+    /// ## How to mend
+    /// Write `PDOMapping=1`, or `AccessType=rw`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/access-without-mapping", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    let Some(access @ (Access::Rwr | Access::Rww)) = entry.access else { return };
+    if entry.is_mappable() || !at.holds_value() || stated::is_misfit(entry, &Field::PdoMapping) {
+        return;
+    }
+    let pdo = if access == Access::Rwr { "a TPDO" } else { "an RPDO" };
+    let message = format!("`{access}` means that {pdo} may carry the entry, but it is not mappable");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::AccessType), message)
+        .label(at.field(Field::PdoMapping), "not mappable");
+    let fix = Fix::risky("write `AccessType=rw`").set(at.field(Field::AccessType), "rw");
+    findings.push(finding.help("write `PDOMapping=1`, or `AccessType=rw`").fix(fix));
+}

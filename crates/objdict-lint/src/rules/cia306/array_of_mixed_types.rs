@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, sub_index};
+use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// the entries of an ARRAY have different data types
+    ///
+    /// ## What it checks
+    /// Whether sub-indexes 1 to FEh of an ARRAY all have the same `DataType`.
+    ///
+    /// ## Why it matters
+    /// Code generators make an array of one type of it, and cut or misread the others.
+    ///
+    /// ## Example
+    /// An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2
+    ///
+    /// ## How to mend
+    /// Write `ObjectType=0x9` (RECORD), or correct the data type.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.3, table 42
+    "cia306/array-of-mixed-types", Error, Object(check), fix Unsafe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.main.object_type != Some(ObjectType::Array) || stated::object_type(object).is_none() {
+        return;
+    }
+    let members = object.subs.iter().filter(|(sub, _)| (1..=0xFE).contains(sub));
+    let mut types = members.filter_map(|(sub, entry)| Some((sub, entry.data_type?)));
+    let Some((first, data_type)) = types.next() else { return };
+    let Some((sub, other)) = types.find(|&(_, other)| other != data_type) else { return };
+    let message = format!(
+        "sub-index {} of an ARRAY is {other}, sub-index {} is {data_type}",
+        sub_index(sub),
+        sub_index(first)
+    );
+    let place = |sub| Place::entry(index, sub).field(Field::DataType);
+    let finding =
+        Diagnostic::new(&RULE.info, place(sub), message).label(place(first), format!("{data_type} here"));
+    let object_type = Place::object(index).field(Field::ObjectType);
+    let fix = Fix::risky("write `ObjectType=0x9`").set(object_type, "0x9");
+    findings.push(finding.help("write `ObjectType=0x9` (RECORD), or correct the data type").fix(fix));
+}

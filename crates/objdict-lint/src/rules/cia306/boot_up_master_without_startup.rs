@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// a master has no object that says how it starts the network
+    ///
+    /// ## What it checks
+    /// Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.
+    ///
+    /// ## Why it matters
+    /// A configuration tool makes the device the master by 1F80h. Without it, nobody can say whether it starts the network, or let it be a slave.
+    ///
+    /// ## Example
+    /// `SimpleBootUpMaster=1`, and no `[1F80]`
+    ///
+    /// ## How to mend
+    /// Add 1F80h, an UNSIGNED32, or write `SimpleBootUpMaster=0`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5, CiA 302-2
+    "cia306/boot-up-master-without-startup", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let is_master = device.device_info.as_ref().is_some_and(|info| info.simple_boot_up_master == Some(true));
+    if !is_master || stated::is_there(device, 0x1F80) {
+        return;
+    }
+    let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster);
+    let message = "the device boots the network up, and has no 1F80h (NMT startup)";
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    findings.push(finding.help("add 1F80h (NMT startup, UNSIGNED32), or write 0"));
+}

@@ -1,0 +1,64 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Access, Device, Entry, Field, Object, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// writing a command, and no flag keeps tools from it
+    ///
+    /// ## What it checks
+    /// Whether the writable entries of objects that do something when they are written (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, or the object as a whole has it. Hardly a real file has the flag: nearly half of them describe 1010h or 1011h and none of these with it. It stays a note, for a tool that checks the signature (`save`, `load`) before it writes is safe without it.
+    ///
+    /// ## Why it matters
+    /// A tool that downloads a configuration writes every entry that has a value. With the flag it leaves those out that would store, restore or erase something.
+    ///
+    /// ## Example
+    /// `[1010sub1]` without `ObjFlags=0x1`
+    ///
+    /// ## How to mend
+    /// Write `ObjFlags=0x1` into the writable sub-indexes.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.3
+    "cia306/command-without-flag", Note, Object(check), fix Unsafe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let command = match index {
+        0x1010 => "stores parameters",
+        0x1011 => "restores default parameters",
+        0x1023 => "executes a command",
+        0x1F25 => "tells a node to update its configuration",
+        0x1F50 | 0x1F51 => "loads or starts a program",
+        _ => return,
+    };
+    if object.orphan
+        || object.main.flags().refuses_write()
+        || stated::is_misfit(&object.main, &Field::ObjFlags)
+    {
+        return;
+    }
+    let places = unguarded(index, object);
+    let Some((place, _)) = places.first().cloned() else { return };
+    let message = format!("writing {index:04X}h {command}, but no flag keeps a tool from it");
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    let fix = Fix::risky("write `ObjFlags=0x1` into its writable entries");
+    let fix = places
+        .into_iter()
+        .fold(fix, |fix, (place, flags)| fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1)));
+    findings.push(finding.help("write `ObjFlags=0x1` into its writable entries").fix(fix));
+}
+
+/// The entries that can be written and have no flag, with the flags that they have.
+fn unguarded(index: u16, object: &Object) -> Vec<(Place, u32)> {
+    let is_unguarded = |entry: &Entry| {
+        entry.access.is_some_and(Access::is_writable)
+            && !entry.flags().refuses_write()
+            && !stated::is_misfit(entry, &Field::ObjFlags)
+    };
+    let subs = object.subs.iter().filter(|&(sub, entry)| sub > 0 && is_unguarded(entry));
+    let places: Vec<_> = subs.map(|(sub, entry)| (Place::entry(index, sub), entry.flags().0)).collect();
+    if places.is_empty() && is_unguarded(&object.main) {
+        return vec![(Place::object(index), object.main.flags().0)];
+    }
+    places
+}

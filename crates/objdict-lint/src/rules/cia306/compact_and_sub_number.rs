@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// an object has both `CompactSubObj` and `SubNumber`
+    ///
+    /// ## What it checks
+    /// Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. It may count sub-indexes that are described beyond the compact ones.
+    ///
+    /// ## Why it matters
+    /// The two are two ways to describe sub-indexes. Some readers follow the one, some the other.
+    ///
+    /// ## Example
+    /// `CompactSubObj=8` and `SubNumber=9`
+    ///
+    /// ## How to mend
+    /// Remove `SubNumber`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.4.2
+    "cia306/compact-and-sub-number", Error, Object(check), fix Safe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(compact) = &object.compact else { return };
+    let Some(number) = object.sub_number.filter(|&number| number > 0) else { return };
+    let is_structure = stated::object_type(object).is_some_and(ObjectType::has_subs);
+    if !is_structure || stated::described_subs(object) == usize::from(number) {
+        return;
+    }
+    let count = compact.count;
+    let message = format!("`CompactSubObj` is {count}, so `SubNumber` cannot be {number}");
+    let place = |field| Place::object(index).field(field);
+    let finding = Diagnostic::new(&RULE.info, place(Field::SubNumber), message)
+        .label(place(Field::CompactSubObj), format!("sub-indexes 0 to {count}"));
+    let fix = Fix::safe("remove `SubNumber`").remove(place(Field::SubNumber));
+    findings.push(finding.help("remove `SubNumber`").fix(fix));
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::model::{Device, DeviceKind, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// network variables that come to be later are described as objects
+    ///
+    /// ## What it checks
+    /// Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.
+    ///
+    /// ## Why it matters
+    /// The program of such a device brings these objects with it; the description only states the segments they live in. What is described beside them stands in the way.
+    ///
+    /// ## Example
+    /// `DynamicChannelsSupported=1` and `[A040]`
+    ///
+    /// ## How to mend
+    /// Remove the objects, or write `DynamicChannelsSupported=0` if they never change.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.4.3
+    "cia306/described-network-variable", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    if device.kind == DeviceKind::Node || info.dynamic_channels_supported.is_none_or(|number| number == 0) {
+        return;
+    }
+    let mut variables = device.objects.range(0xA000..=0xAFFF);
+    let Some((&first, _)) = variables.next() else { return };
+    let objects = counted(1 + variables.count(), "object is", "objects are");
+    let message = format!("the device has dynamic channels, but {objects} described in A000h to AFFFh");
+    let finding = Diagnostic::new(&RULE.info, Place::object(first), message)
+        .label(Place::of(Part::DeviceInfo).field(Field::DynamicChannelsSupported), "dynamic channels");
+    findings.push(finding.help("remove the objects, or write `DynamicChannelsSupported=0`"));
+}

@@ -1,0 +1,37 @@
+use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::model::{DataType, Device, Place};
+use crate::rule;
+
+rule! {
+    /// a data type of CiA 301 is described
+    ///
+    /// ## What it checks
+    /// Whether no object from 0001h to 0025h is described, the data types and structures that CiA 301 defines itself.
+    ///
+    /// ## Why it matters
+    /// Every tool knows these types. Some refuse a file with objects below 1000h, and one that reads them finds at best what it knew. The first one is shown.
+    ///
+    /// ## Example
+    /// `[0005]`
+    ///
+    /// ## How to mend
+    /// Remove the sections and their lines in the lists. Own types stand from 0040h on.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7, table 44; CiA 306-1 §4.6.3
+    "cia306/described-standard-type", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut types = device.objects.range(0x0001..=0x0025);
+    let Some((&index, _)) = types.next() else { return };
+    let name = DataType(index).name().unwrap_or("reserved");
+    let others = types.count();
+    let more = match others {
+        0 => String::new(),
+        _ => format!(", and {} more", counted(others, "type", "types")),
+    };
+    let message = format!("{index:04X}h ({name}) is a type that CiA 301 defines{more}");
+    let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+    findings.push(finding.help("remove the sections and their lines in the lists"));
+}

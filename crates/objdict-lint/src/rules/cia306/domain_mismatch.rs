@@ -1,0 +1,43 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{DataType, Field, ObjectType};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// object type and data type disagree about a DOMAIN
+    ///
+    /// ## What it checks
+    /// Whether an object or sub-index of object type DOMAIN has no other data type than DOMAIN, and an object with the data type DOMAIN is no VAR. A sub-index may be called a VAR.
+    ///
+    /// ## Why it matters
+    /// A DOMAIN is transferred in segments and has no value in memory. Tools that look at one of the two keys treat the object differently from those that look at the other.
+    ///
+    /// ## Example
+    /// `ObjectType=0x7` and `DataType=0x000F`
+    ///
+    /// ## How to mend
+    /// Write `ObjectType=0x2`, or the data type that the value has.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.3, CiA 306-1 §4.6.3.2
+    "cia306/domain-mismatch", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(data_type) = at.entry.data_type else { return };
+    let is_domain = at.entry.object_type == Some(ObjectType::Domain);
+    if is_domain && data_type != DataType::DOMAIN {
+        let finding = Diagnostic::new(
+            &RULE.info,
+            at.field(Field::DataType),
+            format!("the object type is DOMAIN, but the data type {data_type}"),
+        );
+        let fix = Fix::risky("write `DataType=0x000F`").set(at.field(Field::DataType), "0x000F");
+        findings.push(finding.help("write `DataType=0x000F`, or correct `ObjectType`").fix(fix));
+    } else if at.sub.is_none() && data_type == DataType::DOMAIN && at.object_type() == Some(ObjectType::Var) {
+        let message = "the data type is DOMAIN, but the object type VAR";
+        let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message)
+            .label(at.field(Field::DataType), "a DOMAIN");
+        let fix = Fix::risky("write `ObjectType=0x2`").set(at.field(Field::ObjectType), "0x2");
+        findings.push(finding.help("write `ObjectType=0x2`, or correct `DataType`").fix(fix));
+    }
+}

@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::model::{DataType, Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a data type cannot be a dummy
+    ///
+    /// ## What it checks
+    /// Whether the types that `[DummyUsage]` allows are BOOLEAN, an INTEGER or an UNSIGNED of any width.
+    ///
+    /// ## Why it matters
+    /// A dummy fills bits of an RPDO that the device does not want. Only these types may stand in a mapping for it; a tool that uses another one gets an abort.
+    ///
+    /// ## Example
+    /// `Dummy0008=1`, which is REAL32
+    ///
+    /// ## How to mend
+    /// Write 0 or remove the line; a gap of 32 bits is filled with UNSIGNED32.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.1, CiA 306-1 §4.6.2
+    "cia306/dummy-type", Warning, Device(check), fix Safe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(usage) = &device.dummy_usage else { return };
+    let allowed = usage.types.iter().filter(|(_, allowed)| **allowed).map(|(data_type, _)| *data_type);
+    let wrong: Vec<DataType> = allowed.filter(|data_type| !data_type.is_dummy()).collect();
+    let Some(first) = wrong.first() else { return };
+    let key = |data_type: &DataType| format!("Dummy{:04X}", data_type.0);
+    let message = match wrong[..] {
+        [one] => format!("`{}` allows {one} as a dummy, which no PDO can map", key(&one)),
+        _ => format!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
+    };
+    let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
+    let title = format!("write `{}=0`", key(first));
+    let fix = wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
+    findings.push(Diagnostic::new(&RULE.info, place(first), message).help(title).fix(fix));
+}

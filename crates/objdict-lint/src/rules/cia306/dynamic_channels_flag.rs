@@ -1,0 +1,47 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `DynamicChannelsSupported` and `[DynamicChannels]` disagree
+    ///
+    /// ## What it checks
+    /// Whether a device with dynamic channels describes their segments, and one with described segments says that it has such channels.
+    ///
+    /// ## Why it matters
+    /// A tool that programs the device places network variables in the segments. Without them it has no place, without the flag it does not look.
+    ///
+    /// ## Example
+    /// `DynamicChannelsSupported=1` without `[DynamicChannels]`
+    ///
+    /// ## How to mend
+    /// Add the section with `NrOfSeg` and the segments, or write 0.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5, CiA 302-4
+    "cia306/dynamic-channels-flag", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let supported = info.dynamic_channels_supported;
+    let flag = Place::of(Part::DeviceInfo).field(Field::DynamicChannelsSupported);
+    match (supported, &device.dynamic_channels) {
+        (Some(number), None) if number > 0 => {
+            let message =
+                format!("`DynamicChannelsSupported` is {number}, but there is no `[DynamicChannels]`");
+            let fix = Fix::risky("write `DynamicChannelsSupported=0`").set(flag.clone(), "0");
+            let finding = Diagnostic::new(&RULE.info, flag, message).fix(fix);
+            findings.push(finding.help("describe the segments in `[DynamicChannels]`, or write 0"));
+        }
+        (Some(0), Some(channels)) if !channels.segments.is_empty() => {
+            let message = "`[DynamicChannels]` has segments, but `DynamicChannelsSupported` is 0";
+            let fix = Fix::risky("write `DynamicChannelsSupported=1`").set(flag.clone(), "1");
+            let finding = Diagnostic::new(&RULE.info, flag, message)
+                .fix(fix)
+                .label(Place::of(Part::DynamicChannels), "segments");
+            findings.push(finding.help("write `DynamicChannelsSupported=1`, or remove the section"));
+        }
+        _ => {}
+    }
+}

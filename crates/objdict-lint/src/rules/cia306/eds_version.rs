@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `EDSVersion` is not a version such as 4.0
+    ///
+    /// ## What it checks
+    /// Whether `EDSVersion` is a digit, a dot and a digit. A missing one means 3.0; that, and any version before 4.0, is a note.
+    ///
+    /// ## Why it matters
+    /// The version tells a tool which keys to expect: a file of version 3.0 has no `ObjFlags`, no compact storage and no modules. `404` and `4.04` are numbers of other documents.
+    ///
+    /// ## Example
+    /// `EDSVersion=404`
+    ///
+    /// ## How to mend
+    /// Write `EDSVersion=4.0`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.4
+    "cia306/eds-version", Warning, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.file_info else { return };
+    let place = Place::of(Part::FileInfo).field(Field::EdsVersion);
+    let text = info.eds_version.as_deref().unwrap_or_default();
+    let (severity, message) = match text.as_bytes() {
+        [b'4'..=b'9', b'.', b'0'..=b'9'] => return,
+        [] => (Severity::Note, "`EDSVersion` is missing, which means 3.0".to_owned()),
+        [b'0'..=b'3', b'.', b'0'..=b'9'] => (Severity::Note, format!("EDS version {text} is outdated")),
+        _ => (Severity::Warning, format!("`{text}` is no EDS version, which is a digit, a dot and a digit")),
+    };
+    let fix = Fix::risky("write `EDSVersion=4.0`").set(place.clone(), "4.0");
+    let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
+    findings.push(finding.help("write `EDSVersion=4.0`").fix(fix));
+}

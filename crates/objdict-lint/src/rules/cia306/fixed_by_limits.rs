@@ -1,0 +1,43 @@
+use std::cmp::Ordering;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, DataType, Field};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// the limits of an entry leave one value
+    ///
+    /// ## What it checks
+    /// Whether `LowLimit` and `HighLimit` of entries from 2000h on that can be written differ. Flags that keep tools from writing mark a command, which may have one value.
+    ///
+    /// ## Why it matters
+    /// Nothing but the one value can be written, so that the entry might as well be a constant. Often a limit was left at its start value.
+    ///
+    /// ## Example
+    /// `LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`
+    ///
+    /// ## How to mend
+    /// Write the limits that the device has, or remove them.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/fixed-by-limits", Note, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
+    let is_number = at.entry.data_type.is_some_and(DataType::is_numeric);
+    let is_writable = at.entry.access.is_some_and(Access::is_writable);
+    // a command such as `save` takes one value
+    if !is_number || !is_writable || !at.holds_value() || at.entry.flags().refuses_write() {
+        return;
+    }
+    let [node_id, _] = stated::node_ids(at.device);
+    if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
+        return;
+    }
+    let message = format!("the entry can be written, and its limits leave `{low}` only");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::HighLimit), message);
+    let finding = finding.label(at.field(Field::LowLimit), "the other limit");
+    findings.push(finding.help("write the limits that the device has, or remove them"));
+}

@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::{Device, Object, ObjectType, Place};
+use crate::rule;
+
+rule! {
+    /// the elements of an ARRAY have a gap
+    ///
+    /// ## What it checks
+    /// Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh follow each other, FFh left aside. Elsewhere, the standards define objects with gaps.
+    ///
+    /// ## Why it matters
+    /// A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many. Sometimes the sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.
+    ///
+    /// ## Example
+    /// `[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`
+    ///
+    /// ## How to mend
+    /// Describe the missing elements, or make it a RECORD.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2, CiA 301 §7.4.3
+    "cia306/gap-in-array", Note, Object(check)
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let is_array = object.main.object_type == Some(ObjectType::Array) && object.compact.is_none();
+    if !(0x2000..0x6000).contains(&index) || !is_array || object.orphan {
+        return;
+    }
+    let mut subs = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub != 0xFF);
+    let Some(mut last) = subs.next() else { return };
+    for sub in subs {
+        if sub != last + 1 {
+            let message = format!("{index:04X}h has sub-index {} behind {}", sub_index(sub), sub_index(last));
+            let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
+            findings.push(finding.help("describe the missing elements, or make it a RECORD"));
+            return;
+        }
+        last = sub;
+    }
+}

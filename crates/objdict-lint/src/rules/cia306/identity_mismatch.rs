@@ -1,0 +1,52 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{Device, Field, Part, Place, Value};
+use crate::rule;
+
+rule! {
+    /// `[DeviceInfo]` and the identity object disagree
+    ///
+    /// ## What it checks
+    /// Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` are the values of 1018h sub-indexes 1, 2 and 3, where both are stated. In a DCF the configured value may agree instead of the default. Where one of the two is 0, most likely nobody has filled it in, and it is a warning.
+    ///
+    /// ## Why it matters
+    /// A tool finds the description of a device by what it reads from 1018h. With other numbers in `[DeviceInfo]` it finds none, or a wrong one.
+    ///
+    /// ## Example
+    /// `VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`
+    ///
+    /// ## How to mend
+    /// Write the number that the device answers with into both.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia306/identity-mismatch", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let numbers = [
+        (1, Field::VendorNumber, info.vendor_number),
+        (2, Field::ProductNumber, info.product_number),
+        (3, Field::RevisionNumber, info.revision_number),
+    ];
+    for (sub, field, stated) in numbers {
+        let (Some(stated), Some(entry)) = (stated, device.entry(0x1018, sub)) else { continue };
+        let values = [entry.default.as_ref(), entry.configured_value()];
+        let mut values = values.into_iter().flatten().filter_map(Value::as_integer).peekable();
+        let Some(&value) = values.peek() else { continue };
+        if values.any(|value| value == i128::from(stated)) {
+            continue;
+        }
+        let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
+        // where nobody has filled it in, it is clear which one is right
+        let title = format!("write `{field}=0x{value:X}`");
+        let fix = if stated == 0 { Fix::safe(title) } else { Fix::risky(title) };
+        let fix = fix.set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
+        let message = format!("`{field}` is {stated:#x}, but 1018h sub-index {sub} is {value:#x}");
+        let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
+            .severity(if stated == 0 || value == 0 { Severity::Warning } else { Severity::Error })
+            .label(Place::entry(0x1018, sub).field(key), "the identity object");
+        let finding = finding.help("write the number that the device answers with into both");
+        findings.push(if value > 0 { finding.fix(fix) } else { finding });
+    }
+}

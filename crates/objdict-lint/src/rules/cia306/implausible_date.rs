@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+/// The year of the first descriptions.
+const FIRST: u16 = 1995;
+
+rule! {
+    /// the file was made before there were such files
+    ///
+    /// ## What it checks
+    /// Whether `CreationDate` and `ModificationDate` are in 1995 or later, the year of the first device descriptions for CANopen.
+    ///
+    /// ## Why it matters
+    /// The date is that of a computer whose clock was not set, or the two numbers of the month and day slipped into the year. Tools that look for the newer of two files take the wrong one.
+    ///
+    /// ## Example
+    /// `CreationDate=01-01-1980`
+    ///
+    /// ## How to mend
+    /// Write the date.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.4
+    "cia306/implausible-date", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.file_info else { return };
+    let dates =
+        [(Field::CreationDate, info.creation_date), (Field::ModificationDate, info.modification_date)];
+    let early =
+        dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
+    let Some((field, date)) = early else { return };
+    let message = format!("there were no such files in {}", date.year);
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::FileInfo).field(field), message);
+    findings.push(finding.help("write the date"));
+}

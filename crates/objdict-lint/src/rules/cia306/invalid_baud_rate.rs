@@ -1,0 +1,57 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity, series};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// the bit rate of a DCF cannot be
+    ///
+    /// ## What it checks
+    /// Whether `Baudrate` is one of CiA 301 (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it, as `BaudRate_x` says. 0, which tools write when nobody chose a bit rate, is a warning.
+    ///
+    /// ## Why it matters
+    /// A node with another bit rate than its network disturbs it, or is never heard.
+    ///
+    /// ## Example
+    /// `Baudrate=500000`
+    ///
+    /// ## How to mend
+    /// Write the bit rate in kbit/s.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.4, CiA 301 §6.2
+    "cia306/invalid-baud-rate", Error, Device(check)
+}
+
+const RATES: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(rate) = device.commissioning.as_ref().and_then(|node| node.baud_rate) else { return };
+    let place = Place::of(Part::Commissioning).field(Field::Baudrate);
+    if !RATES.contains(&rate) {
+        let message = match rate {
+            0 => "`Baudrate` is 0, so the bit rate is open".to_owned(),
+            _ => format!("`Baudrate` is {rate}, but CANopen has no such bit rate"),
+        };
+        let finding = Diagnostic::new(&RULE.info, place, message).severity(if rate == 0 {
+            Severity::Warning
+        } else {
+            Severity::Error
+        });
+        findings.push(finding.help(format!("the bit rates in kbit/s are {}", series(RATES))));
+        return;
+    }
+    let Some(info) = &device.device_info else { return };
+    let supported: Vec<u16> = info.baud_rates.supported().collect();
+    // a device that supports none is another finding
+    if supported.is_empty() || supported.contains(&rate) {
+        return;
+    }
+    let field = info.baud_rates.iter().find(|(other, ..)| *other == rate).map(|(_, field, _)| field);
+    if field.as_ref().is_some_and(|field| info.misfits.get(field).is_some()) {
+        return;
+    }
+    let message = format!("`Baudrate` is {rate}, which the device does not support");
+    let label = Place { field, ..Place::of(Part::DeviceInfo) };
+    let finding = Diagnostic::new(&RULE.info, place, message).label(label, "not supported");
+    findings.push(finding.help(format!("the device supports {} kbit/s", series(supported))));
+}

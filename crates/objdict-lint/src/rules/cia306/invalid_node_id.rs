@@ -1,0 +1,50 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Commissioning, Device, Field, Part, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// the node-ID of a DCF is none
+    ///
+    /// ## What it checks
+    /// Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, no value may be a formula with `$NODEID`.
+    ///
+    /// ## Why it matters
+    /// The node cannot be reached, and its COB-IDs are not known.
+    ///
+    /// ## Example
+    /// `NodeID=0`
+    ///
+    /// ## How to mend
+    /// Write the node-ID.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.4, CiA 301 §7.2.5.2
+    "cia306/invalid-node-id", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(node) = &device.commissioning else { return };
+    let place = Place::of(Part::Commissioning).field(Field::NodeId);
+    let message = match node.node_id {
+        Some(1..=127) => return,
+        Some(255) => match stated::first_formula(device) {
+            Some(formula) => return report_unknown(place, formula, findings),
+            None => return,
+        },
+        Some(number) => format!("`NodeID` is {number}, but node-IDs are 1 to 127"),
+        None if is_misfit(node) => return,
+        None => "`NodeID` is missing".to_owned(),
+    };
+    findings
+        .push(Diagnostic::new(&RULE.info, place, message).help("write `NodeID=` and a number from 1 to 127"));
+}
+
+fn is_misfit(node: &Commissioning) -> bool {
+    node.misfits.get(&Field::NodeId).is_some()
+}
+
+fn report_unknown(place: Place, formula: Place, findings: &mut Findings) {
+    let message = "`NodeID` is 255, so the formulas with `$NODEID` have no value";
+    let finding = Diagnostic::new(&RULE.info, place, message).label(formula, "a formula");
+    findings.push(finding.help("write the node-ID that the node will have"));
+}

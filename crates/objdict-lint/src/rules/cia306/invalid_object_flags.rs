@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::Field;
+use crate::{EntryAt, rule};
+
+rule! {
+    /// `ObjFlags` has bits without a meaning
+    ///
+    /// ## What it checks
+    /// Whether no other bits are set than 0 (refuse write), 1 (refuse read) and 2, which CiA 311 added (the value counts after a reset).
+    ///
+    /// ## Why it matters
+    /// The other bits are reserved: a later version may give them a meaning. Perhaps a number of another key got here.
+    ///
+    /// ## Example
+    /// `ObjFlags=0x8`
+    ///
+    /// ## How to mend
+    /// Write the sum of 1 and 2, or remove the key.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.3
+    "cia306/invalid-object-flags", Warning, Entry(check), fix Safe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(flags) = at.entry.flags.filter(|flags| flags.0 > 7) else { return };
+    let message = format!("`ObjFlags` is {:#x}, of which only the bits 0 to 2 have a meaning", flags.0);
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjFlags), message);
+    let known = flags.0 & 7;
+    findings.push(if known == 0 {
+        let fix = Fix::safe("remove the key").remove(at.field(Field::ObjFlags));
+        finding.help("remove the key").fix(fix)
+    } else {
+        let title = format!("write `ObjFlags={known:#x}`");
+        let fix = Fix::safe(title.clone()).set(at.field(Field::ObjFlags), format!("{known:#x}"));
+        finding.help(title).fix(fix)
+    });
+}

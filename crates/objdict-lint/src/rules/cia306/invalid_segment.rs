@@ -1,0 +1,81 @@
+use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::model::{Device, DynamicChannels, Field, Part, Place, Segment};
+use crate::rule;
+
+rule! {
+    /// a segment of the dynamic channels cannot hold network variables
+    ///
+    /// ## What it checks
+    /// Whether each segment has type, direction and range, whether the range lies in A000h to BFFFh and does not run backwards, and whether no two ranges overlap.
+    ///
+    /// ## Why it matters
+    /// A tool that programs the device gives the network variables indexes out of these ranges.
+    ///
+    /// ## Example
+    /// `Range1=0xA0BF-0xA080`
+    ///
+    /// ## How to mend
+    /// Write the first and the last index: `Range1=0xA080-0xA0BF`.
+    ///
+    /// ## Source
+    /// CiA 302-4, CiA 306-1 §4.6.3.4.3
+    "cia306/invalid-segment", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(channels) = &device.dynamic_channels else { return };
+    for (number, segment) in (1..).zip(&channels.segments) {
+        check_keys(channels, number, segment, findings);
+        if let Some(range) = segment.range {
+            check_range(channels, number, range, findings);
+        }
+    }
+}
+
+fn field(word: &str, number: usize) -> Field {
+    Field::Named(format!("{word}{number}").into())
+}
+
+fn place(word: &str, number: usize) -> Place {
+    Place::of(Part::DynamicChannels).field(field(word, number))
+}
+
+fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, findings: &mut Findings) {
+    let direction = segment.direction.as_deref().is_some_and(|direction| !direction.is_empty());
+    let stated =
+        [("Type", segment.data_type.is_some()), ("Dir", direction), ("Range", segment.range.is_some())];
+    let missing: Vec<Field> = stated
+        .into_iter()
+        .filter(|(_, stated)| !stated)
+        .map(|(word, _)| field(word, number))
+        .filter(|field| channels.misfits.get(field).is_none())
+        .collect();
+    if missing.is_empty() {
+        return;
+    }
+    let message = format!("segment {number} of the dynamic channels has no {}", listing(&missing));
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message);
+    findings.push(finding.help("a segment has `TypeN`, `DirN`, `RangeN` and `PPOffsetN`"));
+}
+
+fn check_range(channels: &DynamicChannels, number: usize, (low, high): (u16, u16), findings: &mut Findings) {
+    let at = place("Range", number);
+    let range = format!("{low:04X}h to {high:04X}h");
+    if low > high {
+        let finding = Diagnostic::new(&RULE.info, at, format!("the range {range} runs backwards"));
+        findings.push(finding.help("write the smaller index first"));
+    } else if low < 0xA000 || high > 0xBFFF {
+        let message = format!("the range {range} leaves A000h to BFFFh, where network variables are");
+        findings.push(Diagnostic::new(&RULE.info, at, message).help("write a range from 0xA000 to 0xBFFF"));
+    } else {
+        let before = (1..number).zip(&channels.segments);
+        let overlaps = |range: (u16, u16)| range.0 <= high && low <= range.1;
+        let other = before.into_iter().find(|(_, segment)| segment.range.is_some_and(overlaps));
+        if let Some((other, _)) = other {
+            let message = format!("the ranges of the segments {other} and {number} overlap");
+            let finding =
+                Diagnostic::new(&RULE.info, at, message).label(place("Range", other), "the other range");
+            findings.push(finding.help("give each segment indexes of its own"));
+        }
+    }
+}

@@ -1,0 +1,48 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Field, ObjectType, TypeKind};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a text has limits
+    ///
+    /// ## What it checks
+    /// Whether `LowLimit` and `HighLimit` are only used with numbers: not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.
+    ///
+    /// ## Why it matters
+    /// No order of texts is defined, so the limits mean nothing. Perhaps they were meant as lengths, or the data type is wrong.
+    ///
+    /// ## Example
+    /// `DataType=0x0009` with `HighLimit=20`
+    ///
+    /// ## How to mend
+    /// Remove the limits.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/limits-on-text", Warning, Entry(check), fix Safe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    let field = match (&entry.low_limit, &entry.high_limit) {
+        (Some(_), _) => Field::LowLimit,
+        (None, Some(_)) => Field::HighLimit,
+        (None, None) => return,
+    };
+    let Some(data_type) = entry.data_type else { return };
+    let is_text = matches!(
+        data_type.kind(),
+        TypeKind::VisibleString | TypeKind::UnicodeString | TypeKind::OctetString | TypeKind::Domain
+    );
+    // limits of a DOMAIN object are a key that it does not have
+    if is_text && at.holds_value() && at.object_type() != Some(ObjectType::Domain) {
+        let message = format!("`{field}` of a {data_type} means nothing");
+        let finding = Diagnostic::new(&RULE.info, at.field(field), message)
+            .label(at.field(Field::DataType), "no number");
+        let stated =
+            [(Field::LowLimit, entry.low_limit.is_some()), (Field::HighLimit, entry.high_limit.is_some())];
+        let stated = stated.into_iter().filter(|(_, stated)| *stated);
+        let fix = stated.fold(Fix::safe("remove the limits"), |fix, (field, _)| fix.remove(at.field(field)));
+        findings.push(finding.help("remove the limits").fix(fix));
+    }
+}

@@ -1,0 +1,45 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Object, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a link leads to an object that is not there
+    ///
+    /// ## What it checks
+    /// Whether each index in `[xxxxObjectLinks]` is described, and the object xxxx itself too.
+    ///
+    /// ## Why it matters
+    /// A tool groups linked objects for its user; the group is incomplete.
+    ///
+    /// ## Example
+    /// `1=0x6999` in `[2000ObjectLinks]`, and no `[6999]`
+    ///
+    /// ## How to mend
+    /// Correct the index, or remove the link and write the new count.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.4
+    "cia306/link-to-missing-object", Warning, Object(check), fix Unsafe
+}
+
+fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.links.is_empty() {
+        return;
+    }
+    let section = Place::of(Part::Links(index));
+    if object.orphan && object.subs.is_empty() {
+        let message = format!("links of {index:04X}h are described, the object is not");
+        let fix = Fix::risky("remove the section").remove(section.clone());
+        let finding = Diagnostic::new(&RULE.info, section, message).fix(fix);
+        findings.push(finding.help(format!("describe the object in `[{index:X}]`, or remove the section")));
+        return;
+    }
+    let described = |index: &u16| device.object(*index).is_some_and(|object| !object.orphan);
+    for (number, link) in (1..).zip(&object.links).filter(|(_, link)| !described(link)) {
+        let message = format!("{index:04X}h has a link to {link:04X}h, which is not described");
+        let place = section.clone().field(Field::Item(number));
+        let fix = Fix::risky("remove the link").remove(place.clone());
+        let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+        findings.push(finding.help("correct the index, or remove the link"));
+    }
+}

@@ -1,0 +1,57 @@
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, counted};
+use crate::model::{Device, Field, ObjectList, Part, Place};
+use crate::{ListFixes, rule};
+
+rule! {
+    /// a list names an object that is not described
+    ///
+    /// ## What it checks
+    /// Whether each index of the three lists has its section. `CompactPDO` is no excuse: implied PDOs are in no list.
+    ///
+    /// ## Why it matters
+    /// Most readers stop at such a list entry, or show an object without name and type.
+    ///
+    /// ## Example
+    /// `4=0x2000` in a list, and no `[2000]`
+    ///
+    /// ## How to mend
+    /// Describe the object, or take it off the list and write the new count.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.1
+    "cia306/listed-object-missing", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    if device.objects.is_empty() {
+        return nothing_described(device, findings);
+    }
+    let mut fixes = ListFixes::new();
+    for list in ObjectList::ALL {
+        let described =
+            || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
+        for (number, index) in (1..).zip(device.lists.get(list)) {
+            if !device.objects.contains_key(index) {
+                let place = Place::of(Part::List(list)).field(Field::Item(number));
+                let message = format!("{index:04X}h is listed, but there is no section `[{index:X}]`");
+                let finding = Diagnostic::new(&RULE.info, place, message);
+                let mut finding = finding.help("describe the object, or take it off the list");
+                finding.fix = fixes.next(device.lists.get(list), || {
+                    let fix = Fix::risky("take off the list what is not described");
+                    fix.with(Change::List(list, described().collect()))
+                });
+                findings.push(finding);
+            }
+        }
+    }
+}
+
+/// One finding for a file of nothing but lists.
+fn nothing_described(device: &Device, findings: &mut Findings) {
+    let mut listed = device.lists.iter();
+    let Some((list, _)) = listed.next() else { return };
+    let objects = counted(1 + listed.count(), "object is", "objects are");
+    let message = format!("{objects} listed, but none is described");
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::List(list)), message);
+    findings.push(finding.help("add a section such as `[1000]` for each object"));
+}

@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place, Value};
+use crate::rule;
+
+rule! {
+    /// the serial number for LSS is not that of 1018h
+    ///
+    /// ## What it checks
+    /// Whether `LSS_SerialNumber` is the value of 1018h sub-index 4, where the file states both and neither is 0.
+    ///
+    /// ## Why it matters
+    /// LSS selects the node by its serial number; with the wrong one the node does not answer.
+    ///
+    /// ## Example
+    /// `LSS_SerialNumber=1234` and `ParameterValue=1235` in `[1018sub4]`
+    ///
+    /// ## How to mend
+    /// Write the number of the device's label into both.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.4
+    "cia306/lss-serial-number", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let stated = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
+    let Some(stated) = stated.filter(|&number| number != 0) else { return };
+    let Some(entry) = device.entry(0x1018, 4) else { return };
+    let field = if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+    // 0 is what an EDS says of a number that each device has of its own
+    let Some(value) = entry.value().and_then(Value::as_integer).filter(|&value| value != 0) else {
+        return;
+    };
+    if value != i128::from(stated) {
+        let message = format!("`LSS_SerialNumber` is {stated}, but 1018h sub-index 4 is {value}");
+        let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
+        let finding = Diagnostic::new(&RULE.info, place, message)
+            .label(Place::entry(0x1018, 4).field(field), "the serial number of the identity object");
+        findings.push(finding.help("write the serial number of the device into both"));
+    }
+}

@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings, series};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// the device supports LSS, but cannot be told apart
+    ///
+    /// ## What it checks
+    /// Whether 1018h of a device with `LSS_Supported=1` has vendor-ID, product code, revision number and serial number.
+    ///
+    /// ## Why it matters
+    /// LSS addresses a device by these four numbers. A device that lacks one cannot be selected among others of its kind.
+    ///
+    /// ## Example
+    /// `LSS_Supported=1` and a 1018h that ends with sub-index 1
+    ///
+    /// ## How to mend
+    /// Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.
+    ///
+    /// ## Source
+    /// CiA 305, CiA 301 §7.5.2.21
+    "cia306/lss-without-identity", Warning, Device(check)
+}
+
+const NAMES: [&str; 4] = ["vendor-ID", "product code", "revision number", "serial number"];
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    // a missing 1018h is a finding of its own
+    let Some(identity) = device.object(0x1018).filter(|_| info.lss_supported == Some(true)) else { return };
+    let missing: Vec<&str> =
+        (1..).zip(NAMES).filter(|&(sub, _)| identity.entry(sub).is_none()).map(|(_, name)| name).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let message = format!("`LSS_Supported` is 1, but 1018h has no {}", series(&missing));
+    let finding = Diagnostic::new(&RULE.info, Place::object(0x1018), message)
+        .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is supported");
+    findings.push(finding.help("describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`"));
+}

@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Access, Field, ObjectType};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// an entry is called mappable, but no PDO can carry it
+    ///
+    /// ## What it checks
+    /// Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and can change, that is, are not `const`.
+    ///
+    /// ## Why it matters
+    /// A tool offers the entry for mapping, and the device refuses it.
+    ///
+    /// ## Example
+    /// `PDOMapping=1` of a VISIBLE_STRING
+    ///
+    /// ## How to mend
+    /// Write `PDOMapping=0`, or correct `DataType` or `AccessType`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.5.2.36
+    "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    if !entry.is_mappable() || !at.holds_value() || at.object_type() == Some(ObjectType::Domain) {
+        return;
+    }
+    let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
+    let (message, field, label) = match (unmappable, entry.access) {
+        (Some(data_type), _) => (format!("no PDO can map {data_type}"), Field::DataType, "the data type"),
+        (None, Some(Access::Const)) => {
+            ("a constant never changes".to_owned(), Field::AccessType, "a constant")
+        }
+        _ => return,
+    };
+    let message = format!("`PDOMapping` is 1, but {message}");
+    let finding =
+        Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);
+    let title = "write `PDOMapping=0`";
+    let fix = if unmappable.is_some() { Fix::safe(title) } else { Fix::risky(title) };
+    findings.push(finding.help(title).fix(fix.set(at.field(Field::PdoMapping), "0")));
+}

@@ -1,0 +1,55 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, DataType, Field, ObjectType};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a file is named for an entry that has none
+    ///
+    /// ## What it checks
+    /// Whether `UploadFile` and `DownloadFile` belong to a DOMAIN, not both to the same one, `UploadFile` to one that can be read and `DownloadFile` to one that can be written.
+    ///
+    /// ## Why it matters
+    /// The file is for the data of a DOMAIN. Of any other entry, or in the wrong direction, it is not transferred.
+    ///
+    /// ## Example
+    /// `DownloadFile=program.bin` of an UNSIGNED32
+    ///
+    /// ## How to mend
+    /// Remove the key and write `ParameterValue`, or correct the object type or access.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.3.1
+    "cia306/misplaced-file", Error, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(configured) = &at.entry.configured else { return };
+    let field = match (&configured.upload_file, &configured.download_file) {
+        (None, None) => return,
+        (Some(_), None) => Field::UploadFile,
+        (_, Some(_)) => Field::DownloadFile,
+    };
+    let entry = at.entry;
+    let is_domain =
+        entry.object_type == Some(ObjectType::Domain) || entry.data_type == Some(DataType::DOMAIN);
+    let access = entry.access;
+    let (message, help) = if !is_domain {
+        let what = entry.data_type.map_or("no DOMAIN".to_owned(), |data_type| data_type.to_string());
+        (
+            format!("`{field}` is for a DOMAIN, but the entry is {what}"),
+            "remove the key and write `ParameterValue`",
+        )
+    } else if configured.upload_file.is_some() && configured.download_file.is_some() {
+        ("an entry has `UploadFile` or `DownloadFile`, not both".to_owned(), "keep the one that is meant")
+    } else if field == Field::UploadFile && access == Some(Access::Wo) {
+        ("`UploadFile` is for data that are read, but the entry is `wo`".to_owned(), "write `DownloadFile`")
+    } else if field == Field::DownloadFile && access.is_some_and(|access| !access.is_writable()) {
+        (
+            "`DownloadFile` is for data that are written, but the entry cannot be written".to_owned(),
+            "write `UploadFile`",
+        )
+    } else {
+        return;
+    };
+    findings.push(Diagnostic::new(&RULE.info, at.field(field), message).help(help));
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::model::{Device, DeviceKind, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// a DCF does not say which node it is for
+    ///
+    /// ## What it checks
+    /// Whether a DCF has a section `[DeviceComissioning]`, which the standard spells with one m. Where no value is a formula with `$NODEID` it is a warning: some masters get their node-ID from the program that runs them.
+    ///
+    /// ## Why it matters
+    /// Without node-ID and bit rate nobody can reach the node, and formulas with `$NODEID` have no value.
+    ///
+    /// ## Example
+    /// An EDS that was renamed to .dcf
+    ///
+    /// ## How to mend
+    /// Add the section with `NodeID` and `Baudrate`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.4
+    "cia306/missing-commissioning", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let says_something = !device.objects.is_empty() || device.device_info.is_some();
+    if device.kind == DeviceKind::Node && device.commissioning.is_none() && says_something {
+        let message = "section `[DeviceComissioning]` is missing";
+        let finding = Diagnostic::new(&RULE.info, Place::device(), message);
+        let finding = match stated::first_formula(device) {
+            Some(formula) => finding.label(formula, "a formula that has no value"),
+            None => finding.severity(Severity::Warning),
+        };
+        findings.push(finding.help("add it with `NodeID` and `Baudrate`"));
+    }
+}

@@ -1,0 +1,44 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Field, ObjectType, TypeKind};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a constant has no value
+    ///
+    /// ## What it checks
+    /// Whether entries with access `const` have a `DefaultValue`. Left alone are the texts 1008h to 100Ah and the identity 1018h, which are often the same description for several versions of a device, DOMAINs, and sub-index 0, which has a rule of its own.
+    ///
+    /// ## Why it matters
+    /// A constant is what a tool can know without asking the device. Code that is generated from the description has 0 instead.
+    ///
+    /// ## Example
+    /// `AccessType=const` without `DefaultValue`
+    ///
+    /// ## How to mend
+    /// Write the value, or `AccessType=ro` for a value that differs from device to device.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/missing-constant", Note, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    if entry.access != Some(Access::Const) || entry.value().is_some() || !at.holds_value() {
+        return;
+    }
+    let varies = matches!(at.index, 0x1000 | 0x1008..=0x100A | 0x1018);
+    let count = at.sub == Some(0) && at.object.object_type().has_subs();
+    let values =
+        at.sub.is_none() && at.object.compact.as_ref().is_some_and(|compact| !compact.values.is_empty());
+    let domain = at.object_type() == Some(ObjectType::Domain)
+        || entry.data_type.is_none_or(|data_type| data_type.kind() == TypeKind::Domain);
+    if varies || count || values || domain || !entry.misfits.is_empty() {
+        return;
+    }
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "a constant without a value")
+        .label(at.field(Field::AccessType), "a constant");
+    findings.push(
+        finding.help("write `DefaultValue`, or `AccessType=ro` if the value differs from device to device"),
+    );
+}

@@ -1,0 +1,103 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
+use crate::model::{Device, Field, FileInfo, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `[FileInfo]` does not say all that it has to
+    ///
+    /// ## What it checks
+    /// Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are there; a missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note, for a file may never have been changed. `Description` may be empty.
+    ///
+    /// ## Why it matters
+    /// A configuration tool tells two files of one device apart by version and date. A conformance test refuses the file.
+    ///
+    /// ## Example
+    /// `[FileInfo]` without `FileRevision`
+    ///
+    /// ## How to mend
+    /// Add the keys. Who does not count revisions writes `FileRevision=0`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.4
+    "cia306/missing-file-info-key", Warning, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.file_info else { return };
+    let missing = |fields: &[(Field, bool)]| -> Vec<Field> {
+        let missing = fields.iter().filter(|(field, stated)| !stated && info.misfits.get(field).is_none());
+        missing.map(|(field, _)| field.clone()).collect()
+    };
+    let creation = missing(&creation(info));
+    let modification = missing(&modification(info));
+    report(info, &creation, Severity::Warning, findings);
+    if creation.is_empty() {
+        report(info, &modification, Severity::Note, findings);
+    }
+}
+
+/// What is demanded of every file, with whether it is stated.
+fn creation(info: &FileInfo) -> [(Field, bool); 7] {
+    [
+        (Field::FileName, is_text(info.file_name.as_deref())),
+        (Field::FileVersion, info.file_version.is_some()),
+        (Field::FileRevision, info.file_revision.is_some()),
+        (Field::Description, info.description.is_some()),
+        (Field::CreationTime, info.creation_time.is_some()),
+        (Field::CreationDate, info.creation_date.is_some()),
+        (Field::CreatedBy, info.created_by.is_some()),
+    ]
+}
+
+fn modification(info: &FileInfo) -> [(Field, bool); 3] {
+    [
+        (Field::ModificationTime, info.modification_time.is_some()),
+        (Field::ModificationDate, info.modification_date.is_some()),
+        (Field::ModifiedBy, info.modified_by.is_some()),
+    ]
+}
+
+fn is_text(text: Option<&str>) -> bool {
+    text.is_some_and(|text| !text.is_empty())
+}
+
+fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut Findings) {
+    let Some(first) = missing.first() else { return };
+    let message = format!("`[FileInfo]` gives no value for {}", listing(missing));
+    let place = Place::of(Part::FileInfo).field(first.clone());
+    let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
+    let finding = finding.help(format!("add {}", listing(missing.iter().map(example))));
+    findings.push(match filled(info, missing) {
+        Some(fix) => finding.fix(fix),
+        None => finding,
+    });
+}
+
+/// The missing keys as of a first version that nobody has changed; `None` where nobody knows who made it when.
+fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
+    missing.iter().try_fold(Fix::risky("add the keys"), |fix, field| {
+        let value = match field {
+            Field::FileVersion => "1".to_owned(),
+            Field::FileRevision => "0".to_owned(),
+            Field::Description => String::new(),
+            Field::ModificationTime => info.creation_time?.to_string(),
+            Field::ModificationDate => info.creation_date?.to_string(),
+            Field::ModifiedBy => info.created_by.clone()?,
+            _ => return None,
+        };
+        Some(fix.set(Place::of(Part::FileInfo).field(field.clone()), value))
+    })
+}
+
+/// A line that the author can start from.
+fn example(field: &Field) -> String {
+    let value = match field {
+        Field::FileName => "device.eds",
+        Field::FileVersion => "1",
+        Field::FileRevision => "0",
+        Field::CreationTime | Field::ModificationTime => "09:45AM",
+        Field::CreationDate | Field::ModificationDate => "01-31-2026",
+        _ => "",
+    };
+    format!("{field}={value}")
+}

@@ -1,0 +1,100 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::model::{Field, ObjectType};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// a key is missing that the object type demands
+    ///
+    /// ## What it checks
+    /// Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType`, for without it the object is a VAR. A `DOMAIN` needs none of them.
+    ///
+    /// ## Why it matters
+    /// Without data type and access nobody can read or write the value. Tools guess, each in its own way, or refuse the file.
+    ///
+    /// ## Example
+    /// A VAR without `AccessType`
+    ///
+    /// ## How to mend
+    /// Add the key.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2, obligation table
+    "cia306/missing-key", Error, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    match at.object_type() {
+        Some(ObjectType::Var | ObjectType::DefType) => check_value(at, "VAR", findings),
+        Some(ObjectType::Domain | ObjectType::Null) => {}
+        Some(_) if at.sub.is_some() => {}
+        Some(object_type) if at.object.compact.is_some() => check_value(at, object_type.name(), findings),
+        Some(object_type) => check_sub_number(at, object_type, findings),
+        None => check_object_type(at, findings),
+    }
+}
+
+fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
+    let entry = at.entry;
+    // an application without access has a parameter that says so
+    let has_access = entry.access.is_some()
+        || entry.parameter.as_ref().is_some_and(|parameter| parameter.access.is_some());
+    if entry.data_type.is_some() && has_access {
+        return;
+    }
+    // the value of such a VAR is described by its sub-index 0
+    if at.sub.is_none() && at.object.compact.is_none() && at.object.subs.get(0).is_some() {
+        return;
+    }
+    let stated = [(Field::DataType, entry.data_type.is_some()), (Field::AccessType, has_access)];
+    let missing: Vec<Field> = stated
+        .into_iter()
+        .filter(|(field, stated)| !stated && !stated::is_misfit(entry, field))
+        .map(|(field, _)| field)
+        .collect();
+    let Some(first) = missing.first() else { return };
+    let kind = match (at.sub, entry.object_type) {
+        (Some(_), _) => "a sub-index",
+        (None, Some(ObjectType::DefType)) => "a DEFTYPE",
+        (None, _) if at.object.compact.is_some() => "an object with `CompactSubObj`",
+        _ => kind,
+    };
+    let kind = if kind == "VAR" { "a VAR" } else { kind };
+    let message = format!("{kind} needs {}", listing(&missing));
+    let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
+    findings.push(finding.help(format!("add {}", listing(missing.iter().map(example)))));
+}
+
+fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {
+    if at.object.sub_number.is_some() || stated::is_misfit(at.entry, &Field::SubNumber) {
+        return;
+    }
+    let described = stated::described_subs(at.object);
+    let article = if object_type == ObjectType::Array { "an" } else { "a" };
+    let message = format!("{article} {object_type} needs `SubNumber`");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::SubNumber), message);
+    findings.push(if described > 0 {
+        let title = format!("add `SubNumber={described}`");
+        let fix = Fix::safe(title.clone()).set(at.field(Field::SubNumber), described.to_string());
+        finding.help(title).fix(fix)
+    } else {
+        finding.help("describe its sub-indexes and write their number, or add `CompactSubObj`")
+    });
+}
+
+/// The type of an object is in doubt: because it is not stated, or for a reason that another rule reports.
+fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
+    let in_doubt = at.sub.is_none() && stated::is_structured(at.object);
+    if !in_doubt || at.entry.object_type.is_some() || !at.entry.misfits.is_empty() {
+        return;
+    }
+    let message = "an object with sub-indexes needs `ObjectType`; without it, it is a VAR";
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message);
+    let fix = Fix::risky("add `ObjectType=0x9`").set(at.field(Field::ObjectType), "0x9");
+    findings.push(finding.help("add `ObjectType=0x9` for a RECORD, `ObjectType=0x8` for an ARRAY").fix(fix));
+}
+
+/// A line that the author can start from.
+fn example(field: &Field) -> String {
+    let value = if *field == Field::DataType { "0x0007" } else { "rw" };
+    format!("{field}={value}")
+}

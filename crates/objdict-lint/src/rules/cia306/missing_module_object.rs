@@ -1,0 +1,45 @@
+use std::collections::BTreeSet;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, DeviceKind, Field, Part, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// the objects of a connected module are not in the DCF
+    ///
+    /// ## What it checks
+    /// Whether a DCF describes the fixed objects of the modules in `[ConnectedModules]`, and the objects that they extend.
+    ///
+    /// ## Why it matters
+    /// The DCF is of the station as it stands, modules included. What the modules bring is not configured when it is not described.
+    ///
+    /// ## Example
+    /// `1=2` in `[ConnectedModules]`, `1=0x6423` in `[M2FixedObjects]`, and no `[6423]`
+    ///
+    /// ## How to mend
+    /// Describe the objects as the modules make them.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.4
+    "cia306/missing-module-object", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = device.modules.as_ref().filter(|_| device.kind == DeviceKind::Node) else { return };
+    let mut seen = BTreeSet::new();
+    for (at, &number) in modules.connected.iter().flatten().enumerate() {
+        let Some(module) = modules.supported.get(&number).filter(|_| seen.insert(number)) else { continue };
+        let brings = module.fixed.keys().chain(module.extensions.keys());
+        let mut missing = brings.filter(|&&index| !stated::is_there(device, index));
+        let Some(first) = missing.next() else { continue };
+        let more = match missing.count() {
+            0 => String::new(),
+            others => format!(" and {others} more"),
+        };
+        let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
+        let message = format!("module {number} brings {first:04X}h{more}, which the DCF does not describe");
+        let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
+        let finding = Diagnostic::new(&RULE.info, place, message);
+        findings.push(finding.help("describe the objects as the modules make them"));
+    }
+}

@@ -1,0 +1,36 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::Field;
+use crate::{EntryAt, rule};
+
+rule! {
+    /// an object or sub-index has no name
+    ///
+    /// ## What it checks
+    /// Whether each section of an object or sub-index has a `ParameterName` that is not empty.
+    ///
+    /// ## Why it matters
+    /// The name is what a tool shows. python-canopen and others refuse a file without it; generated code has to make one up.
+    ///
+    /// ## Example
+    /// `ParameterName=`
+    ///
+    /// ## How to mend
+    /// Give it the name that the standard or the manual uses.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/missing-name", Error, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    if !at.entry.name.is_empty() {
+        return;
+    }
+    let what = match at.sub {
+        Some(sub) => format!("sub-index {} of {:04X}h", sub_index(sub), at.index),
+        None => format!("{:04X}h", at.index),
+    };
+    let message = format!("{what} has no name");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterName), message);
+    findings.push(finding.help("write `ParameterName=` and a name"));
+}

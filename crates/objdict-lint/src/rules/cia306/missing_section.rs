@@ -1,0 +1,102 @@
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, counted};
+use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a section that every description has is missing
+    ///
+    /// ## What it checks
+    /// Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. In real files it is mostly a DCF without `[Comments]` or `[FileInfo]`, which is a note and does no harm; the errors are fragments, and lists without which whole ranges of objects are lost. An empty file has its own finding.
+    ///
+    /// ## Why it matters
+    /// Objects of a missing list are in no list at all, so most tools do not see them. Without `[DeviceInfo]` nobody knows whose device it is. The other sections may be empty, but some readers refuse a file without them.
+    ///
+    /// ## Example
+    /// A file that starts with `[1000]`
+    ///
+    /// ## How to mend
+    /// Add the section; an empty list is `SupportedObjects=0`, empty comments are `Lines=0`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.2
+    "cia306/missing-section", Error, Device(check), fix Safe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    if is_blank(device) {
+        return;
+    }
+    let is_node = device.kind == DeviceKind::Node;
+    let grave = if is_node { Severity::Note } else { Severity::Error };
+    let light = if is_node { Severity::Note } else { Severity::Warning };
+    // keys above all sections most likely belong to it, and that is reported
+    let headless = device.extra.iter().any(|section| section.name.is_empty());
+    if device.file_info.is_none() && !headless {
+        findings.push(report("FileInfo", grave, "say who made the file and when"));
+    }
+    if device.device_info.is_none() {
+        let severity = if is_node { Severity::Warning } else { Severity::Error };
+        findings.push(report("DeviceInfo", severity, "say whose device it is and what it can do"));
+    }
+    if device.dummy_usage.is_none() {
+        let help = "write `Dummy0005=1` for a type that can fill a gap in an RPDO";
+        let key = |number| Field::Named(format!("Dummy{number:04X}").into());
+        let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
+        let fix = Fix::safe("add it without dummies").with(Change::Add(Part::DummyUsage, none));
+        findings.push(report("DummyUsage", light, help).fix(fix));
+    }
+    if device.comments.is_none() {
+        let none = vec![(Field::Lines, "0".to_owned())];
+        let fix = Fix::safe("add it without comments").with(Change::Add(Part::Comments, none));
+        findings.push(report("Comments", Severity::Note, "write `Lines=0` into it").fix(fix));
+    }
+    check_lists(device, light, findings);
+}
+
+fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
+    let lists = &device.lists;
+    let present = [&lists.mandatory, &lists.optional, &lists.manufacturer];
+    for (list, indexes) in ObjectList::ALL.into_iter().zip(present) {
+        if indexes.is_some() {
+            continue;
+        }
+        let members = device.objects.keys().copied().filter(|&index| ObjectList::of(index) == Some(list));
+        let fix = Fix::safe("add the list").with(Change::List(list, members.clone().collect()));
+        let objects = members.count();
+        if objects == 0 {
+            // where the mandatory objects are missing too, that is the finding
+            if list != ObjectList::Mandatory {
+                let finding = report(list.name(), light, "write `SupportedObjects=0` into it");
+                findings.push(finding.fix(fix));
+            }
+            continue;
+        }
+        let objects_belong = counted(objects, "object belongs", "objects belong");
+        let message = format!("section `[{list}]` is missing, to which {objects_belong}");
+        let finding = Diagnostic::new(&RULE.info, Place::device(), message);
+        findings.push(finding.help("list the objects in it: `SupportedObjects=1`, `1=0x1000`").fix(fix));
+    }
+}
+
+/// Whether the file says nothing at all, which another rule reports.
+fn is_blank(device: &Device) -> bool {
+    let lists = &device.lists;
+    device.file_info.is_none()
+        && device.device_info.is_none()
+        && device.dummy_usage.is_none()
+        && device.comments.is_none()
+        && device.commissioning.is_none()
+        && lists.mandatory.is_none()
+        && lists.optional.is_none()
+        && lists.manufacturer.is_none()
+        && device.objects.is_empty()
+        && device.extra.is_empty()
+}
+
+fn missing(section: &str) -> String {
+    format!("section `[{section}]` is missing")
+}
+
+fn report(section: &str, severity: Severity, help: &'static str) -> Diagnostic {
+    Diagnostic::new(&RULE.info, Place::device(), missing(section)).severity(severity).help(help)
+}

@@ -1,0 +1,54 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::{rule, stated, sub_0};
+
+rule! {
+    /// an ARRAY or RECORD has no sub-index 0
+    ///
+    /// ## What it checks
+    /// Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.
+    ///
+    /// ## Why it matters
+    /// A manager reads sub-index 0 first to learn how many entries there are.
+    ///
+    /// ## Example
+    /// `[1003]` with `[1003sub1]` only
+    ///
+    /// ## How to mend
+    /// Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2
+    "cia306/missing-sub-0", Error, Object(check), fix Unsafe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.subs.get(0).is_some() || object.compact.is_some() {
+        return;
+    }
+    // nothing but a count, or not even that, has findings of its own
+    let counted_only = object.subs.is_empty() && object.sub_number != Some(0);
+    let Some(object_type) = stated::object_type(object).filter(|object_type| object_type.has_subs()) else {
+        return;
+    };
+    if counted_only {
+        return;
+    }
+    let article = if object_type == ObjectType::Array { "an" } else { "a" };
+    let message = format!("{index:04X}h is {article} {object_type} without sub-index 0");
+    let highest = object.highest_sub().unwrap_or_default();
+    let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+    let finding = finding.fix(add_sub_0(index, object));
+    findings
+        .push(finding.help(format!("add `[{index:X}sub0]` of type UNSIGNED8 with `DefaultValue={highest}`")));
+}
+
+/// Sub-index 0, and `SubNumber` with it counted.
+fn add_sub_0(index: u16, object: &Object) -> Fix {
+    let fix = Fix::risky(format!("add `[{index:X}sub0]`")).with(sub_0(index, object));
+    let described = stated::described_subs(object) + 1;
+    if object.sub_number.map(usize::from) == Some(described) {
+        return fix;
+    }
+    fix.set(Place::object(index).field(Field::SubNumber), described.to_string())
+}

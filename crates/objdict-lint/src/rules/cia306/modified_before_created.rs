@@ -1,0 +1,45 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// the file was modified before it was created
+    ///
+    /// ## What it checks
+    /// Whether date and time of the last modification come after those of the creation.
+    ///
+    /// ## Why it matters
+    /// One of them is wrong, perhaps day and month in the wrong order, so nobody can tell which of two files is the newer one.
+    ///
+    /// ## Example
+    /// `CreationDate=11-18-2024` and `ModificationDate=03-04-2024`
+    ///
+    /// ## How to mend
+    /// Correct the date. The order is month, day, year.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.4
+    "cia306/modified-before-created", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.file_info else { return };
+    let (Some(created), Some(modified)) = (info.creation_date, info.modification_date) else { return };
+    let times = info.creation_time.zip(info.modification_time);
+    let earlier = modified < created || modified == created && times.is_some_and(|(from, to)| to < from);
+    if !earlier {
+        return;
+    }
+    let (wrong, right) = if modified == created {
+        (Field::ModificationTime, Field::CreationTime)
+    } else {
+        (Field::ModificationDate, Field::CreationDate)
+    };
+    let message = match times.filter(|_| modified == created) {
+        Some((from, to)) => format!("modified at {to}, but created at {from} of the same day"),
+        None => format!("modified on {modified}, but created on {created}"),
+    };
+    let place = |field| Place::of(Part::FileInfo).field(field);
+    let finding = Diagnostic::new(&RULE.info, place(wrong), message).label(place(right), "created here");
+    findings.push(finding.help("correct the date; month and day come before the year: `01-31-2026`"));
+}

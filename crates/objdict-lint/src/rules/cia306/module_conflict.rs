@@ -1,0 +1,92 @@
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::model::{Device, Entry, Field, ModulePart, Object, Part, Place};
+use crate::rule;
+
+rule! {
+    /// two modules describe the same object differently
+    ///
+    /// ## What it checks
+    /// Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ, and the default of what modules add to 1027h (module list), for that is the number of the module.
+    ///
+    /// ## Why it matters
+    /// The object exists once in the plugged device, so only one of the descriptions can be true.
+    ///
+    /// ## Example
+    /// `[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16
+    ///
+    /// ## How to mend
+    /// Describe the object alike in all modules.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.3
+    "cia306/module-conflict", Error, Device(check)
+}
+
+/// 1027h: each element is the number of a module.
+const MODULE_LIST: u16 = 0x1027;
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = &device.modules else { return };
+    let mut fixed: HashMap<u16, (u16, &Object)> = HashMap::new();
+    let mut extensions: HashMap<u16, (u16, &Entry)> = HashMap::new();
+    for (&number, module) in &modules.supported {
+        for (&index, object) in &module.fixed {
+            let (first, other) = *fixed.entry(index).or_insert((number, object));
+            let (field, place) = (different_object(other, object), ModulePart::Fixed(index));
+            report(index, (first, number), place, &field, findings);
+        }
+        for (&index, extension) in &module.extensions {
+            let (first, other) = *extensions.entry(index).or_insert((number, &extension.entry));
+            let mut fields = different_entry(other, &extension.entry);
+            fields.retain(|field| index != MODULE_LIST || *field != Field::DefaultValue);
+            report(index, (first, number), ModulePart::SubExt(index), &fields, findings);
+        }
+    }
+}
+
+fn different_object(first: &Object, second: &Object) -> Vec<Field> {
+    let mut fields = different_entry(&first.main, &second.main);
+    let subs = |object: &Object| object.subs.iter().map(|(sub, _)| sub).collect::<Vec<u8>>();
+    if subs(first) != subs(second) {
+        fields.push(Field::SubNumber);
+    }
+    for ((_, first), (_, second)) in first.subs.iter().zip(second.subs.iter()) {
+        fields.extend(different_entry(first, second));
+    }
+    fields.sort_unstable();
+    fields.dedup();
+    fields
+}
+
+fn different_entry(first: &Entry, second: &Entry) -> Vec<Field> {
+    let same = [
+        (Field::ObjectType, first.object_type == second.object_type),
+        (Field::DataType, first.data_type == second.data_type),
+        (Field::AccessType, first.access == second.access),
+        (Field::PdoMapping, first.is_mappable() == second.is_mappable()),
+        (Field::DefaultValue, first.default == second.default),
+        (Field::LowLimit, first.low_limit == second.low_limit),
+        (Field::HighLimit, first.high_limit == second.high_limit),
+        (Field::ObjFlags, first.flags() == second.flags()),
+    ];
+    same.into_iter().filter(|(_, same)| !same).map(|(field, _)| field).collect()
+}
+
+fn report(
+    index: u16,
+    (first, second): (u16, u16),
+    part: ModulePart,
+    fields: &[Field],
+    findings: &mut Findings,
+) {
+    if fields.is_empty() {
+        return;
+    }
+    let place = |number| Place::of(Part::Module(number, part));
+    let message = format!("{index:04X}h of the modules {first} and {second} differs in {}", listing(fields));
+    let finding =
+        Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the other description");
+    findings.push(finding.help("describe the object alike in all modules"));
+}

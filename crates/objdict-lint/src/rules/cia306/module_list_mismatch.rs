@@ -1,0 +1,85 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Module, ModulePart, Part, Place};
+use crate::{IndexSet, rule};
+
+rule! {
+    /// the lists of a module do not name the objects that it describes
+    ///
+    /// ## What it checks
+    /// Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described one is listed, and each sub-index of a fixed object has its object.
+    ///
+    /// ## Why it matters
+    /// A tool that plugs the module together goes by the lists, and leaves out what they do not name.
+    ///
+    /// ## Example
+    /// `1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`
+    ///
+    /// ## How to mend
+    /// Describe the object, or correct the list and its `NrOfEntries`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.3
+    "cia306/module-list-mismatch", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = &device.modules else { return };
+    for (&number, module) in &modules.supported {
+        check_fixed(number, module, findings);
+        check_extensions(number, module, findings);
+    }
+}
+
+fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
+    let list = Part::Module(number, ModulePart::FixedObjects);
+    let listed: IndexSet = module.fixed_list.iter().copied().collect();
+    for (item, index) in (1..).zip(&module.fixed_list) {
+        if !module.fixed.contains_key(index) {
+            listed_only(&list, item, &format!("M{number}Fixed{index:X}"), findings);
+        }
+    }
+    for (&index, object) in &module.fixed {
+        let section = Part::Module(number, ModulePart::Fixed(index));
+        if let Some((sub, _)) = object.subs.iter().next().filter(|_| object.orphan) {
+            let place = Place::of(Part::Module(number, ModulePart::FixedEntry(index, sub)));
+            let message =
+                format!("sub-indexes of the fixed object {index:04X}h are described, the object is not");
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            findings.push(finding.help(format!("add a section `[M{number}Fixed{index:X}]`")));
+        } else if !listed.contains(index) {
+            described_only(section, index, (&list, module.fixed_list.len()), findings);
+        }
+    }
+}
+
+fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
+    let list = Part::Module(number, ModulePart::SubExtends);
+    let listed: IndexSet = module.extension_list.iter().copied().collect();
+    for (item, index) in (1..).zip(&module.extension_list) {
+        if !module.extensions.contains_key(index) {
+            listed_only(&list, item, &format!("M{number}SubExt{index:X}"), findings);
+        }
+    }
+    for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
+        let section = Part::Module(number, ModulePart::SubExt(index));
+        described_only(section, index, (&list, module.extension_list.len()), findings);
+    }
+}
+
+fn listed_only(list: &Part, item: u32, section: &str, findings: &mut Findings) {
+    let place = Place::of(list.clone()).field(Field::Item(item));
+    let fix = Fix::risky("take it off the list").remove(place.clone());
+    let message = format!("listed, but there is no section `[{section}]`");
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+    findings.push(finding.help("describe the object, or take it off the list"));
+}
+
+fn described_only(section: Part, index: u16, (list, length): (&Part, usize), findings: &mut Findings) {
+    let next = u32::try_from(length + 1).unwrap_or(u32::MAX);
+    let place = Place::of(list.clone()).field(Field::Item(next));
+    let title = format!("add `0x{index:04X}` to `[{list}]`");
+    let fix = Fix::safe(title.clone()).set(place, format!("0x{index:04X}"));
+    let message = format!("{index:04X}h is described, but not listed in `[{list}]`");
+    let finding = Diagnostic::new(&RULE.info, Place::of(section), message);
+    findings.push(finding.help(title).fix(fix));
+}

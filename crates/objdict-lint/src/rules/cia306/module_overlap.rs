@@ -1,0 +1,55 @@
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, DeviceKind, ModulePart, Part, Place};
+use crate::{IndexSet, rule};
+
+rule! {
+    /// an object comes from a module and from elsewhere too
+    ///
+    /// ## What it checks
+    /// Whether a fixed object of a module is no ordinary object of an EDS, and whether no index is both a fixed object and an extension. In a DCF the objects of the connected modules stand beside the modules.
+    ///
+    /// ## Why it matters
+    /// The object of the coupler and that of the module would share an index.
+    ///
+    /// ## Example
+    /// `[6423]` and `[M1Fixed6423]`
+    ///
+    /// ## How to mend
+    /// Keep the object where it comes from.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.3
+    "cia306/module-overlap", Error, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = &device.modules else { return };
+    let mut extended: BTreeMap<u16, u16> = BTreeMap::new();
+    for (&number, module) in &modules.supported {
+        for &index in module.extensions.keys() {
+            extended.entry(index).or_insert(number);
+        }
+    }
+    let mut seen = IndexSet::new();
+    for (&number, module) in &modules.supported {
+        // what several modules have is reported at the first
+        for &index in module.fixed.keys().filter(|&&index| seen.insert(index)) {
+            let place = Place::of(Part::Module(number, ModulePart::Fixed(index)));
+            let fixed = format!("{index:04X}h is a fixed object of module {number}");
+            if device.kind == DeviceKind::Type && device.objects.contains_key(&index) {
+                let finding =
+                    Diagnostic::new(&RULE.info, place, format!("{fixed} and an object of the device"))
+                        .label(Place::object(index), "the device's");
+                findings.push(finding.help("keep the object where it comes from"));
+            } else if let Some(&other) = extended.get(&index) {
+                let extension = Place::of(Part::Module(other, ModulePart::SubExt(index)));
+                let finding =
+                    Diagnostic::new(&RULE.info, place, format!("{fixed} and extended by module {other}"))
+                        .label(extension, "the extension");
+                findings.push(finding.help("an object of modules is either fixed or extended"));
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// the device supports no bit rate
+    ///
+    /// ## What it checks
+    /// Whether at least one `BaudRate_x` is 1. A device that finds the bit rate by itself (`BaudRate_auto=1`) need not have one.
+    ///
+    /// ## Why it matters
+    /// A configuration tool offers only the stated bit rates, so it offers none.
+    ///
+    /// ## Example
+    /// `[DeviceInfo]` without any `BaudRate_x`
+    ///
+    /// ## How to mend
+    /// Add `BaudRate_125=1` and the others that the device supports.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia306/no-baud-rate", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let rates = &info.baud_rates;
+    let is_known = |field: &Field| info.misfits.get(field).is_none();
+    let unreadable = rates.iter().any(|(_, field, _)| !is_known(&field)) || !is_known(&Field::BaudRateAuto);
+    if rates.supported().next().is_some() || rates.auto == Some(true) || unreadable {
+        return;
+    }
+    let stated = rates.iter().find(|(.., supported)| supported.is_some());
+    let (place, message) = match stated {
+        Some((_, field, _)) => (Place::of(Part::DeviceInfo).field(field), "every `BaudRate_x` is 0"),
+        None => (Place::of(Part::DeviceInfo), "`[DeviceInfo]` has no `BaudRate_x`"),
+    };
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    findings.push(finding.help("write `BaudRate_125=1` and the like for each bit rate of the device"));
+}

@@ -1,0 +1,32 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::rule;
+
+rule! {
+    /// an object of type NULL is described
+    ///
+    /// ## What it checks
+    /// Whether no object has the object type 0, NULL.
+    ///
+    /// ## Why it matters
+    /// A NULL object has no data: there is nothing to read or write. Tools list an object that answers nothing, or refuse the file.
+    ///
+    /// ## Example
+    /// `ObjectType=0x0`
+    ///
+    /// ## How to mend
+    /// Write the object type that the object has, or remove the object and its line in the list.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.3, table 42
+    "cia306/null-object", Warning, Object(check)
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.main.object_type != Some(ObjectType::Null) {
+        return;
+    }
+    let message = format!("{index:04X}h is a NULL object, which has no data");
+    let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::ObjectType), message);
+    findings.push(finding.help("write the object type that it has, or remove the object"));
+}

@@ -1,0 +1,65 @@
+use std::collections::{HashMap, HashSet};
+
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, ObjectList, Part, Place};
+use crate::{ListFixes, rule};
+
+rule! {
+    /// an object is listed twice
+    ///
+    /// ## What it checks
+    /// Whether each index stands once in one list.
+    ///
+    /// ## Why it matters
+    /// Some tools make two objects of it, some refuse the file.
+    ///
+    /// ## Example
+    /// `0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`
+    ///
+    /// ## How to mend
+    /// Remove one of the two, number the entries behind it again and write the new count.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.1
+    "cia306/object-listed-twice", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut fixes = ListFixes::new();
+    let mut first: HashMap<u16, (ObjectList, u32)> = HashMap::new();
+    for list in ObjectList::ALL {
+        for (number, &index) in (1..).zip(device.lists.get(list)) {
+            let (other, at) = *first.entry(index).or_insert((list, number));
+            if (other, at) == (list, number) {
+                continue;
+            }
+            let place = |list, number| Place::of(Part::List(list)).field(Field::Item(number));
+            let message = if other == list {
+                format!("{index:04X}h stands twice in `[{list}]`")
+            } else {
+                format!("{index:04X}h stands in `[{other}]` and in `[{list}]`")
+            };
+            let finding = Diagnostic::new(&RULE.info, place(list, number), message);
+            let mut finding = finding.label(place(other, at), "first here").help("keep one of the two");
+            finding.fix = fixes.next(device.lists.get(list), || match other == list {
+                true => once(device, list),
+                false => elsewhere(device, list, other, index),
+            });
+            findings.push(finding);
+        }
+    }
+}
+
+/// Every member of the list once.
+fn once(device: &Device, list: ObjectList) -> Fix {
+    let mut seen = HashSet::new();
+    let members = device.lists.get(list).iter().copied().filter(|&index| seen.insert(index)).collect();
+    Fix::safe("name it once").with(Change::List(list, members))
+}
+
+/// An object off the one of two lists into which it does not belong.
+fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
+    let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
+    let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
+    Fix::risky(format!("take it off `[{wrong}]`")).with(Change::List(wrong, members))
+}

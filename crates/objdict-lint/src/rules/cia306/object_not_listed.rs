@@ -1,0 +1,50 @@
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::model::{Device, ObjectList, Place};
+use crate::{IndexSet, ListFixes, rule, with_members};
+
+rule! {
+    /// an object is described, but in no list
+    ///
+    /// ## What it checks
+    /// Whether each object from 1000h on is in one of the lists. Definitions of data types below need not be. Where a list is missing as a whole, that is the finding.
+    ///
+    /// ## Why it matters
+    /// Readers that go by the lists, as Lely and most C tools do, do not see the object.
+    ///
+    /// ## Example
+    /// `[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`
+    ///
+    /// ## How to mend
+    /// Add the index to the list of its range and write the new count, or remove the section.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.1
+    "cia306/object-not-listed", Error, Device(check), fix Safe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let lists = &device.lists;
+    let listed: IndexSet = lists.iter().map(|(_, index)| index).collect();
+    let objects = device.objects.range(0x1000..).filter(|(_, object)| !object.orphan);
+    let unlisted: Vec<u16> =
+        objects.map(|(&index, _)| index).filter(|&index| !listed.contains(index)).collect();
+    let mut fixes = ListFixes::new();
+    for (list, members) in
+        ObjectList::ALL.into_iter().zip([&lists.mandatory, &lists.optional, &lists.manufacturer])
+    {
+        // where the whole list is missing, that is the finding
+        let Some(members) = members else { continue };
+        let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
+        let all = with_members(members, others.clone());
+        for index in others {
+            let message = format!("{index:04X}h is described, but in no list of objects");
+            let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+            let mut finding = finding.help(format!("add `0x{index:04X}` to `[{list}]`"));
+            finding.fix = fixes.next(&all, || {
+                let fix = Fix::safe(format!("add to `[{list}]` what is described"));
+                fix.with(Change::List(list, all.clone()))
+            });
+            findings.push(finding);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+use std::cmp::Ordering;
+
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{Access, DeviceKind, Field};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// a DCF configures what cannot be written
+    ///
+    /// ## What it checks
+    /// Whether a `ParameterValue` that differs from the default belongs to an entry that can be written. That of a `ro` entry is a note: a tool may have stored what it read from the node, as the standard's own example does. Sub-index 0 and the identity object are left alone.
+    ///
+    /// ## Why it matters
+    /// The value never gets into the node. Whoever wrote it believes that it does.
+    ///
+    /// ## Example
+    /// `AccessType=const`, `DefaultValue=8` and `ParameterValue=9`
+    ///
+    /// ## How to mend
+    /// Remove the `ParameterValue`, or correct `AccessType`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §5.3.1
+    "cia306/read-only-value", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(value) = at.entry.configured_value() else { return };
+    let severity = match at.entry.access {
+        Some(Access::Const) => Severity::Warning,
+        Some(Access::Ro) => Severity::Note,
+        _ => return,
+    };
+    let Some(default) = at.entry.default.as_ref().filter(|default| *default != value) else { return };
+    let [node_id, _] = stated::node_ids(at.device);
+    let same = stated::compare(value, default, node_id) == Some(Ordering::Equal);
+    if same
+        || at.index == 0x1018
+        || at.sub == Some(0)
+        || !at.holds_value()
+        || at.device.kind != DeviceKind::Node
+    {
+        return;
+    }
+    let access = at.entry.access.unwrap_or(Access::Ro);
+    let message =
+        format!("`ParameterValue` is {value}, but the entry is `{access}` and its default {default}");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
+        .severity(severity)
+        .label(at.field(Field::AccessType), "cannot be written");
+    let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
+    findings.push(finding.help("remove `ParameterValue`, or correct `AccessType`").fix(fix));
+}

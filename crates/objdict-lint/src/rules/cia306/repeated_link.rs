@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Object, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a link of an object is there twice
+    ///
+    /// ## What it checks
+    /// Whether each object is linked once.
+    ///
+    /// ## Why it matters
+    /// Tools that show linked objects as one group show the object twice.
+    ///
+    /// ## Example
+    /// `1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`
+    ///
+    /// ## How to mend
+    /// Remove the link, and count one less.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.4
+    "cia306/repeated-link", Warning, Object(check)
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.links.is_empty() {
+        return;
+    }
+    let mut seen = std::collections::HashSet::new();
+    for (at, &link) in object.links.iter().enumerate() {
+        if seen.insert(link) {
+            continue;
+        }
+        let message = format!("{index:04X}h is linked with {link:04X}h twice");
+        let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
+        let place = Place::of(Part::Links(index)).field(Field::Item(item));
+        findings
+            .push(Diagnostic::new(&RULE.info, place, message).help("remove the link, and count one less"));
+        return;
+    }
+}

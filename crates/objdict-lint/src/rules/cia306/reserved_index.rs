@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Object, Place};
+use crate::rule;
+
+rule! {
+    /// an object has a reserved index
+    ///
+    /// ## What it checks
+    /// Whether an object lies in 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh, or at 0000h.
+    ///
+    /// ## Why it matters
+    /// A later version of the standard may give the index a meaning, and tools of other vendors will then misunderstand the device. A conformance test fails.
+    ///
+    /// ## Example
+    /// `[C000]`
+    ///
+    /// ## How to mend
+    /// Put an object of your own in 2000h to 5FFFh.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.1, table 41; CiA 302-2 for 102Ah
+    "cia306/reserved-index", Warning, Object(check)
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let area = match index {
+        0x101A..=0x101F => "101Ah to 101Fh",
+        // 102Ah, the NMT inhibit time, is in CiA 302-2
+        0x102B..=0x11FF => "102Bh to 11FFh",
+        0x1C00..=0x1EFF => "1C00h to 1EFFh",
+        0xC000.. => "C000h to FFFFh",
+        0 => "0000h",
+        _ => return,
+    };
+    if !object.orphan {
+        let message = format!("{index:04X}h lies in a reserved area, {area}");
+        let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
+        findings.push(finding.help("objects of a manufacturer are in 2000h to 5FFFh"));
+    }
+}

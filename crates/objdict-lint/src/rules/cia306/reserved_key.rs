@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::model::{Device, DeviceInfo, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a key of `[DeviceInfo]` is left over from EDS 3.0
+    ///
+    /// ## What it checks
+    /// Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is there.
+    ///
+    /// ## Why it matters
+    /// Version 4.0 reserves these keys and readers ignore them, so what they say reaches nobody.
+    ///
+    /// ## Example
+    /// `ExtendedBootUpMaster=0`
+    ///
+    /// ## How to mend
+    /// Remove the keys.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5
+    "cia306/reserved-key", Note, Device(check), fix Safe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let keys: Vec<&str> =
+        info.extra.iter().map(|(key, _)| key).filter(|key| DeviceInfo::is_reserved(key)).collect();
+    let Some(first) = keys.first() else { return };
+    let message = format!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
+    let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
+    let fix = keys.iter().fold(Fix::safe("remove it"), |fix, key| fix.remove(place(key)));
+    findings.push(Diagnostic::new(&RULE.info, place(first), message).help("remove it").fix(fix));
+}

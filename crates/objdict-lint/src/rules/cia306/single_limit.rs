@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{DataType, Field, ObjectType};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// an entry has one limit and lacks the other
+    ///
+    /// ## What it checks
+    /// Whether `LowLimit` and `HighLimit` are both there, or both not. A low limit of 0 or above of a signed type, and a high limit of any, leave the other side open.
+    ///
+    /// ## Why it matters
+    /// It is allowed, but tools differ in what the missing one is: 0, the end of the type's range, or no limits at all.
+    ///
+    /// ## Example
+    /// `HighLimit=100`, and no `LowLimit`
+    ///
+    /// ## How to mend
+    /// Write the other limit too.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/single-limit", Note, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    let (stated, missing) = match (&entry.low_limit, &entry.high_limit) {
+        (Some(_), None) => (Field::LowLimit, Field::HighLimit),
+        (None, Some(_)) => (Field::HighLimit, Field::LowLimit),
+        _ => return,
+    };
+    let is_number = entry.data_type.is_some_and(DataType::is_numeric);
+    let is_domain = at.object_type() == Some(ObjectType::Domain);
+    if !is_number || is_domain || !at.holds_value() || stated::is_misfit(entry, &missing) {
+        return;
+    }
+    let message = format!("`{stated}` is there, and `{missing}` is not");
+    let finding = Diagnostic::new(&RULE.info, at.field(stated), message);
+    findings.push(finding.help(format!("write `{missing}` too")));
+}

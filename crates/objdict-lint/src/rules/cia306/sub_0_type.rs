@@ -1,0 +1,38 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{DataType, Field, ObjectType};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// sub-index 0 is not an UNSIGNED8
+    ///
+    /// ## What it checks
+    /// Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8. 1004h, which is obsolete, held a number of PDOs there.
+    ///
+    /// ## Why it matters
+    /// It holds the highest sub-index, and managers read one byte of it.
+    ///
+    /// ## Example
+    /// `[1A00sub0]` with `DataType=0x0007`
+    ///
+    /// ## How to mend
+    /// Write `DataType=0x0005`.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.2
+    "cia306/sub-0-type", Error, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    if at.sub != Some(0) || at.index == 0x1004 {
+        return;
+    }
+    let Some(data_type) = at.entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED8) else {
+        return;
+    };
+    if stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
+        let message = format!("sub-index 0 of {:04X}h is {data_type}, not UNSIGNED8", at.index);
+        let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
+        let fix = Fix::risky("write `DataType=0x0005`").set(at.field(Field::DataType), "0x0005");
+        findings.push(finding.help("write `DataType=0x0005`").fix(fix));
+    }
+}

@@ -1,0 +1,54 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, counted};
+use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// `SubNumber` is not the number of described sub-indexes
+    ///
+    /// ## What it checks
+    /// Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT is the number of its sections, sub-index 0 counted, sub-index FFh not. Gaps are legal: `SubNumber` is not the highest sub-index plus one.
+    ///
+    /// ## Why it matters
+    /// Readers that count do not see the last sub-indexes, or look for some that are not there.
+    ///
+    /// ## Example
+    /// `SubNumber=3` where sub-indexes 0 to 3 are described
+    ///
+    /// ## How to mend
+    /// Write the number of sections.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/sub-number-mismatch", Error, Object(check), fix Safe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(stated) = object.sub_number.map(usize::from) else { return };
+    let described = stated::described_subs(object);
+    if stated == described || object.compact.is_some() {
+        return;
+    }
+    // sub-index 0 is counted, but not described: that is the finding
+    let only_sub_0_missing = described > 0 && stated == described + 1 && object.subs.get(0).is_none();
+    if only_sub_0_missing || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
+        return;
+    }
+    let described_text = match described {
+        0 => "no sub-index is".to_owned(),
+        _ => counted(described, "sub-index is", "sub-indexes are"),
+    };
+    let message = format!("`SubNumber` is {stated}, but {described_text} described");
+    let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::SubNumber), message);
+    findings.push(if described == 0 {
+        finding.help("describe the sub-indexes, or correct `ObjectType`")
+    } else {
+        let title = format!("write `SubNumber={described}`");
+        let place = Place::object(index).field(Field::SubNumber);
+        // where sub-index 0 says the same as `SubNumber`, a section got lost
+        let value = object.value(0).and_then(|value| value.as_integer());
+        let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
+        let fix = Fix::safe(title.clone()).set(place, described.to_string());
+        let finding = if is_lost { finding } else { finding.fix(fix) };
+        finding.help(if stated > described { format!("describe the others, or {title}") } else { title })
+    });
+}

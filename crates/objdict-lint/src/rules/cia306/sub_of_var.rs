@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::{Device, Field, Object, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// a VAR or DOMAIN has sub-indexes
+    ///
+    /// ## What it checks
+    /// Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is tolerated, for the value of a VAR is there.
+    ///
+    /// ## Why it matters
+    /// Some tools take the object for a single value and drop its sub-indexes, others take it for a RECORD.
+    ///
+    /// ## Example
+    /// `ObjectType=0x7` in `[2000]`, and `[2000sub1]`
+    ///
+    /// ## How to mend
+    /// Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.3
+    "cia306/sub-of-var", Error, Object(check)
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some((sub, _)) = object.subs.iter().find(|&(sub, _)| sub != 0) else { return };
+    let Some(object_type) = stated::object_type(object).filter(|object_type| !object_type.has_subs()) else {
+        return;
+    };
+    let message = format!("{index:04X}h is a {object_type}, but has sub-index {}", sub_index(sub));
+    let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message)
+        .label(Place::object(index).field(Field::ObjectType), format!("a {object_type}"));
+    findings
+        .push(finding.help("write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes"));
+}

@@ -1,0 +1,53 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{DataType, Device, Field, ObjectType, TypeKind};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a data type does not exist
+    ///
+    /// ## What it checks
+    /// Whether `DataType` is a type of CiA 301, or from 0040h to 025Fh one that the file defines in a DEFTYPE or DEFSTRUCT of that index.
+    ///
+    /// ## Why it matters
+    /// Nobody knows how long the value is and what it means; it can be neither read nor written.
+    ///
+    /// ## Example
+    /// `DataType=0x0017`
+    ///
+    /// ## How to mend
+    /// Write the type that you mean, `0x0007` for UNSIGNED32, or describe your own type in a section of its index.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7, table 44
+    "cia306/undefined-data-type", Error, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(data_type) = at.entry.data_type else { return };
+    let why = match data_type.kind() {
+        TypeKind::Reserved => "is the index of no data type",
+        TypeKind::Defined if !is_defined(at.device, data_type) => {
+            "is a data type that the file does not define"
+        }
+        _ => return,
+    };
+    // the type of sub-index 0 has a rule of its own
+    let is_count = at.sub == Some(0) && at.object.object_type().has_subs();
+    if is_count || !at.holds_value() {
+        return;
+    }
+    let message = format!("{:04X}h {why}", data_type.0);
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
+    findings.push(match data_type.kind() {
+        TypeKind::Reserved => finding.help("write a type of CiA 301, such as `0x0007` for UNSIGNED32"),
+        _ => finding.help(format!(
+            "write a type of CiA 301, such as `0x0007`, or describe a DEFTYPE or DEFSTRUCT in `[{:X}]`",
+            data_type.0
+        )),
+    });
+}
+
+fn is_defined(device: &Device, data_type: DataType) -> bool {
+    let object_type = device.object(data_type.0).map(|object| object.main.object_type);
+    matches!(object_type, Some(Some(ObjectType::DefType | ObjectType::DefStruct)))
+}

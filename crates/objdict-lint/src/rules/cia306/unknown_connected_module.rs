@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a connected module is not among the supported ones
+    ///
+    /// ## What it checks
+    /// Whether each number in `[ConnectedModules]` is that of a module that the file describes.
+    ///
+    /// ## Why it matters
+    /// Nobody knows which objects such a module brings.
+    ///
+    /// ## Example
+    /// `2=7` in `[ConnectedModules]` of a coupler with five modules
+    ///
+    /// ## How to mend
+    /// Write the number of a described module, or copy the description of the module from the EDS.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.4
+    "cia306/unknown-connected-module", Error, Device(check), fix Unsafe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(modules) = &device.modules else { return };
+    for (item, number) in (1..).zip(modules.connected.iter().flatten()) {
+        if !modules.supported.contains_key(number) {
+            let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
+            let message = format!("module {number} is connected, but not described");
+            let fix = Fix::risky("take it off the list").remove(place.clone());
+            let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+            findings.push(
+                finding.help(format!(
+                    "add the sections `[M{number}ModuleInfo]` and so on, or correct the number"
+                )),
+            );
+        }
+    }
+}

@@ -1,0 +1,41 @@
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::model::{Device, Field, ObjectList, Part, Place};
+use crate::rule;
+
+rule! {
+    /// a list of objects is not in ascending order
+    ///
+    /// ## What it checks
+    /// Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` ascend. An index that is listed twice has a finding of its own.
+    ///
+    /// ## Why it matters
+    /// People look an object up in the list, and tools that compare two descriptions line by line show an object that has moved.
+    ///
+    /// ## Example
+    /// `1=0x1017` and `2=0x1005` in `[OptionalObjects]`
+    ///
+    /// ## How to mend
+    /// Sort the list; `objdict fmt` does it.
+    ///
+    /// ## Source
+    /// Not in a standard
+    "cia306/unsorted-list", Note, Device(check), fix Safe
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    for list in ObjectList::ALL {
+        let indexes = device.lists.get(list);
+        let Some(at) = indexes.windows(2).position(|pair| pair[0] > pair[1]) else { continue };
+        let mut sorted = indexes.to_vec();
+        sorted.sort_unstable();
+        if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+            continue;
+        }
+        let (Some(first), Some(second)) = (indexes.get(at), indexes.get(at + 1)) else { continue };
+        let message = format!("`[{list}]` has {second:04X}h behind {first:04X}h");
+        let item = u32::try_from(at + 2).unwrap_or(u32::MAX);
+        let place = Place::of(Part::List(list)).field(Field::Item(item));
+        let fix = Fix::safe("sort the list").with(Change::List(list, sorted));
+        findings.push(Diagnostic::new(&RULE.info, place, message).help("sort the list").fix(fix));
+    }
+}

@@ -1,0 +1,95 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
+use crate::model::{Field, ObjectType};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// a key says something that the object type does not support
+    ///
+    /// ## What it checks
+    /// Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, and a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` say nothing and are tolerated. `CompactSubObj` of a VAR or DOMAIN is an error.
+    ///
+    /// ## Why it matters
+    /// The key speaks of a value that is not there. Perhaps the object type is wrong, or the key stands in the wrong section.
+    ///
+    /// ## Example
+    /// `[1018]` with `ObjectType=0x9` and `DataType=0x0023`
+    ///
+    /// ## How to mend
+    /// Remove the key, move it to the sub-indexes, or correct `ObjectType`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2, obligation table
+    "cia306/unsupported-key", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(object_type) = at.object_type() else { return };
+    let keys = match object_type {
+        ObjectType::Var | ObjectType::DefType if at.sub.is_some() => return,
+        ObjectType::Var | ObjectType::DefType => keys_of_structure(at),
+        ObjectType::Domain => keys_of_structure(at).into_iter().chain(keys_of_number(at)).collect(),
+        ObjectType::Null => return,
+        _ if at.sub.is_some() || at.object.compact.is_some() => return,
+        _ => keys_of_value(at),
+    };
+    let Some(first) = keys.first() else { return };
+    let article = if object_type == ObjectType::Array { "an" } else { "a" };
+    let message = format!("{article} {object_type} has no use for {}", listing(&keys));
+    let title = if keys.len() == 1 { "remove the key" } else { "remove the keys" };
+    // a value or a limit may have been meant for something
+    let is_safe = |field: &Field| matches!(field, Field::DataType | Field::AccessType | Field::SubNumber);
+    let fix = if keys.iter().all(is_safe) { Fix::safe(title) } else { Fix::risky(title) };
+    let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
+    let compact = keys.contains(&Field::CompactSubObj);
+    let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message).severity(if compact {
+        Severity::Error
+    } else {
+        Severity::Warning
+    });
+    let finding = finding.fix(fix);
+    findings.push(if object_type.has_subs() {
+        finding.help("remove it, or move it to the sub-indexes")
+    } else {
+        finding.help("remove it, or correct `ObjectType`")
+    });
+}
+
+/// The keys that count sub-indexes. Where such are described, the finding is that they are.
+fn keys_of_structure(at: &EntryAt<'_>) -> Vec<Field> {
+    let object = at.object;
+    let mut keys = Vec::new();
+    if at.sub.is_some() || stated::described_subs(object) > usize::from(object.subs.get(0).is_some()) {
+        return keys;
+    }
+    if object.sub_number.is_some_and(|number| number > 0) {
+        keys.push(Field::SubNumber);
+    }
+    if object.compact.is_some() {
+        keys.push(Field::CompactSubObj);
+    }
+    keys
+}
+
+fn keys_of_number(at: &EntryAt<'_>) -> Vec<Field> {
+    let entry = at.entry;
+    let stated = [
+        (Field::PdoMapping, entry.is_mappable()),
+        (Field::LowLimit, entry.low_limit.is_some()),
+        (Field::HighLimit, entry.high_limit.is_some()),
+    ];
+    stated.into_iter().filter(|(_, stated)| *stated).map(|(field, _)| field).collect()
+}
+
+fn keys_of_value(at: &EntryAt<'_>) -> Vec<Field> {
+    let entry = at.entry;
+    let stated = [
+        (Field::DataType, entry.data_type.is_some()),
+        (Field::AccessType, entry.access.is_some()),
+        (Field::DefaultValue, entry.default.is_some()),
+        (Field::ParameterValue, entry.configured_value().is_some()),
+    ];
+    let mut keys: Vec<Field> =
+        stated.into_iter().filter(|(_, stated)| *stated).map(|(field, _)| field).collect();
+    keys.extend(keys_of_number(at));
+    keys
+}

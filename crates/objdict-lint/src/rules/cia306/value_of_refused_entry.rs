@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Access, Field};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a DCF configures what tools must not write
+    ///
+    /// ## What it checks
+    /// Whether a writable entry whose `ObjFlags` refuse writing (bit 0) has a `ParameterValue` other than its default.
+    ///
+    /// ## Why it matters
+    /// Tools leave such entries out of a download, so the value never gets into the node; a tool that does not know the flag stores, restores or erases something.
+    ///
+    /// ## Example
+    /// `ObjFlags=0x1` and `ParameterValue=0x65766173` in `[1010sub1]`
+    ///
+    /// ## How to mend
+    /// Remove the `ParameterValue`.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.3
+    "cia306/value-of-refused-entry", Warning, Entry(check), fix Unsafe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let Some(value) = at.entry.configured_value() else { return };
+    if at.entry.default.as_ref() == Some(value) || !at.entry.access.is_some_and(Access::is_writable) {
+        return;
+    }
+    let own = at.entry.flags().refuses_write();
+    if own || at.sub.is_some_and(|sub| sub > 0) && at.object.main.flags().refuses_write() {
+        let message = "`ParameterValue` is never written, for the flags refuse it";
+        let flags = if own { at.place() } else { at.object_place() };
+        let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
+            .label(flags.field(Field::ObjFlags), "refuses writing");
+        let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
+        findings.push(finding.help("remove `ParameterValue`").fix(fix));
+    }
+}

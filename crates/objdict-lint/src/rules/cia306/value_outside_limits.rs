@@ -1,0 +1,104 @@
+use std::cmp::Ordering;
+
+use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::model::{Entry, Field, Part, Place, Value};
+use crate::{EntryAt, rule, stated};
+
+rule! {
+    /// a value lies outside its limits
+    ///
+    /// ## What it checks
+    /// Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are tried with the node-IDs 1 and 127, or with that of the DCF. 1010h and 1011h are left alone: their limits are those of the signature that is written, and what is read is something else.
+    ///
+    /// ## Why it matters
+    /// The device refuses the value when it is written; a tool that restores it gets an abort.
+    ///
+    /// ## Example
+    /// `DefaultValue=5` and `HighLimit=4`
+    ///
+    /// ## How to mend
+    /// Correct the value or the limit.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2, §5.3.1
+    "cia306/value-outside-limits", Error, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    if entry.low_limit.is_none() && entry.high_limit.is_none() {
+        return;
+    }
+    let node_ids = stated::node_ids(at.device);
+    if let Some(value) = &entry.default
+        && let Some(exceeded) = exceeded(entry, value, node_ids)
+    {
+        report(at, at.field(Field::DefaultValue), "`DefaultValue`", value, exceeded, findings);
+    }
+    if let Some(value) = entry.configured_value()
+        && let Some(exceeded) = exceeded(entry, value, node_ids)
+    {
+        report(at, at.field(Field::ParameterValue), "`ParameterValue`", value, exceeded, findings);
+    }
+    let compact = at.object.compact.as_ref().filter(|_| at.sub.is_none());
+    for (sub, value) in compact.iter().flat_map(|compact| &compact.values) {
+        if let Some(exceeded) = exceeded(entry, value, node_ids) {
+            let place = Place::of(Part::CompactValues(at.index)).field(Field::Item(u32::from(*sub)));
+            let what = format!("the value of sub-index {}", sub_index(*sub));
+            report(at, place, &what, value, exceeded, findings);
+        }
+    }
+}
+
+/// A limit that a value is beyond, and on which node.
+struct Exceeded<'a> {
+    field: Field,
+    limit: &'a Value,
+    node_id: u8,
+}
+
+/// The limit that a value is beyond.
+fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Exceeded<'a>> {
+    let beyond = |limit: &Option<Value>, order| stated::first_node(value, limit.as_ref()?, order, node_ids);
+    let below = beyond(&entry.low_limit, Ordering::Less);
+    let above = || beyond(&entry.high_limit, Ordering::Greater);
+    let (field, limit, node_id) = match below {
+        Some(node_id) => (Field::LowLimit, entry.low_limit.as_ref()?, node_id),
+        None => (Field::HighLimit, entry.high_limit.as_ref()?, above()?),
+    };
+    Some(Exceeded { field, limit, node_id })
+}
+
+/// Whether another rule says it, because no value is within the limits or there is no value, or the limits are those of a
+/// signature.
+fn is_explained(at: &EntryAt<'_>) -> bool {
+    let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
+        (Some(low), Some(high)) => {
+            stated::first_node(low, high, Ordering::Greater, stated::node_ids(at.device)).is_some()
+        }
+        _ => false,
+    };
+    contradictory || !at.holds_value() || matches!(at.index, 0x1010 | 0x1011)
+}
+
+fn report(
+    at: &EntryAt<'_>,
+    place: Place,
+    what: &str,
+    value: &Value,
+    exceeded: Exceeded<'_>,
+    findings: &mut Findings,
+) {
+    if is_explained(at) {
+        return;
+    }
+    let Exceeded { field, limit, node_id } = exceeded;
+    // what a formula is on that node
+    let number = |value: &Value| match (value, value.integer_for(node_id)) {
+        (Value::NodeId(_), Some(number)) => format!("{number} on node {node_id}"),
+        _ => value.to_string(),
+    };
+    let message = format!("{what} is {}, but `{field}` is {}", number(value), number(limit));
+    let finding = Diagnostic::new(&RULE.info, place, message).label(at.field(field), "the limit");
+    findings.push(finding.help("correct the value or the limit"));
+}

@@ -1,0 +1,42 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, Field, Value};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// an entry that cannot be read has a default
+    ///
+    /// ## What it checks
+    /// Whether entries with `AccessType=wo` have no `DefaultValue` other than 0.
+    ///
+    /// ## Why it matters
+    /// Nobody can read back what was written, so a tool that restores or compares defaults fails at the entry; mostly it is a command, and writing its default would carry it out.
+    ///
+    /// ## Example
+    /// `AccessType=wo` and `DefaultValue=1`
+    ///
+    /// ## How to mend
+    /// Remove the value, or correct the access type.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.2
+    "cia306/write-only-default", Note, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    if at.entry.access != Some(Access::Wo) || !at.holds_value() || at.entry.is_mappable() {
+        return;
+    }
+    let Some(default) = at.entry.default.as_ref().filter(|value| !is_nothing(value)) else { return };
+    let message = format!("`{default}` as default of an entry that nobody can read");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), message);
+    let finding = finding.label(at.field(Field::AccessType), "write only");
+    findings.push(finding.help("remove the value, or correct `AccessType`"));
+}
+
+fn is_nothing(value: &Value) -> bool {
+    match value {
+        Value::Text(text) | Value::Raw(text) => text.is_empty(),
+        Value::Bytes(bytes) => bytes.iter().all(|&byte| byte == 0),
+        _ => value.as_real() == Some(0.0),
+    }
+}

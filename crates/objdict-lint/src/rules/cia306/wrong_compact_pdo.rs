@@ -1,0 +1,63 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, series};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `CompactPDO` implies PDOs that cannot be
+    ///
+    /// ## What it checks
+    /// Whether `CompactPDO` has the bits 0 and 1 (COB-ID and transmission type, which every PDO has), not the bits 6 and 7 (there are no sub-indexes 7 and 8), nor bit 3 (sub-index 4 is reserved; many masters have it, so it is a note), and whether there is any PDO for it.
+    ///
+    /// ## Why it matters
+    /// Tools make the communication records of all implied PDOs from this one mask.
+    ///
+    /// ## Example
+    /// `CompactPDO=0x1`
+    ///
+    /// ## How to mend
+    /// Add up 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. A device without implied PDOs writes 0.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1
+    "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe
+}
+
+const MANDATORY: u8 = 0x03;
+const POSSIBLE: u8 = 0x37;
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let Some(mask) = info.compact_pdo.filter(|&mask| mask != 0) else { return };
+    let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
+    let corrected = (mask & POSSIBLE) | MANDATORY;
+    if info.rpdo_count == Some(0) && info.tpdo_count == Some(0) {
+        let fix = Fix::safe("write `CompactPDO=0`").set(place.clone(), "0");
+        let finding = Diagnostic::new(
+            &RULE.info,
+            place,
+            format!("`CompactPDO` is {mask:#04x}, but the device has no PDO"),
+        )
+        .label(Place::of(Part::DeviceInfo).field(Field::NrOfRxPdo), "no RPDO")
+        .label(Place::of(Part::DeviceInfo).field(Field::NrOfTxPdo), "no TPDO");
+        findings.push(finding.help("write `CompactPDO=0` or remove the key").fix(fix));
+    } else if corrected != mask {
+        let message = match mask & MANDATORY {
+            MANDATORY => format!("no PDO has {}", subs(mask & !POSSIBLE)),
+            present => format!("every PDO has {}", subs(MANDATORY & !present)),
+        };
+        let title = format!("write `CompactPDO={corrected:#04x}`");
+        let fix = Fix::safe(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
+        let only_sub_4 = mask ^ corrected == 1 << 3;
+        let finding =
+            Diagnostic::new(&RULE.info, place, format!("`CompactPDO` is {mask:#04x}, but {message}"))
+                .severity(if only_sub_4 { Severity::Note } else { Severity::Warning });
+        findings.push(finding.help(title).fix(fix));
+    }
+}
+
+/// The sub-indexes that the bits of a mask stand for.
+fn subs(mask: u8) -> String {
+    let subs = (0..8).filter(|bit| mask >> bit & 1 != 0).map(|bit| bit + 1);
+    let word = if mask.is_power_of_two() { "sub-index" } else { "sub-indexes" };
+    format!("{word} {}", series(subs))
+}

@@ -1,0 +1,75 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
+use crate::{rule, stated};
+
+rule! {
+    /// sub-index 0 does not hold the highest sub-index
+    ///
+    /// ## What it checks
+    /// Whether the value of sub-index 0 is the highest described sub-index, FFh not counted. A smaller value is an error; a larger one, or none, is a warning. Left alone are objects whose sub-index 0 can be written or counts entries in use: the error history, PDO and SRDO mappings, the lists for multiplexed PDOs.
+    ///
+    /// ## Why it matters
+    /// A manager reads as many entries as sub-index 0 says. It never sees those beyond, and gets an abort for those that are not there.
+    ///
+    /// ## Example
+    /// `[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`
+    ///
+    /// ## How to mend
+    /// Write the highest sub-index, or describe the missing entries.
+    ///
+    /// ## Source
+    /// CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2
+    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe
+}
+
+fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(sub_0) = object.subs.get(0) else { return };
+    let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
+    if counts || object.compact.is_some() || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
+        return;
+    }
+    let highest = object.highest_sub().unwrap_or_default();
+    let (field, value) = match (sub_0.configured_value(), &sub_0.default) {
+        (Some(value), _) => (Field::ParameterValue, value.as_integer()),
+        (None, Some(value)) => (Field::DefaultValue, value.as_integer()),
+        (None, None) => return missing_value(index, sub_0, highest, findings),
+    };
+    let Some(value) = value.filter(|&value| value != i128::from(highest)) else { return };
+    if explained_by_sub_number(object, value) {
+        return;
+    }
+    let place = Place::entry(index, 0).field(field.clone());
+    let title = format!("write `{field}={highest}`");
+    let fix = Fix::risky(title).set(place.clone(), highest.to_string());
+    let finding = if value < i128::from(highest) {
+        let message = format!("sub-index 0 of {index:04X}h is {value}, but sub-index {highest} is described");
+        Diagnostic::new(&RULE.info, place, message)
+            .label(Place::entry(index, highest), "the highest sub-index")
+            .help(format!("write `{field}={highest}`"))
+    } else {
+        let message =
+            format!("sub-index 0 of {index:04X}h is {value}, but the highest described one is {highest}");
+        Diagnostic::new(&RULE.info, place, message)
+            .severity(Severity::Warning)
+            .help(format!("describe the others, or write `{field}={highest}`"))
+    };
+    findings.push(finding.fix(fix));
+}
+
+/// Whether `SubNumber` and sub-index 0 agree with each other: then a section is missing or too many, which the mismatch
+/// of `SubNumber` reports.
+fn explained_by_sub_number(object: &Object, value: i128) -> bool {
+    let stated = object.sub_number.map(i128::from);
+    stated == Some(value + 1) && object.sub_number.map(usize::from) != Some(stated::described_subs(object))
+}
+
+fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings) {
+    if !sub_0.misfits.is_empty() || sub_0.data_type.is_none() {
+        return;
+    }
+    let message = format!("sub-index 0 of {index:04X}h has no value");
+    let place = Place::entry(index, 0).field(Field::DefaultValue);
+    let fix = Fix::safe(format!("write `DefaultValue={highest}`")).set(place.clone(), highest.to_string());
+    let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning).fix(fix);
+    findings.push(finding.help(format!("write `DefaultValue={highest}`, the highest sub-index")));
+}

@@ -1,0 +1,67 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::model::{Device, DeviceInfo, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `NrOfRXPDO` or `NrOfTXPDO` is not the number of PDOs
+    ///
+    /// ## What it checks
+    /// Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` that of 1800h to 19FFh. With `CompactPDO` the number may be larger: the others are implied.
+    ///
+    /// ## Why it matters
+    /// Configuration tools offer so many PDOs as the number says; what lies beyond is never configured, or writing to it fails.
+    ///
+    /// ## Example
+    /// `NrOfRXPDO=2` where only 1400h is described
+    ///
+    /// ## How to mend
+    /// Write the number of communication parameter objects, or describe the missing ones.
+    ///
+    /// ## Source
+    /// CiA 306-1 §4.5, §4.6.3.4.1
+    "cia306/wrong-pdo-count", Error, Device(check), fix Safe
+}
+
+/// The PDOs of one direction: what they are called, where their number is stated, and their communication records.
+struct Pdos {
+    name: &'static str,
+    field: Field,
+    low: u16,
+    high: u16,
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    if let Some(stated) = info.rpdo_count {
+        let rpdos = Pdos { name: "RPDO", field: Field::NrOfRxPdo, low: 0x1400, high: 0x15FF };
+        check_count(device, info, &rpdos, usize::from(stated), findings);
+    }
+    if let Some(stated) = info.tpdo_count {
+        let tpdos = Pdos { name: "TPDO", field: Field::NrOfTxPdo, low: 0x1800, high: 0x19FF };
+        check_count(device, info, &tpdos, usize::from(stated), findings);
+    }
+}
+
+fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, findings: &mut Findings) {
+    let Pdos { name, field, low, high } = pdos;
+    let described = device.objects.range(low..=high).filter(|(_, object)| !object.orphan).count();
+    let compact =
+        info.compact_pdo.is_some_and(|mask| mask != 0) || info.misfits.get(&Field::CompactPdo).is_some();
+    if stated == described || compact && stated > described {
+        return;
+    }
+    let count = match described {
+        0 => format!("no {name} is"),
+        1 => format!("1 {name} is"),
+        _ => format!("{described} {name}s are"),
+    };
+    let message = format!("`{field}` is {stated}, but {count} described ({low:04X}h to {high:04X}h)");
+    let place = Place::of(Part::DeviceInfo).field(field.clone());
+    let fix = Fix::safe(format!("write `{field}={described}`")).set(place.clone(), described.to_string());
+    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+    findings.push(if stated > described {
+        finding.help(format!("write `{field}={described}`, or describe the other {name}s"))
+    } else {
+        finding.help(format!("write `{field}={described}`"))
+    });
+}

@@ -1,0 +1,49 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::{DeviceKind, PdoKind, Value};
+use crate::profile::index_in;
+use crate::{Facts, rule};
+
+rule! {
+    /// a node was configured to send analogue inputs when they change, and the switch for that is off
+    ///
+    /// ## What it checks
+    /// Whether a configuration (DCF or XDC) sets 6423h when a TPDO that is valid and event-driven (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description it is not a finding, for the profile has the switch off by default.
+    ///
+    /// ## Why it matters
+    /// The TPDO is not sent at all: until 6423h is true, no change of an analogue input is an event. It is the most common reason for analogue values that never come.
+    ///
+    /// ## Example
+    /// `[1801sub2]` with 255, `[1801sub5]` with 0, and `[6423]` with `DefaultValue=0` and no `ParameterValue`
+    ///
+    /// ## How to mend
+    /// Set `ParameterValue=1` at 6423h, or an event timer, or send the TPDO on SYNC.
+    ///
+    /// ## Source
+    /// CiA 401 (6423h)
+    "cia401/analogue-events-off", Note, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let enable = index_in(applied.block, 0x6423);
+    let value = device.object(enable).and_then(|object| object.value(0));
+    let is_off =
+        value.is_some_and(|value| matches!(*value, Value::Boolean(false)) || value.as_integer() == Some(0));
+    if device.kind == DeviceKind::Type || !is_off {
+        return;
+    }
+    let inputs = index_in(applied.block, 0x6400)..=index_in(applied.block, 0x6404);
+    let waits = facts.pdos.iter().map(|pdo| &pdo.pdo).find(|pdo| {
+        let is_sent = pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true);
+        let on_event_only = pdo.is_event_driven() && pdo.event_timer.unwrap_or(0) == 0;
+        is_sent && on_event_only && pdo.mapped().any(|mapped| inputs.contains(&mapped.index))
+    });
+    if let Some(pdo) = waits {
+        let message =
+            format!("{pdo} is never sent: analogue inputs make no events until {enable:04X}h is true");
+        let finding = Diagnostic::new(rule, device.value_place(enable, 0), message);
+        let finding = finding.label(device.value_place(pdo.communication_index(), 2), "sent on events");
+        findings.push(finding.help("write `ParameterValue=1`, or set the event timer of the TPDO"));
+    }
+}

@@ -1,0 +1,53 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::{MappedObject, PdoKind};
+use crate::{Facts, channels, rule};
+
+rule! {
+    /// channels of an I/O module have no PDO
+    ///
+    /// ## What it checks
+    /// Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, has the last of them in a PDO, or has any PDO above PDO 4. What modules bring is not counted.
+    ///
+    /// ## Why it matters
+    /// The default PDOs have no room for the others, so they can be reached by SDO only, which is too slow for process data.
+    ///
+    /// ## Example
+    /// `[6000sub0]` with `DefaultValue=12`, and no TPDO above TPDO 4
+    ///
+    /// ## How to mend
+    /// Add PDOs from PDO 5 on, not valid by default, for the other channels.
+    ///
+    /// ## Source
+    /// CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)
+    "cia401/channels-without-pdo", Warning, Applied(check)
+}
+
+/// Elements that the default PDOs carry: PDO 1, and PDOs 2 to 4.
+const BYTES: u8 = 8;
+const WORDS: u8 = 12;
+/// The last PDO that has a default mapping.
+const LAST: u16 = 4;
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let channels = channels::of_device(facts.device).filter(|_| applied.block == 0);
+    let Some(channels) = channels else { return };
+    let arrays = [
+        (PdoKind::Tpdo, 0x6000, channels.digital_inputs, BYTES),
+        (PdoKind::Rpdo, 0x6200, channels.digital_outputs, BYTES),
+        (PdoKind::Tpdo, 0x6401, channels.analog_inputs, WORDS),
+        (PdoKind::Rpdo, 0x6411, channels.analog_outputs, WORDS),
+    ];
+    for (kind, index, number, room) in arrays.into_iter().filter(|(_, _, number, room)| number > room) {
+        let mut pdos = facts.pdos.iter().filter(|pdo| pdo.pdo.kind == kind);
+        let carries = |object: MappedObject| (object.index, object.sub) == (index, number);
+        if pdos.any(|pdo| pdo.pdo.number > LAST || pdo.mapped.iter().any(|mapped| carries(mapped.object))) {
+            continue;
+        }
+        let kind = kind.name();
+        let message =
+            format!("{index:04X}h has {number} elements, and {kind}s 1 to 4 carry the first {room} only");
+        let finding = Diagnostic::new(rule, facts.device.value_place(index, 0), message);
+        findings.push(finding.help(format!("add {kind}s from {kind} 5 on for the others")));
+    }
+}

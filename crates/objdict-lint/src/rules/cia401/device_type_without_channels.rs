@@ -1,0 +1,44 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, series};
+use crate::profile::{device_type_index, number_of};
+use crate::{Facts, channels, rule};
+
+rule! {
+    /// the device type names channels that the module does not have
+    ///
+    /// ## What it checks
+    /// Whether there is an object for each kind of channel that 1000h names, in any width: bit 16 for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a module of several logical devices the types are those of 67FFh and each 800h behind it. What a module may bring is not missed.
+    ///
+    /// ## Why it matters
+    /// A master goes by the device type: it looks for the channels, and for the PDOs that carry them. In real files it is nearly always that of a sibling that has more, so nothing works by it.
+    ///
+    /// ## Example
+    /// `[1000]` with `DefaultValue=0x000F0191`, and no analogue channels
+    ///
+    /// ## How to mend
+    /// Clear the bit, or describe the channels.
+    ///
+    /// ## Source
+    /// CiA 401 (1000h)
+    "cia401/device-type-without-channels", Error, Applied(check), fix Unsafe
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let (device, block) = (facts.device, applied.block);
+    let index = device_type_index(device, block);
+    let value = device.object(index).and_then(|object| object.value(0)?.as_integer());
+    let Some(value) = value.filter(|_| number_of(device, block) == applied.profile.number) else { return };
+    let missing = channels::KINDS.iter().filter(|kind| value >> kind.bit & 1 == 1);
+    let missing: Vec<_> = missing.filter(|kind| !kind.may_be_in(device, block)).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let names = series(missing.iter().map(|kind| kind.name));
+    let message = format!("the device type says {names}, and there are no objects for them");
+    let cleared = missing.iter().fold(value, |value, kind| value & !(1 << kind.bit));
+    let place = device.value_place(index, 0);
+    let finding = Diagnostic::new(rule, place.clone(), message);
+    let text = format!("0x{cleared:08X}");
+    let finding = finding.help(format!("write `{text}`, or describe the channels"));
+    findings.push(finding.fix(Fix::risky(format!("write `{text}`")).set(place, text)));
+}

@@ -1,0 +1,50 @@
+use crate::demands::{self, Against};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::Place;
+use crate::profile::index_in;
+use crate::rule;
+
+rule! {
+    /// an error mode has no error value
+    ///
+    /// ## What it checks
+    /// Whether outputs that have an error mode have the error value that it switches to: 6207h beside 6206h, 6307h beside 6306h, 6327h beside 6326h, 6260h to 6267h beside 6250h to 6257h, 6444h or 6445h beside 6443h. What a module may bring is not missed.
+    ///
+    /// ## Why it matters
+    /// The error mode says that an output takes its error value when the master is gone. Without one nobody knows what that is.
+    ///
+    /// ## Example
+    /// `[6206]` and no `[6207]`
+    ///
+    /// ## How to mend
+    /// Describe the error value, or leave the error mode out.
+    ///
+    /// ## Source
+    /// CiA 401 (6206h, 6207h, 6443h to 6445h)
+    "cia401/error-mode-without-value", Warning, Against(check)
+}
+
+/// The error values that go with an error mode, of the first logical device.
+fn values(mode: u16) -> &'static [u16] {
+    match mode {
+        0x6206 => &[0x6207],
+        0x6306 => &[0x6307],
+        0x6326 => &[0x6327],
+        0x6443 => &[0x6444, 0x6445],
+        _ => &[],
+    }
+}
+
+fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let block = at.applied.block;
+    let mode = at.index - (index_in(block, at.facts.first) - at.facts.first);
+    let of_bits = [mode.saturating_add(0x10)];
+    let values = if matches!(mode, 0x6250..=0x6257) { &of_bits } else { values(mode) };
+    let mut indexes = values.iter().map(|&index| index_in(block, index));
+    let Some(first) = indexes.clone().next().filter(|_| !at.object.orphan) else { return };
+    if !indexes.any(|index| demands::is_there(at.device, index)) {
+        let message = format!("{at} has no error value beside it, {first:04X}h");
+        let finding = Diagnostic::new(rule, Place::object(at.index), message);
+        findings.push(finding.help(format!("describe the error value: `[{first:04X}]`")));
+    }
+}

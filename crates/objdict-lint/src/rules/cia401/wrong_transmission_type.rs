@@ -1,0 +1,36 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::{Facts, channels, rule};
+
+rule! {
+    /// a default PDO of an I/O module has another transmission type than 255
+    ///
+    /// ## What it checks
+    /// Whether PDO 1 to 4 of an EDS, as far as there are channels for them, have 255 as default of the transmission type: sent when an input changes, taken over at once. It is silent about PDOs that are not valid by default, when bit 23 of 1000h says that the manufacturer maps the channels, and for modules of several logical devices.
+    ///
+    /// ## Why it matters
+    /// A master that configures nothing gets no inputs from a module that waits for a SYNC. With 254 the maker says when the PDO is sent, not the profile.
+    ///
+    /// ## Example
+    /// `[1800sub2]` with `DefaultValue=254`
+    ///
+    /// ## How to mend
+    /// Write `DefaultValue=255`, in the description and in the device.
+    ///
+    /// ## Source
+    /// CiA 401, default PDOs
+    "cia401/wrong-transmission-type", Warning, Applied(check), fix Unsafe
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    for (pdo, _) in channels::default_pdos(facts, applied) {
+        let pdo = &pdo.pdo;
+        // types that no PDO has are reported as that
+        let wrong = pdo.transmission_type.filter(|found| !matches!(found, 241..=251 | 255));
+        let Some(found) = wrong.filter(|_| pdo.is_valid() != Some(false)) else { continue };
+        let message = format!("`{found}` as transmission type of {pdo}, CiA 401 has 255");
+        let place = facts.device.value_place(pdo.communication_index(), 2);
+        let finding = Diagnostic::new(rule, place.clone(), message).help("write 255");
+        findings.push(finding.fix(Fix::risky("write `255`").set(place, "255")));
+    }
+}

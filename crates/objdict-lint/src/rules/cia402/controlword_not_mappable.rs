@@ -1,0 +1,39 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::{Field, PdoKind};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// controlword or statusword cannot be mapped
+    ///
+    /// ## What it checks
+    /// Whether 6040h and 6041h are marked as mappable on a drive with RPDOs and TPDOs.
+    ///
+    /// ## Why it matters
+    /// Masters drive the state machine with PDOs. Where the words cannot be mapped, each step costs an SDO transfer, and most masters do not know how.
+    ///
+    /// ## Example
+    /// `PDOMapping=0` in `[6040]`
+    ///
+    /// ## How to mend
+    /// Write `PDOMapping=1`, if the drive can do it.
+    ///
+    /// ## Source
+    /// CiA 402-2, controlword and statusword; CiA 402-3, default PDOs
+    "cia402/controlword-not-mappable", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
+    {
+        let has_pdos = facts.pdos.iter().any(|facts| facts.pdo.kind == kind);
+        let Some(entry) = drive.variable(index).filter(|_| has_pdos) else { continue };
+        if entry.is_mappable() || entry.misfits.get(&Field::PdoMapping).is_some() {
+            continue;
+        }
+        let message = format!("{} ({name}) is not mappable, so no {kind} can carry it", drive.name(index));
+        let place = drive.place(index).field(Field::PdoMapping);
+        findings.push(Diagnostic::new(rule, place, message).help("write `PDOMapping=1`"));
+    }
+}

@@ -1,0 +1,33 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, MODES, rule};
+
+rule! {
+    /// a drive with cyclic modes has no SYNC
+    ///
+    /// ## What it checks
+    /// Whether a drive whose 6502h names a cyclic synchronous mode has 1005h, the COB-ID of SYNC.
+    ///
+    /// ## Why it matters
+    /// In these modes drive and master interpolate in step, and on CANopen SYNC is the step. Without 1005h the drive cannot know when a target holds.
+    ///
+    /// ## Example
+    /// `DefaultValue=0x00000080` in `[6502]`, and no `[1005]`
+    ///
+    /// ## How to mend
+    /// Add 1005h with the default 80h, or take the modes out of 6502h.
+    ///
+    /// ## Source
+    /// CiA 402-2, cyclic synchronous modes; CiA 301 §7.5.2.5
+    "cia402/cyclic-mode-without-sync", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let cyclic =
+        MODES.iter().find(|mode| (7..=10).contains(&mode.bit) && drive.supports(mode.bit) == Some(true));
+    let Some(mode) = cyclic.filter(|_| applied.block == 0 && drive.lacks(0x1005)) else { return };
+    let message = format!("{} mode is supported, and there is no 1005h for SYNC", mode.name);
+    let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
+    findings.push(finding.help("add 1005h (COB-ID SYNC, UNSIGNED32, default 0x80)"));
+}

@@ -1,0 +1,39 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::Field;
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// the target of a cyclic mode cannot be mapped
+    ///
+    /// ## What it checks
+    /// Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable when 6502h names the cyclic synchronous mode that they belong to.
+    ///
+    /// ## Why it matters
+    /// A cyclic mode gets a target with every SYNC. By SDO it comes too late and too seldom.
+    ///
+    /// ## Example
+    /// `DefaultValue=0x00000080` in `[6502]`, and `PDOMapping=0` in `[607A]`
+    ///
+    /// ## How to mend
+    /// Write `PDOMapping=1`, or take the bit of the mode out of 6502h.
+    ///
+    /// ## Source
+    /// CiA 402-2, cyclic synchronous modes
+    "cia402/cyclic-target-not-mappable", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for (bit, index, mode) in [(7, 0x607A, "position"), (8, 0x60FF, "velocity"), (9, 0x6071, "torque")] {
+        let Some(entry) = drive.variable(index) else { continue };
+        let is_readable = entry.misfits.get(&Field::PdoMapping).is_none();
+        if drive.supports(bit) == Some(true) && is_readable && !entry.is_mappable() {
+            let name = drive.name(index);
+            let message = format!("{name} is not mappable, and cyclic synchronous {mode} mode lives on it");
+            let finding = Diagnostic::new(rule, drive.place(index).field(Field::PdoMapping), message);
+            let finding = finding.label(drive.value_place(0x6502, 0), format!("bit {bit} names the mode"));
+            findings.push(finding.help("write `PDOMapping=1`"));
+        }
+    }
+}

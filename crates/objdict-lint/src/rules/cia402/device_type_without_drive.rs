@@ -1,0 +1,39 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::profile;
+use crate::{Facts, rule};
+
+rule! {
+    /// the device type of a drive does not say what it drives
+    ///
+    /// ## What it checks
+    /// Whether 1000h, or 67FFh of an axis, has one of the bits 16 (frequency converter), 17 (servo drive) and 18 (stepper motor) set when it names profile 402. Bits 24 to 31 belong to the manufacturer, and FFFFh in the high word stands for several devices.
+    ///
+    /// ## Why it matters
+    /// Masters choose the default PDOs by these bits.
+    ///
+    /// ## Example
+    /// `DefaultValue=0x00000192` in `[1000]`
+    ///
+    /// ## How to mend
+    /// Set the bit: `0x00020192` for a servo drive.
+    ///
+    /// ## Source
+    /// CiA 402-3, device type
+    "cia402/device-type-without-drive", Note, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let index = profile::device_type_index(facts.device, applied.block);
+    // without device types of their own all axes have that of 1000h
+    if applied.block > 0 && index == 0x1000 {
+        return;
+    }
+    let value = facts.device.object(index).and_then(|object| object.value(0)?.as_integer());
+    let Some(value) = value.filter(|value| value & 0xFFFF == 402 && value & 0x7_0000 == 0) else { return };
+    let message = format!("`0x{value:08X}` as device type does not say which kind of drive it is");
+    let place = facts.device.value_place(index, 0);
+    let servo = value | 0x2_0000;
+    let help = format!("set bit 16, 17 or 18, for a servo drive: `0x{servo:08X}`");
+    findings.push(Diagnostic::new(rule, place, message).help(help));
+}

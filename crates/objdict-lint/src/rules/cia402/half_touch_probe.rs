@@ -1,0 +1,38 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a touch probe is described by half
+    ///
+    /// ## What it checks
+    /// Whether 60B8h (touch probe function) and 60B9h (touch probe status) come together, and whether they are there when 60BAh to 60BDh (positions of touch probes) are.
+    ///
+    /// ## Why it matters
+    /// Without the function nobody can switch the probe on; without the status nobody knows whether the position is one that was sampled.
+    ///
+    /// ## Example
+    /// `[60B8]` and `[60BA]`, and no `[60B9]`
+    ///
+    /// ## How to mend
+    /// Describe the missing object.
+    ///
+    /// ## Source
+    /// CiA 402-2, touch probe
+    "cia402/half-touch-probe", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let Some(there) = (0x60B8..=0x60BD).find(|&index| drive.has(index)) else { return };
+    let missing = [(0x60B8, "touch probe function"), (0x60B9, "touch probe status")];
+    let missing = missing.into_iter().filter(|&(index, _)| drive.lacks(index));
+    let missing: Vec<String> =
+        missing.map(|(index, name)| format!("{} ({name})", drive.name(index))).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let verb = if missing.len() == 1 { "is not" } else { "are not" };
+    let message = format!("{} is there, and {} {verb}", drive.name(there), series(&missing));
+    findings.push(Diagnostic::new(rule, drive.place(there), message).help("describe what is missing"));
+}

@@ -1,0 +1,45 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::model::Value;
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a drive is set to a homing method that it does not list
+    ///
+    /// ## What it checks
+    /// Whether the value of 6098h (homing method), configured or default, is among those of 60E3h (supported homing methods), where all of these have a value. 0, no homing, is not looked at.
+    ///
+    /// ## Why it matters
+    /// The drive refuses to home with the method that it starts with.
+    ///
+    /// ## Example
+    /// `DefaultValue=17` in `[6098]`, and `[60E3]` with the methods 35 and 37
+    ///
+    /// ## How to mend
+    /// Choose a method of the list, or complete the list.
+    ///
+    /// ## Source
+    /// CiA 402-2, homing method and supported homing methods (version 4)
+    "cia402/homing-method-not-supported", Error, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let Some(method) = drive.value(0x6098, 0).filter(|&method| method != 0) else { return };
+    let Some(list) = drive.object(0x60E3) else { return };
+    let methods: Option<Vec<i128>> = list
+        .entries()
+        .filter(|&(sub, _)| sub != 0 && sub != 0xFF)
+        .map(|(_, entry)| entry.value().and_then(Value::as_integer))
+        .collect();
+    let Some(methods) = methods.filter(|methods| !methods.is_empty() && !methods.contains(&method)) else {
+        return;
+    };
+    let message = format!(
+        "`{method}` as homing method, {} lists {}",
+        drive.name(0x60E3),
+        series(methods.iter().take(20))
+    );
+    let finding = Diagnostic::new(rule, drive.value_place(0x6098, 0), message);
+    findings.push(finding.label(drive.place(0x60E3), "the supported homing methods"));
+}

@@ -1,0 +1,34 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// interpolation is described without the record that takes its positions
+    ///
+    /// ## What it checks
+    /// Whether a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h (interpolation data record).
+    ///
+    /// ## Why it matters
+    /// Set-points of interpolated position mode are written to 60C1h. Sub mode and buffer are of no use without it.
+    ///
+    /// ## Example
+    /// `[60C0]` and `[60C4]`, and no `[60C1]`
+    ///
+    /// ## How to mend
+    /// Describe 60C1h (ARRAY of INTEGER32), or take the others out.
+    ///
+    /// ## Source
+    /// CiA 402-2, interpolated position mode
+    "cia402/interpolation-without-data", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let Some(there) = [0x60C0, 0x60C4].into_iter().find(|&index| drive.has(index)) else { return };
+    if drive.lacks(0x60C1) {
+        let (there_name, missing) = (drive.name(there), drive.name(0x60C1));
+        let message = format!("{there_name} is there, and {missing} (interpolation data record) is not");
+        let finding = Diagnostic::new(rule, drive.place(there), message);
+        findings.push(finding.help(format!("describe {missing} (ARRAY of INTEGER32)")));
+    }
+}

@@ -1,0 +1,38 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a lower limit of a drive is above the upper one
+    ///
+    /// ## What it checks
+    /// Whether, of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount), sub-index 1 is not greater than sub-index 2, as configured or by default.
+    ///
+    /// ## Why it matters
+    /// No position lies between the limits, so the drive refuses each target or takes the limits for switched off, as its maker likes.
+    ///
+    /// ## Example
+    /// `DefaultValue=1000` in `[607Dsub1]`, `DefaultValue=-1000` in `[607Dsub2]`
+    ///
+    /// ## How to mend
+    /// Exchange the values. Two equal ones, mostly 0, are not looked at: many drives switch the limits off so.
+    ///
+    /// ## Source
+    /// CiA 402-2, IEC 61800-7-201
+    "cia402/limit-min-above-max", Error, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for index in [0x607B, 0x607D, 0x6046] {
+        let (Some(min), Some(max)) = (drive.value(index, 1), drive.value(index, 2)) else { continue };
+        if min <= max {
+            continue;
+        }
+        let message =
+            format!("the lower limit `{min}` of {} is above the upper one, `{max}`", drive.name(index));
+        let finding = Diagnostic::new(rule, drive.value_place(index, 1), message);
+        let finding = finding.label(drive.value_place(index, 2), "the upper limit");
+        findings.push(finding.help("exchange the values"));
+    }
+}

@@ -1,0 +1,46 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a software limit lies outside the range of positions
+    ///
+    /// ## What it checks
+    /// Whether the limits of 607Dh (software position limit) lie within 607Bh (position range limit), where both have a lower limit below the upper one.
+    ///
+    /// ## Why it matters
+    /// Positions wrap at the range before they reach the limit, so the limit never stops the axis.
+    ///
+    /// ## Example
+    /// `DefaultValue=100000` in `[607Dsub2]`, `DefaultValue=36000` in `[607Bsub2]`
+    ///
+    /// ## How to mend
+    /// Put the software limit inside the range, or widen the range.
+    ///
+    /// ## Source
+    /// CiA 402-2, position range limit and software position limit
+    "cia402/limit-outside-range", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let limits =
+        |index| Some((drive.value(index, 1)?, drive.value(index, 2)?)).filter(|(min, max)| min < max);
+    let (Some((first, last)), Some((min, max))) = (limits(0x607B), limits(0x607D)) else { return };
+    let outside = if !(first..=last).contains(&max) {
+        (2, max)
+    } else if min < first {
+        (1, min)
+    } else {
+        return;
+    };
+    let (sub, limit) = outside;
+    let message = format!(
+        "the limit `{limit}` of {} lies outside the range {first} to {last} of {}",
+        drive.name(0x607D),
+        drive.name(0x607B)
+    );
+    let finding = Diagnostic::new(rule, drive.value_place(0x607D, sub), message);
+    let finding = finding.label(drive.value_place(0x607B, sub), "the range of positions");
+    findings.push(finding.help("put the limit inside the range"));
+}

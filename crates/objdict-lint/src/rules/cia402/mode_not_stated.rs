@@ -1,0 +1,49 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a drive has the objects of a mode that 6502h does not name
+    ///
+    /// ## What it checks
+    /// Whether the bit of a mode is set in 6502h when the objects are there that only this mode has: 6042h and 6044h of velocity, 6081h and 607Ah of profile position, 6071h and 6087h of torque, 6098h and 6099h of homing, 60C0h and 60C1h of interpolated position; 60FFh and 606Ch belong to profile velocity or cyclic synchronous velocity. One finding for each mode; nothing when 6502h has no mode at all.
+    ///
+    /// ## Why it matters
+    /// A master asks 6502h and does not offer the mode, though the drive has it; or the objects are left over and do nothing.
+    ///
+    /// ## Example
+    /// `[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`
+    ///
+    /// ## How to mend
+    /// Set the bit of the mode, or take its objects out. Files that are made for a family of drives may have the objects on purpose; then say so with `allow`.
+    ///
+    /// ## Source
+    /// CiA 402-2, supported drive modes
+    "cia402/mode-not-stated", Warning, Applied(check)
+}
+
+/// A mode with the objects that show it, and the bits of 6502h of which one has to be set.
+const SHOWN_BY: [(&str, [u16; 2], u32); 6] = [
+    ("velocity", [0x6042, 0x6044], 1 << 1),
+    ("profile position", [0x607A, 0x6081], 1),
+    ("profile velocity or cyclic synchronous velocity", [0x60FF, 0x606C], 1 << 2 | 1 << 8),
+    ("torque profile", [0x6071, 0x6087], 1 << 3),
+    ("homing", [0x6098, 0x6099], 1 << 5),
+    ("interpolated position", [0x60C0, 0x60C1], 1 << 6),
+];
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let Some(modes) = drive.modes().filter(|&modes| modes & 0xFFFF != 0) else { return };
+    for (mode, objects, bits) in SHOWN_BY {
+        if modes & bits != 0 || !objects.iter().all(|&index| drive.has(index)) {
+            continue;
+        }
+        let [first, second] = objects.map(|index| drive.name(index));
+        let message = format!("`0x{modes:08X}` does not name {mode}, but {first} and {second} are there");
+        let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
+        let finding = finding.label(drive.place(objects[0]), "an object of the mode");
+        let help = format!("set bit {}, or take the objects out", bits.trailing_zeros());
+        findings.push(finding.help(help));
+    }
+}

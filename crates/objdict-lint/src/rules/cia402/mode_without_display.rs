@@ -1,0 +1,53 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, MODES, rule};
+
+rule! {
+    /// only one of modes of operation and modes of operation display is there
+    ///
+    /// ## What it checks
+    /// Whether 6060h (modes of operation) and 6061h (modes of operation display) come together. A drive of several modes without 6060h is the matter of `cia402/no-mode-selection`.
+    ///
+    /// ## Why it matters
+    /// A drive changes its mode when it can, not when it is told: a master waits until 6061h shows the mode before it sends targets.
+    ///
+    /// ## Example
+    /// `[6060]`, and no `[6061]`
+    ///
+    /// ## How to mend
+    /// Describe the other object.
+    ///
+    /// ## Source
+    /// CiA 402-2, modes of operation
+    "cia402/mode-without-display", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let (there, missing) = match (drive.has(0x6060), drive.has(0x6061)) {
+        (true, false) => (0x6060, 0x6061),
+        // with several modes the selection is missing, which is a rule of its own
+        (false, true) if !has_several_modes(drive) => (0x6061, 0x6060),
+        _ => return,
+    };
+    if drive.lacks(missing) {
+        let name = |index| match index {
+            0x6060 => "modes of operation",
+            _ => "modes of operation display",
+        };
+        let message = format!(
+            "{} ({}) is there, and {} ({}) is not",
+            drive.name(there),
+            name(there),
+            drive.name(missing),
+            name(missing)
+        );
+        let finding = Diagnostic::new(rule, drive.place(there), message);
+        findings.push(finding.help(format!("describe {}", drive.name(missing))));
+    }
+}
+
+fn has_several_modes(drive: Drive<'_>) -> bool {
+    let modes = drive.modes().unwrap_or_default();
+    MODES.iter().filter(|mode| modes >> mode.bit & 1 == 1).count() > 1
+}

@@ -1,0 +1,34 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// 6502h names no mode at all
+    ///
+    /// ## What it checks
+    /// Whether at least one bit of 6502h (supported drive modes) is set, be it one of the manufacturer.
+    ///
+    /// ## Why it matters
+    /// A master finds nothing that the drive could do.
+    ///
+    /// ## Example
+    /// `DefaultValue=0` in `[6502]`
+    ///
+    /// ## How to mend
+    /// Set the bits of the modes that the drive has.
+    ///
+    /// ## Source
+    /// CiA 402-2, supported drive modes
+    "cia402/no-drive-mode", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    if drive.modes() == Some(0) {
+        let message = format!("{} names no mode of operation", drive.name(0x6502));
+        let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
+        findings.push(
+            finding.help("set the bits of the modes, such as `0x00000021` for profile position and homing"),
+        );
+    }
+}

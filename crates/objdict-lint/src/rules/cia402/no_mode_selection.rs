@@ -1,0 +1,37 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::{Drive, Facts, MODES, rule};
+
+rule! {
+    /// a drive of several modes has no object to choose one
+    ///
+    /// ## What it checks
+    /// Whether a drive whose 6502h names more than one mode of operation has 6060h.
+    ///
+    /// ## Why it matters
+    /// Without 6060h (modes of operation) nobody can leave the mode that the drive starts in.
+    ///
+    /// ## Example
+    /// `DefaultValue=0x00000005` in `[6502]`, and no `[6060]`
+    ///
+    /// ## How to mend
+    /// Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or name only the mode that the drive is always in.
+    ///
+    /// ## Source
+    /// CiA 402-2, modes of operation and supported drive modes
+    "cia402/no-mode-selection", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let modes = drive.modes().unwrap_or_default();
+    let names = MODES.iter().filter(|mode| modes >> mode.bit & 1 == 1).map(|mode| mode.name);
+    let names: Vec<&str> = names.collect();
+    if names.len() < 2 || !drive.lacks(0x6060) {
+        return;
+    }
+    let message =
+        format!("{} is missing, so nobody can choose between {}", drive.name(0x6060), series(names));
+    let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
+    findings.push(finding.help("describe the modes of operation (INTEGER8, `rw`)"));
+}

@@ -1,0 +1,40 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// only one of notation index and dimension index is there
+    ///
+    /// ## What it checks
+    /// Whether the objects of version 2 that say a unit come together: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.
+    ///
+    /// ## Why it matters
+    /// The notation index is a power of ten, the dimension index a unit: one alone says nothing.
+    ///
+    /// ## Example
+    /// `[6089]`, and no `[608A]`
+    ///
+    /// ## How to mend
+    /// Describe the other, or use 60A8h to 60ABh of version 4.
+    ///
+    /// ## Source
+    /// CiA 402 version 2, factor group
+    "cia402/notation-without-dimension", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for notation in [0x6089, 0x608B, 0x608D] {
+        let (there, missing, name) = match (drive.has(notation), drive.has(notation + 1)) {
+            (true, false) => (notation, notation + 1, "dimension index"),
+            (false, true) => (notation + 1, notation, "notation index"),
+            _ => continue,
+        };
+        if drive.lacks(missing) {
+            let (there_name, missing) = (drive.name(there), drive.name(missing));
+            let message = format!("{there_name} is there, and its {name} {missing} is not");
+            let finding = Diagnostic::new(rule, drive.place(there), message);
+            findings.push(finding.help(format!("describe {missing}")));
+        }
+    }
+}

@@ -1,0 +1,37 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// 6502h has a reserved bit set
+    ///
+    /// ## What it checks
+    /// Whether bits 4 and 11 to 15 of 6502h (supported drive modes) are 0.
+    ///
+    /// ## Why it matters
+    /// Bit 4 was never given to a mode, and the others wait for a later version. Mostly the numbers of modes were taken for the numbers of bits: the bit of homing, mode 6, is 5.
+    ///
+    /// ## Example
+    /// `DefaultValue=0x00000010` in `[6502]`
+    ///
+    /// ## How to mend
+    /// Set the bits of the modes, each one below the number of the mode; what is your own belongs to bits 16 to 31.
+    ///
+    /// ## Source
+    /// CiA 402-2, supported drive modes
+    "cia402/reserved-drive-mode", Warning, Applied(check)
+}
+
+const RESERVED: u32 = 1 << 4 | 0xF800;
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let Some(modes) = drive.modes().filter(|modes| modes & RESERVED != 0) else { return };
+    let bits = (0..16u32).filter(|bit| modes & RESERVED & (1 << bit) != 0);
+    let bits: Vec<u32> = bits.collect();
+    let plural = if bits.len() == 1 { "bit" } else { "bits" };
+    let message =
+        format!("`0x{modes:08X}` as supported drive modes has the reserved {plural} {}", series(bits));
+    let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
+    findings.push(finding.help("modes of the manufacturer have bits 16 to 31"));
+}

@@ -1,0 +1,39 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a target position lies outside the software limits
+    ///
+    /// ## What it checks
+    /// Whether the value of 607Ah (target position), configured or default, lies within 607Dh (software position limit), where that has a lower limit below the upper one.
+    ///
+    /// ## Why it matters
+    /// The axis stops at the limit with a warning or an error as soon as the first set-point is taken over.
+    ///
+    /// ## Example
+    /// `DefaultValue=5000` in `[607A]`, `DefaultValue=1000` in `[607Dsub2]`
+    ///
+    /// ## How to mend
+    /// Correct the target or the limits.
+    ///
+    /// ## Source
+    /// CiA 402-2, target position and software position limit
+    "cia402/target-outside-limits", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    let (Some(min), Some(max)) = (drive.value(0x607D, 1), drive.value(0x607D, 2)) else { return };
+    let Some(target) = drive.value(0x607A, 0) else { return };
+    if min >= max || (min..=max).contains(&target) {
+        return;
+    }
+    let sub = if target < min { 1 } else { 2 };
+    let message = format!(
+        "the target position `{target}` lies outside the software limits {min} to {max} of {}",
+        drive.name(0x607D)
+    );
+    let finding = Diagnostic::new(rule, drive.value_place(0x607A, 0), message);
+    findings.push(finding.label(drive.value_place(0x607D, sub), "the limit"));
+}

@@ -1,0 +1,40 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule};
+
+rule! {
+    /// a time belongs to a window that is not there
+    ///
+    /// ## What it checks
+    /// Whether 6065h (following error window) is there with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.
+    ///
+    /// ## Why it matters
+    /// The time says how long the value may lie outside or has to lie inside of a window that nobody can set.
+    ///
+    /// ## Example
+    /// `[6068]`, and no `[6067]`
+    ///
+    /// ## How to mend
+    /// Describe the window, or take the time out.
+    ///
+    /// ## Source
+    /// CiA 402-2, IEC 61800-7-201
+    "cia402/time-without-window", Note, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for (window, time, name) in [
+        (0x6065, 0x6066, "following error window"),
+        (0x6067, 0x6068, "position window"),
+        (0x606D, 0x606E, "velocity window"),
+        (0x606F, 0x6070, "velocity threshold"),
+    ] {
+        if drive.has(time) && drive.lacks(window) {
+            let (time_name, window) = (drive.name(time), drive.name(window));
+            let message = format!("{time_name} is there, and its {name} {window} is not");
+            let finding = Diagnostic::new(rule, drive.place(time), message);
+            findings.push(finding.help(format!("describe {window}")));
+        }
+    }
+}

@@ -1,0 +1,40 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, MODES, rule};
+
+rule! {
+    /// a drive starts in a mode that it does not have
+    ///
+    /// ## What it checks
+    /// Whether the bit of the mode that 6060h or 6061h has as value, configured or default, is set in 6502h. Modes of the manufacturer (below 0) and 0, no mode, are not looked at.
+    ///
+    /// ## Why it matters
+    /// One of the two is wrong: a master that believes 6502h never uses the mode, one that believes 6060h sends targets that the drive does not take.
+    ///
+    /// ## Example
+    /// `DefaultValue=8` in `[6060]`, and `DefaultValue=0x00000005` in `[6502]`
+    ///
+    /// ## How to mend
+    /// Correct the mode, or set its bit in 6502h.
+    ///
+    /// ## Source
+    /// CiA 402-2, modes of operation and supported drive modes
+    "cia402/unsupported-mode", Warning, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for index in [0x6060, 0x6061] {
+        let Some(number) = drive.value(index, 0) else { continue };
+        let Some(mode) = MODES.iter().find(|mode| mode.number == number) else { continue };
+        if drive.supports(mode.bit) != Some(false) {
+            continue;
+        }
+        let (name, modes) = (drive.name(index), drive.name(0x6502));
+        let message =
+            format!("{name} is `{number}` ({}), and {modes} does not have bit {}", mode.name, mode.bit);
+        let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
+        let finding = finding.label(drive.value_place(0x6502, 0), "the supported drive modes");
+        findings.push(finding.help("correct the mode, or set the bit"));
+    }
+}

@@ -1,0 +1,36 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Drive, Facts, rule, with_others};
+
+rule! {
+    /// a factor or resolution of a drive is 0
+    ///
+    /// ## What it checks
+    /// Whether the sub-indexes 1 and 2 of the factors have values other than 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.
+    ///
+    /// ## Why it matters
+    /// The drive divides by the one and multiplies with the other: with 0 it knows no position.
+    ///
+    /// ## Example
+    /// `DefaultValue=0` in `[6091sub2]`
+    ///
+    /// ## How to mend
+    /// Write 1 where nothing is to be scaled, or leave the default out when the value belongs to the motor.
+    ///
+    /// ## Source
+    /// CiA 402-2, factor group
+    "cia402/zero-factor", Error, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for index in [0x604B, 0x604C].into_iter().chain(0x608F..=0x6097).chain([0x60A2]) {
+        let zero: Vec<u8> = [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)).collect();
+        let Some(&first) = zero.first() else { continue };
+        let name = applied.profile.object(index).map_or("", |facts| facts.name.as_str());
+        let message = format!("`0` in {} ({name}), which is a ratio", drive.name(index));
+        let finding = Diagnostic::new(rule, drive.value_place(index, first), message);
+        let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "here too".to_owned()));
+        findings.push(with_others(finding, others).help("write 1 where nothing is to be scaled"));
+    }
+}

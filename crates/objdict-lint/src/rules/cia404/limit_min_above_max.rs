@@ -1,0 +1,52 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::Object;
+use crate::{Facts, rule, with_others};
+
+rule! {
+    /// a lower limit of a channel is above the upper one
+    ///
+    /// ## What it checks
+    /// Whether, channel by channel, the lower limit of the interrupt (x134h, x144h), of the set-point (x404h), and of the controller output (6413h) is not greater than the upper one (x135h, x145h, x405h, 6414h), as configured or by default.
+    ///
+    /// ## Why it matters
+    /// No value lies between the limits: the interrupt comes always or never, the controller cannot follow its set-point.
+    ///
+    /// ## Example
+    /// `DefaultValue=1000` in `[7134sub1]`, `DefaultValue=-1000` in `[7135sub1]`
+    ///
+    /// ## How to mend
+    /// Exchange the values.
+    ///
+    /// ## Source
+    /// CiA 404-1, analogue inputs and controllers
+    "cia404/limit-min-above-max", Error, Applied(check)
+}
+
+/// The lower limits, as offsets from 6000h, 7000h, 8000h or 9000h; the upper one is next to each.
+const LOWER: [u16; 3] = [0x134, 0x144, 0x404];
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: &mut Findings) {
+    let families = [0x6000, 0x7000, 0x8000, 0x9000];
+    let pairs = families.iter().flat_map(|family| LOWER.map(|offset| family + offset)).chain([0x6413]);
+    for lower in pairs {
+        let upper = lower + 1;
+        let (Some(low), Some(high)) = (facts.device.object(lower), facts.device.object(upper)) else {
+            continue;
+        };
+        let number = |object: &Object, sub| object.value(sub).and_then(|value| value.as_real());
+        let crossed = |&sub: &u8| matches!((number(low, sub), number(high, sub)), (Some(low), Some(high)) if low > high);
+        let channels: Vec<u8> = (1..=199).filter(crossed).collect();
+        let Some(&first) = channels.first() else { continue };
+        let message = format!(
+            "the lower limit `{}` of {lower:04X}h is above the upper one of {upper:04X}h, `{}`",
+            number(low, first).unwrap_or_default(),
+            number(high, first).unwrap_or_default()
+        );
+        let finding = Diagnostic::new(rule, facts.device.value_place(lower, first), message);
+        let finding = finding.label(facts.device.value_place(upper, first), "the upper limit");
+        let others = channels.iter().skip(1);
+        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "this one too".to_owned()));
+        findings.push(with_others(finding, others).help("exchange the values"));
+    }
+}

@@ -1,0 +1,35 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::{Facts, rule};
+
+rule! {
+    /// the cyclic timer and the event timer of TPDO 1 differ
+    ///
+    /// ## What it checks
+    /// Whether 6200h and 1800h sub-index 5 have the same value when both are there.
+    ///
+    /// ## Why it matters
+    /// They are one timer under two indexes, so one of the values is wrong, and which one the encoder starts with nobody knows.
+    ///
+    /// ## Example
+    /// `[6200]` with `DefaultValue=100`, `[1800sub5]` with `DefaultValue=0`
+    ///
+    /// ## How to mend
+    /// Write the same time, in milliseconds.
+    ///
+    /// ## Source
+    /// CiA 406 (6200h, 1800h)
+    "cia406/cyclic-timer-mismatch", Error, Applied(check)
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let value = |index: u16, sub: u8| device.object(index)?.value(sub)?.as_integer();
+    let (Some(cyclic), Some(event)) = (value(0x6200, 0), value(0x1800, 5)) else { return };
+    if cyclic != event && applied.block == 0 {
+        let message = format!("`{cyclic}` ms as cyclic timer, and {event} ms as event timer of TPDO 1");
+        let finding = Diagnostic::new(rule, device.value_place(0x6200, 0), message);
+        let finding = finding.label(device.value_place(0x1800, 5), "the same timer");
+        findings.push(finding.help("write the same time in both"));
+    }
+}

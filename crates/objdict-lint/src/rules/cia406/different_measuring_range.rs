@@ -1,0 +1,46 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::model::DeviceKind;
+use crate::profile::{device_type_index, index_in};
+use crate::{Facts, rule};
+
+rule! {
+    /// the measuring range is not what resolution and revolutions make
+    ///
+    /// ## What it checks
+    /// Whether the default of 6002h in an EDS is resolution (6501h) times revolutions (6502h) for an encoder that turns. What does not fit into 32 bits is not compared.
+    ///
+    /// ## Why it matters
+    /// As it comes from its maker, an encoder does not scale; the range that it states is the one that it has.
+    ///
+    /// ## Example
+    /// `[6501]` with `DefaultValue=8192`, `[6502]` with `DefaultValue=4096`, `[6002]` with `DefaultValue=4096`
+    ///
+    /// ## How to mend
+    /// Write the product, in the description and in the device.
+    ///
+    /// ## Source
+    /// CiA 406 (6002h, 6501h, 6502h)
+    "cia406/different-measuring-range", Warning, Applied(check), fix Unsafe
+}
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let (device, block) = (facts.device, applied.block);
+    let value = |index: u16| device.object(index)?.value(0)?.as_integer();
+    let turns = value(device_type_index(device, block)).is_some_and(|kind| (1..=5).contains(&(kind >> 16)));
+    let [range, resolution, revolutions] = [0x6002, 0x6501, 0x6502].map(|index| index_in(block, index));
+    let all = (value(range), value(resolution), value(revolutions));
+    let (Some(stated), Some(steps), Some(turned)) = all else { return };
+    let right = steps * turned;
+    let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
+    if is_comparable && stated != right {
+        let message =
+            format!("`{stated}` as measuring range, {steps} steps by {turned} revolutions make {right}");
+        let place = device.value_place(range, 0);
+        let finding = Diagnostic::new(rule, place.clone(), message);
+        let finding = finding.label(device.value_place(resolution, 0), "steps of a revolution");
+        let finding = finding.label(device.value_place(revolutions, 0), "revolutions");
+        let finding = finding.help(format!("write {right}"));
+        findings.push(finding.fix(Fix::risky(format!("write `{right}`")).set(place, right.to_string())));
+    }
+}

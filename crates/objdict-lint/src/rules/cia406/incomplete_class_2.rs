@@ -1,0 +1,54 @@
+use crate::demands::{self, Applied};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::model::Place;
+use crate::profile::{device_type_index, index_in};
+use crate::{Facts, rule};
+
+rule! {
+    /// an encoder has functions of class C2, and not all of them
+    ///
+    /// ## What it checks
+    /// Whether an encoder that has scaling and preset (6002h and 6003h), which only class C2 has to have, has the rest of that class: 6001h when it turns or 6005h when it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors are not looked at, nor those that lack only one half of the two.
+    ///
+    /// ## Why it matters
+    /// An encoder of class C1 may have any of them, so nothing fails; a master that takes the encoder for one of class C2 is answered with aborts.
+    ///
+    /// ## Example
+    /// `[6002]` and `[6003]`, and no `[6503]`
+    ///
+    /// ## How to mend
+    /// Describe the other objects too, or call it an encoder of class C1 with scaling.
+    ///
+    /// ## Source
+    /// CiA 406, class C2; manuals of encoders
+    "cia406/incomplete-class-2", Warning, Applied(check)
+}
+
+/// What class C2 has beside class C1, scaling and preset, whatever its type.
+const ALL: [u16; 8] = [0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6509, 0x650A, 0x650B];
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let (device, block) = (facts.device, applied.block);
+    let device_type = device.object(device_type_index(device, block));
+    let device_type = device_type.and_then(|object| object.value(0)?.as_integer());
+    let of_type = match device_type.map(|device_type| device_type >> 16) {
+        Some(1..=5) => 0x6001,
+        Some(6..=9) => 0x6005,
+        _ => return,
+    };
+    let is_there = |index: u16| demands::is_there(device, index_in(block, index));
+    if !is_there(0x6002) || !is_there(0x6003) {
+        return;
+    }
+    let has_timer = block == 0 && device.object(0x1800).is_some_and(|object| object.has(5));
+    let timer = (!has_timer).then_some(0x6200);
+    let all = std::iter::once(of_type).chain(timer).chain(ALL);
+    let missing: Vec<String> = all
+        .filter(|&index| !is_there(index))
+        .map(|index| format!("{:04X}h", index_in(block, index)))
+        .collect();
+    if !missing.is_empty() {
+        let message = format!("the encoder has scaling and preset of class C2, and not {}", series(missing));
+        findings.push(Diagnostic::new(rule, Place::object(index_in(block, 0x6003)), message));
+    }
+}

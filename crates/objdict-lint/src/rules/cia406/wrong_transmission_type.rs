@@ -1,0 +1,46 @@
+use crate::demands::Applied;
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::model::{DeviceKind, PdoKind};
+use crate::{Facts, rule};
+
+rule! {
+    /// a TPDO of an encoder is sent at other times than CiA 406 says
+    ///
+    /// ## What it checks
+    /// Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is tolerated) and TPDO 2 on each SYNC (type 1). It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3.
+    ///
+    /// ## Why it matters
+    /// A master that knows the profile takes the position of TPDO 1 as it comes, and that of TPDO 2 with the others of the same SYNC.
+    ///
+    /// ## Example
+    /// `[1800sub2]` with `DefaultValue=1`
+    ///
+    /// ## How to mend
+    /// Write 254 for TPDO 1 and 1 for TPDO 2.
+    ///
+    /// ## Source
+    /// CiA 406 (1800h, 1801h)
+    "cia406/wrong-transmission-type", Warning, Applied(check), fix Unsafe
+}
+
+/// A TPDO with the type that it should have and those that it may have.
+const TYPES: [(u16, u8, &[u8]); 2] = [(1, 254, &[254, 255]), (2, 1, &[1])];
+
+fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    if device.kind != DeviceKind::Type || applied.block > 0 || device.profile() == Some(0xFFFF) {
+        return;
+    }
+    let has_third = device.objects.contains_key(&0x1802);
+    for (number, right, allowed) in TYPES.into_iter().filter(|(number, ..)| *number == 1 || !has_third) {
+        let Some(pdo) = device.pdo(PdoKind::Tpdo, number) else { continue };
+        // types that no PDO has are reported as that
+        let wrong =
+            pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
+        let Some(found) = wrong else { continue };
+        let message = format!("`{found}` as transmission type of {pdo}, CiA 406 has {right}");
+        let place = device.value_place(pdo.communication_index(), 2);
+        let finding = Diagnostic::new(rule, place.clone(), message).help(format!("write {right}"));
+        findings.push(finding.fix(Fix::risky(format!("write `{right}`")).set(place, right.to_string())));
+    }
+}

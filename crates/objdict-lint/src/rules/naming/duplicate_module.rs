@@ -1,0 +1,42 @@
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, ModulePart, Part, Place};
+use crate::rule;
+
+rule! {
+    /// two modules have the same name and order code
+    ///
+    /// ## What it checks
+    /// Whether no two modules have both the same `ProductName` and the same `OrderCode`.
+    ///
+    /// ## Why it matters
+    /// Whoever puts a station together by the names cannot tell which of the two is plugged in.
+    ///
+    /// ## Example
+    /// `ProductName=DI8` and `OrderCode=750-430` in `[M1ModuleInfo]` and in `[M2ModuleInfo]`
+    ///
+    /// ## How to mend
+    /// Add the version to the name, or remove one of the two.
+    ///
+    /// ## Source
+    /// CiA 306-1 §6.3
+    "naming/duplicate-module", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut seen = HashMap::new();
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        let (Some(name), Some(code)) = (&module.product_name, &module.order_code) else { continue };
+        // two versions of a module may have one name
+        let key = (name, code, module.product_version, module.product_revision);
+        let first = *seen.entry(key).or_insert(number);
+        if first == number || name.is_empty() {
+            continue;
+        }
+        let place = |number| Place::of(Part::Module(number, ModulePart::Info)).field(Field::ProductName);
+        let message = format!("modules {first} and {number} are both `{name}` with order code `{code}`");
+        let finding = Diagnostic::new(&RULE.info, place(number), message).label(place(first), "first here");
+        findings.push(finding.help("add the version to the name, or remove one of the two"));
+    }
+}

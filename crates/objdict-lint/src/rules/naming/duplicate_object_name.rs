@@ -1,0 +1,46 @@
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Place};
+use crate::{rule, with_others};
+
+rule! {
+    /// two objects have the same name
+    ///
+    /// ## What it checks
+    /// Whether the names of the objects from 2000h on differ. Objects with the same name in ranges of eight hundred hex, which are the same object of several axes or channels, are left alone, and so are 5800h to 5FFFh, where masters keep what they know of the PDOs of other nodes. The first repetition is shown, with the others.
+    ///
+    /// ## Why it matters
+    /// People cannot tell the objects apart, libraries that find objects by name return the first one, and code generators have to make up numbers.
+    ///
+    /// ## Example
+    /// `ParameterName=Setpoint` in `[2000]` and in `[2001]`
+    ///
+    /// ## How to mend
+    /// Add a number or a word to the names.
+    ///
+    /// ## Source
+    /// Not in a standard; python-canopen, for one, finds objects by name
+    "naming/duplicate-object-name", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut seen: HashMap<&str, u16> = HashMap::with_capacity(device.objects.len());
+    let mut repeated = device.objects.range(0x2000..).filter_map(|(&index, object)| {
+        let name = object.name();
+        if name.is_empty() || object.orphan || (0x5800..0x6000).contains(&index) {
+            return None;
+        }
+        let first = *seen.entry(name).or_insert(index);
+        // the same object of another axis stands 800h further
+        let is_copy = index >= 0x6000 && (index - first).is_multiple_of(0x800);
+        (first != index && !is_copy).then_some((first, index, name))
+    });
+    let Some((first, second, name)) = repeated.next() else { return };
+    let place = |index| Place::object(index).field(Field::ParameterName);
+    let message = format!("{first:04X}h and {second:04X}h are both called `{name}`");
+    let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
+    let others =
+        repeated.map(|(first, index, _)| (place(index), format!("and {index:04X}h like {first:04X}h")));
+    findings.push(with_others(finding, others).help("add a number or a word to the names"));
+}

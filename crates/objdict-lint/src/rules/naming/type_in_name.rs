@@ -1,0 +1,61 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{DataType, Field, TypeKind};
+use crate::{EntryAt, rule};
+
+rule! {
+    /// a name speaks of another type than the entry has
+    ///
+    /// ## What it checks
+    /// Whether the name of an entry that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, is of that width and kind.
+    ///
+    /// ## Why it matters
+    /// The type was changed and the name was not, or the other way round. Programs that go by the name read the wrong number of bytes.
+    ///
+    /// ## Example
+    /// `ParameterName=Speed_U16` with `DataType=0x0007`
+    ///
+    /// ## How to mend
+    /// Correct the type or the name.
+    ///
+    /// ## Source
+    /// Not in a standard
+    "naming/type-in-name", Note, Entry(check)
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    // the number of entries is named like the object by some editors
+    let Some(data_type) = at.entry.data_type.filter(|_| at.sub != Some(0)) else { return };
+    let Some((named, text)) = named_type(&at.entry.name) else { return };
+    let is_other = data_type.kind() != named && data_type.bit_length().is_some();
+    if !is_other || !at.holds_value() {
+        return;
+    }
+    let message = format!("the name ends with `{text}`, and the entry is {data_type}");
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
+    let finding = finding.label(at.field(Field::ParameterName), "the name");
+    findings.push(finding.help("correct the type or the name"));
+}
+
+/// The type that a name ends with: a known word and a width, behind something that is no letter or digit.
+fn named_type(name: &str) -> Option<(TypeKind, &str)> {
+    let inner = name.trim_end_matches([')', ']']);
+    let word = inner.rsplit(|c: char| !c.is_ascii_alphanumeric()).next()?;
+    let kind = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    if word.len() == inner.len() || kind.len() == word.len() {
+        return None;
+    }
+    let bits: u8 = word.get(kind.len()..)?.parse().ok()?;
+    let matches = |words: &[&str]| words.iter().any(|known| known.eq_ignore_ascii_case(kind));
+    let named = match bits {
+        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["u", "uint", "unsigned"]) => {
+            TypeKind::Unsigned(bits)
+        }
+        8 | 16 | 24 | 32 | 40 | 48 | 56 | 64 if matches(&["int", "integer", "sint"]) => {
+            TypeKind::Signed(bits)
+        }
+        32 if matches(&["real", "float"]) => DataType::REAL32.kind(),
+        64 if matches(&["real", "float"]) => DataType::REAL64.kind(),
+        _ => return None,
+    };
+    Some((named, word))
+}

@@ -1,0 +1,34 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field, Part, Place};
+use crate::rule;
+
+rule! {
+    /// `BaudRate_auto` is unknown to a tool
+    ///
+    /// ## What it checks
+    /// Whether `[DeviceInfo]` has the key `BaudRate_auto`.
+    ///
+    /// ## Why it matters
+    /// dcf-tools has the keys of the first edition of CiA 306 and refuses a file with another one.
+    ///
+    /// ## Example
+    /// `BaudRate_auto=0`
+    ///
+    /// ## How to mend
+    /// Remove the key where it is 0; else give the tool a copy without it.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2
+    "portability/auto-baud-rate", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let Some(auto) = device.device_info.as_ref().and_then(|info| info.baud_rates.auto) else { return };
+    let place = Place::of(Part::DeviceInfo).field(Field::BaudRateAuto);
+    let finding = Diagnostic::new(&RULE.info, place, "`BaudRate_auto` is a key of later editions");
+    findings.push(finding.help(if auto {
+        "give the tool a copy without the key"
+    } else {
+        "remove the key: 0 is what its absence means"
+    }));
+}

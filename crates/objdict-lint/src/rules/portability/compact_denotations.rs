@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Part, Place};
+use crate::{rule, with_others};
+
+rule! {
+    /// denotations of a compact object are unknown to a tool
+    ///
+    /// ## What it checks
+    /// Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.
+    ///
+    /// ## Example
+    /// `[2000Denotation]`
+    ///
+    /// ## How to mend
+    /// Use `[xxxxName]`, or describe the sub-indexes one by one.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
+    "portability/compact-denotations", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = device.objects.iter().filter_map(|(&index, object)| {
+        let is_meant = object.compact.as_ref().is_some_and(|compact| !compact.denotations.is_empty());
+        is_meant.then(|| Place::of(Part::CompactDenotations(index)))
+    });
+    let Some(first) = places.next() else { return };
+    let finding =
+        Diagnostic::new(&RULE.info, first, "the denotations of these sub-indexes are not known to all tools")
+            .help("use `[xxxxName]`, or describe the sub-indexes one by one");
+    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+}

@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Part, Place};
+use crate::{rule, with_others};
+
+rule! {
+    /// a compact object has one configured value for all
+    ///
+    /// ## What it checks
+    /// Whether an object with `CompactSubObj` has a `ParameterValue`, and no section `[xxxxValue]`. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// dcf-tools takes the presence of the key for its value, and crashes.
+    ///
+    /// ## Example
+    /// `CompactSubObj=8` and `ParameterValue=1`
+    ///
+    /// ## How to mend
+    /// Write the value of each sub-index into `[xxxxValue]`.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2
+    "portability/compact-parameter-value", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = device.objects.iter().filter_map(|(&index, object)| {
+        let is_meant = object.compact.as_ref().is_some_and(|compact| compact.values.is_empty())
+            && object.main.configured_value().is_some();
+        is_meant.then(|| Place::of(Part::Object(index)))
+    });
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(
+        &RULE.info,
+        first,
+        "`ParameterValue` of a compact object configures all its sub-indexes",
+    )
+    .help("write the values into `[xxxxValue]`");
+    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+}

@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// a denotation is lost to a tool
+    ///
+    /// ## What it checks
+    /// Whether an entry of a DCF has a `Denotation`. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// python-canopen does not read it and writes files without it: the name in the application is gone.
+    ///
+    /// ## Example
+    /// `Denotation=Pump 3`
+    ///
+    /// ## How to mend
+    /// Repeat in `ParameterName` what a reader of the other tool must know.
+    ///
+    /// ## Source
+    /// python-canopen 2.4.1
+    "portability/denotation", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = stated::entries(device)
+        .filter(|(_, entry)| {
+            entry.configured.as_ref().is_some_and(|configured| configured.denotation.is_some())
+        })
+        .map(|(place, _)| place.field(Field::Denotation));
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "`Denotation` is not known to all tools")
+        .help("repeat what matters in `ParameterName`");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}

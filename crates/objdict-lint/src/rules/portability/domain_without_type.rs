@@ -1,0 +1,45 @@
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::model::{Field, ObjectType};
+use crate::{EntryAt, Origin, rule, stated};
+
+rule! {
+    /// a DOMAIN without data type or access
+    ///
+    /// ## What it checks
+    /// Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not ask for them: a DOMAIN is of type DOMAIN, and `rw`.
+    ///
+    /// ## Why it matters
+    /// dcf-tools and python-canopen ask each object with a value for both keys and stop where one is missing.
+    ///
+    /// ## Example
+    /// `ObjectType=0x2` without `DataType`
+    ///
+    /// ## How to mend
+    /// Write `DataType=0x000F` and `AccessType=rw`, which is what their absence means.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2, python-canopen 2.4.1
+    "portability/domain-without-type", Warning, Entry(check), fix Safe
+}
+
+fn check(at: &EntryAt<'_>, findings: &mut Findings) {
+    if at.origin != Origin::Device || at.object_type() != Some(ObjectType::Domain) {
+        return;
+    }
+    let stated = [
+        (Field::DataType, "0x000F", at.entry.data_type.is_some()),
+        (Field::AccessType, "rw", at.entry.access.is_some()),
+    ];
+    let missing =
+        stated.into_iter().filter(|(field, _, stated)| !stated && !stated::is_misfit(at.entry, field));
+    let missing: Vec<(Field, &str)> = missing.map(|(field, value, _)| (field, value)).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let lines: Vec<String> = missing.iter().map(|(field, value)| format!("{field}={value}")).collect();
+    let message = format!("this DOMAIN has no {}", listing(missing.iter().map(|(field, _)| field)));
+    let fix = Fix::safe(format!("add {}", listing(&lines)));
+    let fix = missing.iter().fold(fix, |fix, (field, value)| fix.set(at.field(field.clone()), *value));
+    let finding = Diagnostic::new(&RULE.info, at.place(), message);
+    findings.push(finding.help(format!("add {}", listing(&lines))).fix(fix));
+}

@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Entry, Field};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// the file of a DOMAIN is lost to a tool
+    ///
+    /// ## What it checks
+    /// Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// python-canopen and CANopenEditor neither load the file nor write its name again.
+    ///
+    /// ## Example
+    /// `DownloadFile=firmware.bin`
+    ///
+    /// ## How to mend
+    /// Let the application load the file, or use a tool that does.
+    ///
+    /// ## Source
+    /// python-canopen 2.4.1, CANopenEditor of 2026
+    "portability/file-reference", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "a file holds the data of this entry")
+        .help("let the application load the file");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}
+
+fn field_of(entry: &Entry) -> Option<Field> {
+    let configured = entry.configured.as_ref()?;
+    let stated = [
+        (Field::DownloadFile, configured.download_file.is_some()),
+        (Field::UploadFile, configured.upload_file.is_some()),
+    ];
+    stated.into_iter().find(|(_, stated)| *stated).map(|(field, _)| field)
+}

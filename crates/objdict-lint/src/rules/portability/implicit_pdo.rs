@@ -1,0 +1,42 @@
+use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::model::{Device, Field, Part, PdoKind, Place};
+use crate::rule;
+
+rule! {
+    /// a PDO that only `CompactPDO` implies
+    ///
+    /// ## What it checks
+    /// Whether `CompactPDO` and the numbers of PDOs in `[DeviceInfo]` imply PDOs that have no objects in the file.
+    ///
+    /// ## Why it matters
+    /// python-canopen and CANopenEditor do not look at `CompactPDO` (CANopenEditor: unless there are modules), so these PDOs do not exist for them.
+    ///
+    /// ## Example
+    /// `NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`
+    ///
+    /// ## How to mend
+    /// Describe the objects of the PDOs; `objdict convert` writes them.
+    ///
+    /// ## Source
+    /// python-canopen 2.4.1, CANopenEditor of 2026
+    "portability/implicit-pdo", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let implicit = device.implicit_pdos();
+    if implicit.is_empty() {
+        return;
+    }
+    let rpdos = implicit.iter().filter(|(kind, _)| *kind == PdoKind::Rpdo).count();
+    let message = match (rpdos, implicit.len() - rpdos) {
+        (0, tpdos) => format!("`CompactPDO` implies {}", counted(tpdos, "TPDO", "TPDOs")),
+        (rpdos, 0) => format!("`CompactPDO` implies {}", counted(rpdos, "RPDO", "RPDOs")),
+        (rpdos, tpdos) => format!(
+            "`CompactPDO` implies {} and {}",
+            counted(rpdos, "RPDO", "RPDOs"),
+            counted(tpdos, "TPDO", "TPDOs")
+        ),
+    };
+    let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
+    findings.push(Diagnostic::new(&RULE.info, place, message).help("describe the objects of these PDOs"));
+}

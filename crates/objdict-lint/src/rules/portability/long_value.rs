@@ -1,0 +1,40 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Access, DataType, Device, Entry, Field};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// a value to be configured is longer than four bytes
+    ///
+    /// ## What it checks
+    /// Whether an entry that can be written has a default or configured value and a type of more than four bytes, or of any length. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// CODESYS lists entries of up to four bytes for the configuration of a node by SDO; longer ones must be written by the application.
+    ///
+    /// ## Example
+    /// A writable UNSIGNED64 with a default
+    ///
+    /// ## How to mend
+    /// Let the application write the entry, or split it into entries of four bytes.
+    ///
+    /// ## Source
+    /// Manual of CODESYS, tab `SDOs` of a CANopen remote device
+    "portability/long-value", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = stated::entries(device).filter(|(_, entry)| is_long(entry)).map(|(place, entry)| {
+        let field =
+            if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+        place.field(field)
+    });
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "the value has more than four bytes")
+        .help("let the application write it");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}
+
+fn is_long(entry: &Entry) -> bool {
+    let is_short = entry.data_type.and_then(DataType::byte_length).is_some_and(|bytes| bytes <= 4);
+    entry.value().is_some() && entry.access.is_some_and(Access::is_writable) && !is_short
+}

@@ -1,0 +1,33 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Field};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// `ObjFlags` is for tools that do not look at it
+    ///
+    /// ## What it checks
+    /// Whether an entry has an `ObjFlags` that is not 0. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// dcf-tools accepts the key and writes what it must not write; python-canopen does not know it and writes files without it.
+    ///
+    /// ## Example
+    /// `ObjFlags=1`, which refuses the entry to a download
+    ///
+    /// ## How to mend
+    /// Check what the tool writes to these entries, or do not give them a value.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2, python-canopen 2.4.1
+    "portability/object-flags", Note, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = stated::entries(device)
+        .filter(|(_, entry)| entry.flags().0 != 0)
+        .map(|(place, _)| place.field(Field::ObjFlags));
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "`ObjFlags` says what a configuration tool must not do")
+        .help("check what the tool writes when it configures the device");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}

@@ -1,0 +1,43 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Entry, Field, Part, Place};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// the keys of CANopen Safety are unknown to a tool
+    ///
+    /// ## What it checks
+    /// Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// dcf-tools refuses a file with keys that it does not know; python-canopen and CANopenEditor write files without them.
+    ///
+    /// ## Example
+    /// `SRDOMapping=1`
+    ///
+    /// ## How to mend
+    /// Give the tool a copy of the file without these keys.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
+    "portability/safety-key", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let info = device.device_info.as_ref().filter(|info| info.safety_supported.is_some());
+    let supported = info.map(|_| Place::of(Part::DeviceInfo).field(Field::CanOpenSafetySupported));
+    let entries = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
+    let mut places = supported.into_iter().chain(entries);
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "the key belongs to CANopen Safety")
+        .help("give the tool a copy without it");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}
+
+fn field_of(entry: &Entry) -> Option<Field> {
+    let safety = entry.safety.as_ref()?;
+    let stated = [
+        (Field::SrdoMapping, safety.srdo_mapping.is_some()),
+        (Field::InvertedSrad, safety.inverted_srad.is_some()),
+    ];
+    stated.into_iter().find(|(_, stated)| *stated).map(|(field, _)| field)
+}

@@ -1,0 +1,33 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Place};
+use crate::rule;
+
+rule! {
+    /// an object describes its structure in sub-index FFh
+    ///
+    /// ## What it checks
+    /// Whether an object has sub-index FFh, which CiA 301 gives to the object type and data type of the object.
+    ///
+    /// ## Why it matters
+    /// dcf-tools takes 254 for the last sub-index and refuses the file.
+    ///
+    /// ## Example
+    /// `[2000subFF]`
+    ///
+    /// ## How to mend
+    /// Remove the sub-index where the device need not have it; else give the tool a copy without it.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2
+    "portability/sub-index-255", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    for (&index, object) in &device.objects {
+        if object.subs.get(0xFF).is_some() && !object.orphan {
+            let message = format!("{index:04X}h has sub-index FFh");
+            let finding = Diagnostic::new(&RULE.info, Place::entry(index, 0xFF), message);
+            findings.push(finding.help("give the tool a copy without it"));
+        }
+    }
+}

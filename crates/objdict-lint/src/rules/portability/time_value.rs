@@ -1,0 +1,39 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Entry, Field, Value};
+use crate::{rule, stated, with_others};
+
+rule! {
+    /// a time of day or a duration has a value
+    ///
+    /// ## What it checks
+    /// Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// python-canopen knows no such type and reads an integer: the blank between days and milliseconds is removed, and `1 2` is 12.
+    ///
+    /// ## Example
+    /// `DefaultValue=1 0x36EE80` of a TIME_OF_DAY
+    ///
+    /// ## How to mend
+    /// Remove the value where 0 does.
+    ///
+    /// ## Source
+    /// python-canopen 2.4.1
+    "portability/time-value", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
+    let Some(first) = places.next() else { return };
+    let finding = Diagnostic::new(&RULE.info, first, "a time is no number to all tools")
+        .help("remove the value where 0 does");
+    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+}
+
+fn field_of(entry: &Entry) -> Option<Field> {
+    match (entry.configured_value(), &entry.default) {
+        (Some(Value::Time(_)), _) => Some(Field::ParameterValue),
+        (_, Some(Value::Time(_))) => Some(Field::DefaultValue),
+        _ => None,
+    }
+}

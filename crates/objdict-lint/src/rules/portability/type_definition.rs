@@ -1,0 +1,35 @@
+use crate::diagnostic::{Diagnostic, Findings};
+use crate::model::{Device, Part, Place};
+use crate::{rule, with_others};
+
+rule! {
+    /// the file defines data types
+    ///
+    /// ## What it checks
+    /// Whether there are objects below 1000h, which define types. The first one is shown, others are named.
+    ///
+    /// ## Why it matters
+    /// dcf-tools knows no section for them and refuses the file; python-canopen skips them, and takes what is of such a type for a DOMAIN.
+    ///
+    /// ## Example
+    /// `[40]` with `ObjectType=0x5`
+    ///
+    /// ## How to mend
+    /// Use static types, and remove the definitions.
+    ///
+    /// ## Source
+    /// dcf-tools 2.4.2, python-canopen 2.4.1
+    "portability/type-definition", Warning, Device(check)
+}
+
+fn check(device: &Device, findings: &mut Findings) {
+    let mut places = device.objects.iter().filter_map(|(&index, object)| {
+        let is_meant = index < 0x1000 && !object.orphan;
+        is_meant.then(|| Place::of(Part::Object(index)))
+    });
+    let Some(first) = places.next() else { return };
+    let finding =
+        Diagnostic::new(&RULE.info, first, "data types that the file defines are unknown to some tools")
+            .help("use static types, and remove the definition");
+    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+}

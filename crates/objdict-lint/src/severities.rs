@@ -1,0 +1,158 @@
+//! How grave the findings of rules are, where somebody says it otherwise than the rules.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+use crate::diagnostic::{Findings, RuleInfo, Selection, Severity};
+
+/// What is made of the findings of a rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// They are not reported.
+    Off,
+    /// They are all this grave.
+    At(Severity),
+}
+
+impl Level {
+    /// All levels, from the mildest.
+    pub const ALL: [Self; 4] =
+        [Self::Off, Self::At(Severity::Note), Self::At(Severity::Warning), Self::At(Severity::Error)];
+
+    /// The word for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::At(severity) => severity.name(),
+        }
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Level {
+    type Err = UnknownLevel;
+
+    fn from_str(text: &str) -> Result<Self, UnknownLevel> {
+        Self::ALL.into_iter().find(|level| level.name() == text).ok_or_else(|| UnknownLevel(text.to_owned()))
+    }
+}
+
+/// A word that is no level.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no severity: `off`, `note`, `warning` or `error`")]
+pub struct UnknownLevel(pub String);
+
+/// How grave the findings of rules are, where somebody says it otherwise than the rules. What is set later counts more.
+#[derive(Clone, Debug, Default)]
+pub struct Severities {
+    rules: BTreeMap<&'static str, Level>,
+    groups: BTreeMap<&'static str, Level>,
+}
+
+impl Severities {
+    /// Gives the findings of rules a level, whatever they had. A group that is set takes its rules with it.
+    pub fn set(&mut self, rules: Selection, level: Level) {
+        match rules {
+            Selection::Group(group) => {
+                self.rules.retain(|id, _| group_of(id) != group);
+                self.groups.insert(group, level);
+            }
+            Selection::Rule(rule) => {
+                self.rules.insert(rule.id, level);
+            }
+        }
+    }
+
+    /// Takes over what `later` says.
+    pub fn extend(&mut self, later: &Self) {
+        let groups = &later.groups;
+        self.rules.retain(|id, _| !groups.contains_key(group_of(id)));
+        self.groups.extend(groups);
+        self.rules.extend(&later.rules);
+    }
+
+    /// The level of a rule; `None` for one that findings have of their own.
+    pub fn of(&self, rule: &RuleInfo) -> Option<Level> {
+        self.of_id(rule.id)
+    }
+
+    /// Whether findings of a rule, or of a whole group, are not reported.
+    pub fn is_off(&self, rules: Selection) -> bool {
+        let level = match rules {
+            Selection::Group(group) => self.groups.get(group).copied(),
+            Selection::Rule(rule) => self.of(rule),
+        };
+        level == Some(Level::Off)
+    }
+
+    fn of_id(&self, id: &str) -> Option<Level> {
+        self.rules.get(id).or_else(|| self.groups.get(group_of(id))).copied()
+    }
+
+    /// The findings as they are reported.
+    pub fn apply(&self, mut findings: Findings) -> Findings {
+        if self.rules.is_empty() && self.groups.is_empty() {
+            return findings;
+        }
+        findings.remove_rules(|id| self.of_id(id) == Some(Level::Off));
+        findings.filter_map(|finding| match self.of(finding.rule) {
+            Some(Level::At(severity)) => Some(finding.severity(severity)),
+            _ => Some(finding),
+        })
+    }
+}
+
+fn group_of(id: &str) -> &str {
+    id.split_once('/').map_or(id, |(group, _)| group)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::{Diagnostic, MAX_PER_RULE, text_rule};
+    use objdict_model::source::Span;
+
+    text_rule! {
+        /// a test
+        FIRST = "test/first", Note
+    }
+    text_rule! {
+        /// a test
+        SECOND = "test/second", Error
+    }
+
+    fn applied(severities: &Severities) -> Vec<(&'static str, Severity)> {
+        let mut findings = Findings::new();
+        findings.push(Diagnostic::new(&FIRST, Span::empty(0), "message"));
+        findings.push(Diagnostic::new(&SECOND, Span::empty(0), "message"));
+        severities.apply(findings).iter().map(|finding| (finding.rule.name(), finding.severity)).collect()
+    }
+
+    #[test]
+    fn what_is_set_later_counts_more() {
+        let mut severities = Severities::default();
+        assert_eq!(applied(&severities), [("first", Severity::Note), ("second", Severity::Error)]);
+        severities.set(Selection::Group("test"), Level::At(Severity::Warning));
+        severities.set(Selection::Rule(&FIRST), Level::Off);
+        assert_eq!(applied(&severities), [("second", Severity::Warning)]);
+        severities.set(Selection::Group("test"), Level::At(Severity::Note));
+        assert_eq!(applied(&severities), [("first", Severity::Note), ("second", Severity::Note)]);
+    }
+
+    #[test]
+    fn a_rule_that_is_off_is_not_counted_either() {
+        let mut findings = Findings::new();
+        for _ in 0..3 * MAX_PER_RULE {
+            findings.push(Diagnostic::new(&FIRST, Span::empty(0), "message"));
+        }
+        let mut severities = Severities::default();
+        severities.set(Selection::Rule(&FIRST), Level::Off);
+        assert_eq!(severities.apply(findings).omitted().count(), 0);
+    }
+}

@@ -1,0 +1,196 @@
+//! Where findings are collected.
+
+use std::collections::BTreeMap;
+
+use super::{Diagnostic, RuleInfo, Severity};
+
+/// So many findings of one rule are kept of one file; the rest is counted. A hostile file cannot fill the memory.
+pub const MAX_PER_RULE: u32 = 1000;
+
+/// The findings of one file.
+#[derive(Clone, Debug, Default)]
+pub struct Findings {
+    kept: Vec<Diagnostic>,
+    seen: BTreeMap<&'static str, u32>,
+    suppressed: u32,
+}
+
+impl Findings {
+    /// No findings yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes a finding, or only counts it when its rule has [`MAX_PER_RULE`] already.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        let seen = self.seen.entry(diagnostic.rule.id).or_default();
+        *seen = seen.saturating_add(1);
+        if *seen <= MAX_PER_RULE {
+            self.kept.push(diagnostic);
+        }
+    }
+
+    /// Takes a finding of `rule`, or only counts it, without making it, when the rule has [`MAX_PER_RULE`] already.
+    pub fn push_with(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
+        if self.is_full(rule) {
+            let seen = self.seen.entry(rule.id).or_default();
+            *seen = seen.saturating_add(1);
+        } else {
+            self.push(make());
+        }
+    }
+
+    /// The findings with a change made to each; those that become nothing are not counted either.
+    pub fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
+        let Self { kept, mut seen, suppressed } = self;
+        let change = |diagnostic: Diagnostic| {
+            let rule = diagnostic.rule.id;
+            let changed = change(diagnostic);
+            if let Some(seen) = seen.get_mut(rule).filter(|_| changed.is_none()) {
+                *seen = seen.saturating_sub(1);
+            }
+            changed
+        };
+        let kept = kept.into_iter().filter_map(change).collect();
+        Self { kept, seen, suppressed }
+    }
+
+    /// Forgets the findings of rules, those that were only counted among them.
+    pub fn remove_rules(&mut self, mut is_removed: impl FnMut(&'static str) -> bool) {
+        self.kept.retain(|finding| !is_removed(finding.rule.id));
+        self.seen.retain(|rule, _| !is_removed(rule));
+    }
+
+    /// Takes away the findings that are not to be reported, and counts them.
+    pub fn suppress(&mut self, mut is_suppressed: impl FnMut(&Diagnostic) -> bool) {
+        let Self { kept, seen, suppressed } = self;
+        kept.retain(|finding| {
+            let is_suppressed = is_suppressed(finding);
+            if is_suppressed {
+                *suppressed = suppressed.saturating_add(1);
+                if let Some(seen) = seen.get_mut(finding.rule.id) {
+                    *seen = seen.saturating_sub(1);
+                }
+            }
+            !is_suppressed
+        });
+    }
+
+    /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
+    pub fn is_full(&self, rule: &RuleInfo) -> bool {
+        self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
+    }
+
+    /// Takes all findings of `other`; those that it only counted are counted here too.
+    pub fn append(&mut self, other: Findings) {
+        let omitted: Vec<(&'static str, u32)> = other.omitted().collect();
+        let suppressed = other.suppressed;
+        for diagnostic in other.kept {
+            self.push(diagnostic);
+        }
+        // behind the kept ones: counted before them, they would take their room
+        for (rule, count) in omitted {
+            let seen = self.seen.entry(rule).or_default();
+            *seen = seen.saturating_add(count);
+        }
+        self.suppressed = self.suppressed.saturating_add(suppressed);
+    }
+
+    /// The findings that were kept.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.kept.iter()
+    }
+
+    /// Puts the findings into the order of their keys; equal ones stay as they are.
+    pub fn sort_by_key<K: Ord>(&mut self, key: impl FnMut(&Diagnostic) -> K) {
+        self.kept.sort_by_cached_key(key);
+    }
+
+    /// The findings that were kept, as a list.
+    pub fn into_vec(self) -> Vec<Diagnostic> {
+        self.kept
+    }
+
+    /// Whether nothing was found.
+    pub fn is_empty(&self) -> bool {
+        self.kept.is_empty()
+    }
+
+    /// Number of findings kept.
+    pub fn len(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// The gravest severity found.
+    pub fn worst(&self) -> Option<Severity> {
+        self.kept.iter().map(|diagnostic| diagnostic.severity).max()
+    }
+
+    /// Whether there is a finding of severity error.
+    pub fn has_errors(&self) -> bool {
+        self.worst() == Some(Severity::Error)
+    }
+
+    /// Number of findings that the file, the configuration or a baseline says not to report.
+    pub fn suppressed(&self) -> u32 {
+        self.suppressed
+    }
+
+    /// The rules that found more than was kept, each with the number left out.
+    pub fn omitted(&self) -> impl Iterator<Item = (&'static str, u32)> + '_ {
+        self.seen
+            .iter()
+            .filter(|&(_, &seen)| seen > MAX_PER_RULE)
+            .map(|(&rule, &seen)| (rule, seen - MAX_PER_RULE))
+    }
+}
+
+impl<'a> IntoIterator for &'a Findings {
+    type Item = &'a Diagnostic;
+    type IntoIter = std::slice::Iter<'a, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::text_rule;
+    use crate::source::Span;
+
+    text_rule! {
+        /// a test
+        TEST = "test/test", Note
+    }
+
+    fn findings(count: u32) -> Findings {
+        let mut findings = Findings::new();
+        for _ in 0..count {
+            findings.push(Diagnostic::new(&TEST, Span::empty(0), "message"));
+        }
+        findings
+    }
+
+    #[test]
+    fn too_many_are_counted() {
+        let findings = findings(MAX_PER_RULE + 5);
+        assert_eq!(findings.len(), MAX_PER_RULE as usize);
+        assert_eq!(findings.omitted().collect::<Vec<_>>(), [("test/test", 5)]);
+    }
+
+    #[test]
+    fn what_is_appended_keeps_as_many_as_there_is_room_for() {
+        for (first, second) in
+            [(0, MAX_PER_RULE + 5), (3, MAX_PER_RULE), (600, 600), (MAX_PER_RULE, 7), (2, 3)]
+        {
+            let mut all = findings(first);
+            all.append(findings(second));
+            let total = first + second;
+            assert_eq!(all.len(), total.min(MAX_PER_RULE) as usize, "{first} and {second}");
+            let omitted = all.omitted().map(|(_, count)| count).sum::<u32>();
+            assert_eq!(omitted, total.saturating_sub(MAX_PER_RULE), "{first} and {second}");
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Findings as plain data: a rule, a severity, a message, places or spans, and what to do.
+//!
+//! Rules speak of [`Place`]s of the model; the reader of the file answers which [`Span`] of the text a place has, and
+//! only for what is reported. Reports ([`crate::report`]) render findings; nothing here knows how.
+
+mod findings;
+mod fix;
+mod rule;
+mod selection;
+mod tool;
+mod words;
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::model::Place;
+pub use crate::source::Span;
+
+pub use crate::{fix_of, text_rule};
+pub use findings::{Findings, MAX_PER_RULE};
+pub use fix::MAX_FIX_LINES;
+pub use fix::{Change, Fix, Safety, Tidy};
+pub use rule::{HEADINGS, RuleInfo};
+pub use selection::Selection;
+pub use tool::Tool;
+pub use words::{counted, listing, nearest, one_line, series, sub_index, visible};
+
+/// How grave a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// A matter of style or of portability to a tool.
+    Note,
+    /// Against the specification, or suspicious.
+    Warning,
+    /// A tool or a device will do wrong.
+    Error,
+}
+
+impl Severity {
+    /// The word for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Where a label points.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum At {
+    /// Bytes of the text; only the reader of a format knows them.
+    Span(Span),
+    /// An address in the model.
+    Place(Place),
+}
+
+impl From<Span> for At {
+    fn from(span: Span) -> Self {
+        Self::Span(span)
+    }
+}
+
+impl From<Place> for At {
+    fn from(place: Place) -> Self {
+        Self::Place(place)
+    }
+}
+
+/// A place with a remark.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Where.
+    pub at: At,
+    /// The remark; empty where the message says all.
+    pub text: Cow<'static, str>,
+}
+
+/// One finding.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// The rule that found it.
+    pub rule: &'static RuleInfo,
+    /// How grave it is; the rule's own severity unless the configuration says otherwise.
+    pub severity: Severity,
+    /// What is wrong: lower case, offending text in backticks, no full stop.
+    pub message: String,
+    /// Where; the first label is the place of the finding, further ones are related places.
+    pub labels: Vec<Label>,
+    /// What to do.
+    pub help: Option<Cow<'static, str>>,
+    /// How the program does it, where it can.
+    pub fix: Option<Fix>,
+}
+
+impl Diagnostic {
+    /// A finding of `rule` at a place or span.
+    pub fn new(rule: &'static RuleInfo, at: impl Into<At>, message: impl Into<String>) -> Self {
+        Self {
+            rule,
+            severity: rule.severity,
+            message: message.into(),
+            labels: vec![Label { at: at.into(), text: Cow::Borrowed("") }],
+            help: None,
+            fix: None,
+        }
+    }
+
+    /// With another severity than the rule's.
+    #[must_use]
+    pub fn severity(mut self, severity: Severity) -> Self {
+        self.severity = severity;
+        self
+    }
+
+    /// With a related place.
+    #[must_use]
+    pub fn label(mut self, at: impl Into<At>, text: impl Into<Cow<'static, str>>) -> Self {
+        self.labels.push(Label { at: at.into(), text: text.into() });
+        self
+    }
+
+    /// With advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+    /// With a fix.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fix = Some(fix);
+        self
+    }
+}

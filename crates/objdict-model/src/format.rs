@@ -1,0 +1,64 @@
+//! The kinds of description files.
+
+use crate::model::DeviceKind;
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Electronic data sheet: a type of device (CiA 306-1).
+    Eds,
+    /// Device configuration file: a node (CiA 306-1).
+    Dcf,
+    /// XML device description: a type of device (CiA 311).
+    Xdd,
+    /// XML device configuration: a node (CiA 311).
+    Xdc,
+}
+
+impl Format {
+    /// The format of a file name: what its last known ending says, so `drive.eds.txt` is an EDS.
+    pub fn from_name(name: &str) -> Option<Self> {
+        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
+            "eds" => Some(Self::Eds),
+            "dcf" => Some(Self::Dcf),
+            "xdd" | "nxdd" | "xpd" => Some(Self::Xdd),
+            "xdc" | "nxdc" => Some(Self::Xdc),
+            _ => None,
+        })
+    }
+
+    /// What a file of this format describes.
+    pub const fn kind(self) -> DeviceKind {
+        match self {
+            Self::Eds | Self::Xdd => DeviceKind::Type,
+            Self::Dcf | Self::Xdc => DeviceKind::Node,
+        }
+    }
+
+    /// How a file of this format is built.
+    pub const fn syntax(self) -> Syntax {
+        match self {
+            Self::Eds | Self::Dcf => Syntax::Ini,
+            Self::Xdd | Self::Xdc => Syntax::Xml,
+        }
+    }
+
+    /// What the format is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Eds => "EDS",
+            Self::Dcf => "DCF",
+            Self::Xdd => "XDD",
+            Self::Xdc => "XDC",
+        }
+    }
+}
+
+/// How a file is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Syntax {
+    /// Sections and keys.
+    Ini,
+    /// Elements and attributes.
+    Xml,
+}

@@ -1,0 +1,13 @@
+//! What every other part of objdict builds on: texts with positions, findings as data, and the typed dictionary of a
+//! device. Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
+
+pub mod canopennode;
+pub mod diagnostic;
+mod format;
+mod language;
+pub mod literal;
+pub mod model;
+pub mod source;
+
+pub use format::{Format, Syntax};
+pub use language::Language;

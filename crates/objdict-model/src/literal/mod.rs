@@ -1,0 +1,11 @@
+//! How values are spelled in description files: CiA 306-1 §4.3, and what real files make of it.
+
+mod parse;
+mod print;
+mod respell;
+mod spelling;
+
+pub use parse::{Quirk, Quirks, integer, strip_comment, value};
+pub use print::{RealSpelling, Spelling, print};
+pub use respell::{respell, trailing_comment};
+pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};

@@ -1,0 +1,114 @@
+//! Values to texts, spelled so that as many readers as possible take them for what they are.
+
+use std::fmt::Display;
+
+use crate::model::{Value, hex_text};
+
+/// How REAL numbers are spelled. No spelling suits all readers: CiA 306-1 is silent, and some read a hex number as bits,
+/// others only decimals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RealSpelling {
+    /// `1.5`: what most readers take, python-canopen among them. What is not finite is written as its bits.
+    #[default]
+    Decimal,
+    /// `0x3FC00000`: the bits of IEEE 754, as the tools of lely-core read it.
+    Hex,
+}
+
+/// How values are spelled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spelling {
+    /// REAL numbers.
+    pub real: RealSpelling,
+    /// Whether strings stand in quotes; otherwise only those do that would be read as others without.
+    pub quote_strings: bool,
+    /// Whether UNSIGNED32 is written in hex, as communication objects are; otherwise in decimal, as all other integers.
+    pub hex: bool,
+}
+
+/// The text of a value; [`value`](super::value) reads it back equal.
+pub fn print(value: &Value, spelling: Spelling) -> String {
+    match value {
+        Value::Boolean(value) => u8::from(*value).to_string(),
+        Value::Signed(value) => value.to_string(),
+        Value::Unsigned(value) if spelling.hex => format!("0x{value:08X}"),
+        Value::Unsigned(value) => value.to_string(),
+        Value::Real32(value) => {
+            let bits = format_args!("0x{:08X}", value.to_bits()).to_string();
+            real(spelling, value.is_finite(), format_args!("{value:?}"), bits)
+        }
+        Value::Real64(value) => {
+            let bits = format_args!("0x{:016X}", value.to_bits()).to_string();
+            real(spelling, value.is_finite(), format_args!("{value:?}"), bits)
+        }
+        Value::Text(text) if spelling.quote_strings || needs_quotes(text) => format!("\"{text}\""),
+        Value::Text(text) | Value::Raw(text) => text.to_string(),
+        // an empty text would be no value at all
+        Value::Bytes(bytes) if bytes.is_empty() => "0x".to_owned(),
+        Value::Bytes(bytes) => hex_text::print(bytes),
+        Value::Time(time) => format!("{} {}", time.days, time.milliseconds),
+        // also for 0: python-canopen cannot read `$NODEID` alone
+        Value::NodeId(offset) => format!("$NODEID+0x{offset:X}"),
+    }
+}
+
+fn real(spelling: Spelling, is_finite: bool, decimal: impl Display, bits: String) -> String {
+    match spelling.real {
+        RealSpelling::Decimal if is_finite => decimal.to_string(),
+        _ => bits,
+    }
+}
+
+/// Whether a reader would take the text for nothing, cut blanks off, or take quotes away that belong to it.
+fn needs_quotes(text: &str) -> bool {
+    let quoted = text.len() > 1 && text.starts_with('"') && text.ends_with('"');
+    text.is_empty() || text.trim_matches([' ', '\t']) != text || quoted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::literal::{Quirks, value};
+    use crate::model::{DataType, Time};
+
+    const HEX: Spelling = Spelling { real: RealSpelling::Hex, quote_strings: false, hex: true };
+
+    #[test]
+    fn the_canonical_spelling() {
+        let plain = |value: Value| print(&value, Spelling::default());
+        assert_eq!(plain(Value::Unsigned(10)), "10");
+        assert_eq!(print(&Value::Unsigned(0x80), HEX), "0x00000080");
+        assert_eq!(plain(Value::Signed(-2)), "-2");
+        assert_eq!(plain(Value::Boolean(true)), "1");
+        assert_eq!(plain(Value::Real32(0.1)), "0.1");
+        assert_eq!(plain(Value::Real64(-0.0)), "-0.0");
+        assert_eq!(plain(Value::Real32(f32::NAN)), "0x7FC00000");
+        assert_eq!(print(&Value::Real64(1.0), HEX), "0x3FF0000000000000");
+        assert_eq!(plain(Value::Bytes([1, 0xA1].into())), "01A1");
+        assert_eq!(plain(Value::Time(Time { days: 2, milliseconds: 1000 })), "2 1000");
+        assert_eq!(plain(Value::NodeId(0x180)), "$NODEID+0x180");
+        assert_eq!(plain(Value::NodeId(0)), "$NODEID+0x0");
+    }
+
+    #[test]
+    fn strings_stand_in_quotes_where_they_must() {
+        let quoting = Spelling { quote_strings: true, ..Spelling::default() };
+        for (text, plain) in [
+            ("a b", "a b"),
+            ("", "\"\""),
+            (" a", "\" a\""),
+            ("\"a\"", "\"\"a\"\""),
+            ("\"", "\""),
+            ("\"a", "\"a"),
+            ("a;b #c", "a;b #c"),
+        ] {
+            let text = Value::Text(text.into());
+            assert_eq!(print(&text, Spelling::default()), plain);
+            for spelling in [Spelling::default(), quoting] {
+                let read =
+                    value(&print(&text, spelling), Some(DataType::VISIBLE_STRING), &mut Quirks::default());
+                assert_eq!(read, Ok(text.clone()));
+            }
+        }
+    }
+}

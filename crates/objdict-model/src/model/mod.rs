@@ -1,0 +1,90 @@
+//! The one typed dictionary. It knows no files, no spans and no text formats; every stage after reading takes a
+//! [`Device`].
+//!
+//! Names mirror the field's: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an entry
+//! has a *data type*, an *access* type and *values*. Where a description says something that is no value of its field,
+//! the typed field stays empty and the text is among the [`Misfits`]; what the model does not know is in [`Extra`].
+
+mod access;
+mod address;
+mod application_process;
+mod assignment;
+mod cob_id;
+mod commissioning;
+mod configuration;
+mod data_type;
+mod device;
+mod device_info;
+mod device_profile;
+mod dynamic;
+mod entry;
+mod expand;
+mod field;
+mod file_info;
+mod flat;
+mod identity;
+mod implicit_pdo;
+mod kept;
+mod label;
+mod meaning;
+mod module;
+mod node_list;
+mod object;
+mod object_type;
+mod parameter;
+mod part;
+mod parts;
+mod pdo;
+mod place;
+mod serial;
+mod services;
+mod stack;
+mod value;
+
+/// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC, in which objdict keeps what a format
+/// has no place for.
+pub const CARRIED_SECTION: &str = "ObjdictCarried";
+
+pub use access::{Access, PdoMapping};
+pub use address::{Address, NoAddress};
+pub use application_process::{
+    ApplicationProcess, Connection, Count, DataTypeRef, EnumValue, FunctionInstance, FunctionInstances,
+    FunctionType, MemberRef, SimpleType, Subrange, TypeDefinition, TypeShape, VarDeclaration, VariableRef,
+    VersionInfo,
+};
+pub use assignment::Assignment;
+pub use cob_id::{CobId, predefined, restricted};
+pub use commissioning::Commissioning;
+pub use data_type::{DataType, TypeKind};
+pub use device::{Device, DeviceKind, DummyUsage, ObjectLists};
+pub use device_info::{BaudRates, DeviceInfo};
+pub use device_profile::{
+    Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DefaultBaudRate,
+    DeviceClass, DeviceFunction, DeviceIdentity, DeviceManager, DeviceVersion, Dictionary, Led, LedColor,
+    LedColors, LedOn, LedState, LedType, ModuleInterface, ModuleObjects, ModuleRange, ModuleRanges,
+    ModuleType, NetworkIdentity, OwnAddressing, OwnInterface, Picture, ProfileHeader, ProfileHeaders,
+};
+pub use dynamic::{DynamicChannels, Segment, Tool};
+pub use entry::{Configured, Entry, ObjFlags, Safety};
+pub use field::Field;
+pub use file_info::{ClockTime, Date, FileInfo};
+pub use identity::Identity;
+pub use kept::{Extra, ExtraSection, Misfit, Misfits, Reason};
+pub use label::{Label, Labels, TextRef};
+pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue};
+pub use module::{Extension, ExtensionCount, Module, Modules};
+pub use node_list::{Network, NetworkNode, NodeList};
+pub use object::{Compact, Object, Subs};
+pub use object_type::ObjectType;
+pub use parameter::{
+    AllowedValues, AllowedValuesTemplate, Parameter, ParameterAccess, ParameterGroup, ParameterTemplate,
+    Property, ScaledValue, Support, Unit, ValueRange,
+};
+pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
+pub use place::{ModulePart, ObjectList, Part, Place};
+pub use serial::{
+    hex_number, hex_text, index_keys, index_list, is_default, real_text, sub_list, unique_keys,
+};
+pub use services::{HeartbeatConsumer, SdoChannel, Services};
+pub use stack::{SrdoAccess, StackOptions};
+pub use value::{Time, Value};

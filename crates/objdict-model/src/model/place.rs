@@ -1,0 +1,254 @@
+//! Addresses in the model.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Device, Entry, Field};
+
+/// Where in a device description something stands, whatever its format: a part and, mostly, a field of it.
+///
+/// ```
+/// use objdict_model::model::{Field, Place};
+/// assert_eq!(Place::entry(0x1018, 1).field(Field::DefaultValue).to_string(), "0x1018sub1 / DefaultValue");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// The part.
+    pub part: Part,
+    /// The field; `None` for the part as a whole.
+    pub field: Option<Field>,
+}
+
+/// A part of a device description.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Part {
+    /// The description as a whole.
+    Device,
+    /// Facts about the file.
+    FileInfo,
+    /// Facts about the device.
+    DeviceInfo,
+    /// Which data types may be dummies in a PDO.
+    DummyUsage,
+    /// Comments to the device.
+    Comments,
+    /// What a DCF says of the node (`DeviceComissioning`).
+    Commissioning,
+    /// A list of objects.
+    List(ObjectList),
+    /// An object.
+    Object(u16),
+    /// A sub-index of an object.
+    Entry(u16, u8),
+    /// The names of a compact object's sub-indexes.
+    CompactNames(u16),
+    /// The values of a compact object's sub-indexes.
+    CompactValues(u16),
+    /// The denotations of a compact object's sub-indexes.
+    CompactDenotations(u16),
+    /// The links of an object.
+    Links(u16),
+    /// The modules that can be plugged in.
+    SupportedModules,
+    /// The modules that are plugged in.
+    ConnectedModules,
+    /// A part of the module with this number.
+    Module(u16, ModulePart),
+    /// The dynamic channels (CiA 302-4).
+    DynamicChannels,
+    /// The list of tools.
+    Tools,
+    /// The tool with this number.
+    Tool(u16),
+    /// The headers of the profiles (CiA 311).
+    Headers,
+    /// Who made the device (CiA 311).
+    Identity,
+    /// The identity in the communication network profile (CiA 311).
+    NetworkIdentity,
+    /// Indicators and module interfaces (CiA 311).
+    Manager,
+    /// What the device does, in words (CiA 311).
+    Functions,
+    /// The application process, but for the parameters of entries (CiA 311).
+    Application,
+    /// How the objects of modules lie in the dictionary (CiA 311).
+    ModuleObjects,
+    /// A section that the model does not know.
+    Section(Box<str>),
+}
+
+/// One of the three lists that name a device's objects (CiA 306-1 §4.6.3.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ObjectList {
+    /// `MandatoryObjects`.
+    Mandatory,
+    /// `OptionalObjects`.
+    Optional,
+    /// `ManufacturerObjects`.
+    Manufacturer,
+}
+
+/// A part of a module's description (CiA 306-1 §6.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ModulePart {
+    /// `MxModuleInfo`.
+    Info,
+    /// `MxComments`.
+    Comments,
+    /// `MxFixedObjects`.
+    FixedObjects,
+    /// `MxFixedxxxx`.
+    Fixed(u16),
+    /// `MxFixedxxxxsubx`.
+    FixedEntry(u16, u8),
+    /// `MxSubExtends`.
+    SubExtends,
+    /// `MxSubExtxxxx`.
+    SubExt(u16),
+}
+
+impl ObjectList {
+    /// The three lists, in the order of an EDS.
+    pub const ALL: [Self; 3] = [Self::Mandatory, Self::Optional, Self::Manufacturer];
+
+    /// The list that an object belongs to; `None` for the definition of a data type, below 1000h.
+    pub const fn of(index: u16) -> Option<Self> {
+        match index {
+            0..=0x0FFF => None,
+            0x1000 | 0x1001 | 0x1018 => Some(Self::Mandatory),
+            0x2000..=0x5FFF => Some(Self::Manufacturer),
+            _ => Some(Self::Optional),
+        }
+    }
+
+    /// The name in CiA 306-1.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mandatory => "MandatoryObjects",
+            Self::Optional => "OptionalObjects",
+            Self::Manufacturer => "ManufacturerObjects",
+        }
+    }
+}
+
+impl fmt::Display for ObjectList {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Place {
+    /// The place of a part as a whole.
+    pub const fn of(part: Part) -> Self {
+        Self { part, field: None }
+    }
+
+    /// The description as a whole.
+    pub const fn device() -> Self {
+        Self::of(Part::Device)
+    }
+
+    /// An object.
+    pub const fn object(index: u16) -> Self {
+        Self::of(Part::Object(index))
+    }
+
+    /// A sub-index of an object.
+    pub const fn entry(index: u16, sub: u8) -> Self {
+        Self::of(Part::Entry(index, sub))
+    }
+
+    /// This part's field.
+    #[must_use]
+    pub fn field(self, field: Field) -> Self {
+        Self { field: Some(field), ..self }
+    }
+}
+
+impl Device {
+    /// Where the value of a sub-index stands: what a DCF configures, else the default ([`Object::value`](super::Object::value)).
+    pub fn value_place(&self, index: u16, sub: u8) -> Place {
+        let Some(object) = self.object(index) else { return Place::object(index) };
+        let field = |entry: &Entry| match entry.configured_value() {
+            Some(_) => Field::ParameterValue,
+            None => Field::DefaultValue,
+        };
+        if let Some(entry) = object.subs.get(sub) {
+            return Place::entry(index, sub).field(field(entry));
+        }
+        match &object.compact {
+            Some(_) if sub == 0 => Place::object(index).field(Field::CompactSubObj),
+            Some(compact) if compact.values.iter().any(|(number, _)| *number == sub) => {
+                Place::of(Part::CompactValues(index)).field(Field::Item(sub.into()))
+            }
+            _ => Place::object(index).field(field(&object.main)),
+        }
+    }
+}
+
+impl From<Part> for Place {
+    fn from(part: Part) -> Self {
+        Self::of(part)
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.part)?;
+        match &self.field {
+            Some(field) => write!(f, " / {field}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Device => f.write_str("device"),
+            Self::FileInfo => f.write_str("FileInfo"),
+            Self::DeviceInfo => f.write_str("DeviceInfo"),
+            Self::DummyUsage => f.write_str("DummyUsage"),
+            Self::Comments => f.write_str("Comments"),
+            Self::Commissioning => f.write_str("DeviceComissioning"),
+            Self::List(list) => write!(f, "{list}"),
+            Self::Object(index) => write!(f, "0x{index:04X}"),
+            Self::Entry(index, sub) => write!(f, "0x{index:04X}sub{sub:X}"),
+            Self::CompactNames(index) => write!(f, "0x{index:04X}Name"),
+            Self::CompactValues(index) => write!(f, "0x{index:04X}Value"),
+            Self::CompactDenotations(index) => write!(f, "0x{index:04X}Denotation"),
+            Self::Links(index) => write!(f, "0x{index:04X}ObjectLinks"),
+            Self::SupportedModules => f.write_str("SupportedModules"),
+            Self::ConnectedModules => f.write_str("ConnectedModules"),
+            Self::Module(number, part) => write!(f, "M{number}{part}"),
+            Self::DynamicChannels => f.write_str("DynamicChannels"),
+            Self::Tools => f.write_str("Tools"),
+            Self::Tool(number) => write!(f, "Tool{number}"),
+            Self::Headers => f.write_str("ProfileHeader"),
+            Self::Identity => f.write_str("DeviceIdentity"),
+            Self::NetworkIdentity => f.write_str("ApplicationLayers/identity"),
+            Self::Manager => f.write_str("DeviceManager"),
+            Self::Functions => f.write_str("DeviceFunction"),
+            Self::Application => f.write_str("ApplicationProcess"),
+            Self::ModuleObjects => f.write_str("ApplicationLayers/moduleManagement"),
+            Self::Section(name) => f.write_str(name),
+        }
+    }
+}
+
+impl fmt::Display for ModulePart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Info => f.write_str("ModuleInfo"),
+            Self::Comments => f.write_str("Comments"),
+            Self::FixedObjects => f.write_str("FixedObjects"),
+            Self::Fixed(index) => write!(f, "Fixed{index:04X}"),
+            Self::FixedEntry(index, sub) => write!(f, "Fixed{index:04X}sub{sub:X}"),
+            Self::SubExtends => f.write_str("SubExtends"),
+            Self::SubExt(index) => write!(f, "SubExt{index:04X}"),
+        }
+    }
+}

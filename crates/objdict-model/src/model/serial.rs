@@ -1,0 +1,377 @@
+//! How the model is spelled in JSON where JSON has no word of its own: indexes and sub-indexes in hex, bytes as hex
+//! digits, REAL numbers bit by bit, maps whose keys must not repeat.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Whether a value is nothing special and need not be written.
+pub fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+/// A number of a fixed count of hex digits behind `0x`.
+pub trait Hex: Copy + Ord {
+    /// What errors call it.
+    const WHAT: &'static str;
+    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
+    fn from_digits(digits: &str) -> Option<Self>;
+}
+
+impl Hex for u16 {
+    const WHAT: &'static str = "index such as `0x1018`";
+
+    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "0x{self:04X}")
+    }
+
+    fn from_digits(digits: &str) -> Option<Self> {
+        Self::from_str_radix(digits, 16).ok()
+    }
+}
+
+impl Hex for u8 {
+    const WHAT: &'static str = "sub-index such as `0x0A`";
+
+    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "0x{self:02X}")
+    }
+
+    fn from_digits(digits: &str) -> Option<Self> {
+        Self::from_str_radix(digits, 16).ok()
+    }
+}
+
+/// An index (`u16`) or sub-index (`u8`) as a text.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct HexText<T>(pub(crate) T);
+
+impl<T: Hex> HexText<T> {
+    /// The number of a text such as `0x1018`.
+    pub(crate) fn parse(text: &str) -> Option<T> {
+        let digits = text.strip_prefix("0x")?;
+        if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) { T::from_digits(digits) } else { None }
+    }
+}
+
+impl<T: Hex> fmt::Display for HexText<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write(f)
+    }
+}
+
+impl<T: Hex> Serialize for HexText<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de, T: Hex> Deserialize<'de> for HexText<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let number = Self::parse(&text).map(Self);
+        number.ok_or_else(|| D::Error::custom(format!("`{text}` is no {}", T::WHAT)))
+    }
+}
+
+/// One index or sub-index.
+pub mod hex_number {
+    use super::{Deserialize, Deserializer, Hex, HexText, Serialize, Serializer};
+
+    /// Writes `0x1018` or `0x0A`.
+    pub fn serialize<T: Hex, S: Serializer>(number: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        HexText(*number).serialize(serializer)
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub fn deserialize<'de, T: Hex, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+        HexText::deserialize(deserializer).map(|HexText(number)| number)
+    }
+}
+
+/// A list of indexes, perhaps missing, or the two ends of a range.
+pub mod index_list {
+    use super::{Deserialize, Deserializer, HexText, Serializer};
+
+    /// What is a list of indexes.
+    pub(crate) trait List: Sized {
+        fn indexes(&self) -> Option<impl Iterator<Item = u16>>;
+        fn from_indexes(indexes: Option<Vec<u16>>) -> Result<Self, &'static str>;
+    }
+
+    impl List for Vec<u16> {
+        fn indexes(&self) -> Option<impl Iterator<Item = u16>> {
+            Some(self.iter().copied())
+        }
+
+        fn from_indexes(indexes: Option<Vec<u16>>) -> Result<Self, &'static str> {
+            Ok(indexes.unwrap_or_default())
+        }
+    }
+
+    impl List for Option<Vec<u16>> {
+        fn indexes(&self) -> Option<impl Iterator<Item = u16>> {
+            self.as_ref().map(|indexes| indexes.iter().copied())
+        }
+
+        fn from_indexes(indexes: Option<Vec<u16>>) -> Result<Self, &'static str> {
+            Ok(indexes)
+        }
+    }
+
+    impl List for Option<(u16, u16)> {
+        fn indexes(&self) -> Option<impl Iterator<Item = u16>> {
+            self.map(|(first, last)| [first, last].into_iter())
+        }
+
+        fn from_indexes(indexes: Option<Vec<u16>>) -> Result<Self, &'static str> {
+            match indexes.as_deref() {
+                None => Ok(None),
+                Some(&[first, last]) => Ok(Some((first, last))),
+                Some(_) => Err("a range has a first and a last index"),
+            }
+        }
+    }
+
+    /// Writes a list of texts such as `0x1018`.
+    pub(crate) fn serialize<T: List, S: Serializer>(list: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        match list.indexes() {
+            Some(indexes) => serializer.collect_seq(indexes.map(HexText)),
+            None => serializer.serialize_none(),
+        }
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub(crate) fn deserialize<'de, T: List, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+        let indexes = Option::<Vec<HexText<u16>>>::deserialize(deserializer)?;
+        let indexes = indexes.map(|indexes| indexes.into_iter().map(|HexText(index)| index).collect());
+        T::from_indexes(indexes).map_err(serde::de::Error::custom)
+    }
+}
+
+/// Objects by index: keys such as `0x1018`, none of them twice.
+pub mod index_keys {
+    use super::{BTreeMap, Deserialize, Deserializer, HexText, Serialize, Serializer};
+
+    /// Writes an object with keys of four upper-case hex digits behind `0x`.
+    pub(crate) fn serialize<T: Serialize, S: Serializer>(
+        map: &BTreeMap<u16, T>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(map.iter().map(|(&index, item)| (HexText(index), item)))
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<BTreeMap<u16, T>, D::Error> {
+        let items = super::unique_keys::deserialize::<HexText<u16>, T, D>(deserializer)?;
+        Ok(items.into_iter().map(|(HexText(index), item)| (index, item)).collect())
+    }
+}
+
+/// Maps of which no key may stand twice; the second would silently win.
+pub mod unique_keys {
+    use super::{
+        BTreeMap, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer, Visitor,
+        fmt,
+    };
+
+    /// Writes a map as it is.
+    pub(crate) fn serialize<K: Serialize, T: Serialize, S: Serializer>(
+        map: &BTreeMap<K, T>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(map)
+    }
+
+    /// Reads a map; a key that stands twice is an error.
+    pub(crate) fn deserialize<'de, K, T, D>(deserializer: D) -> Result<BTreeMap<K, T>, D::Error>
+    where
+        K: Deserialize<'de> + Ord + fmt::Display,
+        T: Deserialize<'de>,
+        D: Deserializer<'de>,
+    {
+        deserializer.deserialize_map(Unique(PhantomData))
+    }
+
+    struct Unique<K, T>(PhantomData<(K, T)>);
+
+    impl<'de, K: Deserialize<'de> + Ord + fmt::Display, T: Deserialize<'de>> Visitor<'de> for Unique<K, T> {
+        type Value = BTreeMap<K, T>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a map")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Self::Value, A::Error> {
+            let mut map = BTreeMap::new();
+            while let Some(key) = access.next_key::<K>()? {
+                if map.contains_key(&key) {
+                    return Err(A::Error::custom(format!("the key `{key}` stands here twice")));
+                }
+                map.insert(key, access.next_value()?);
+            }
+            Ok(map)
+        }
+    }
+}
+
+/// Items of single sub-indexes in the order of the file: keys such as `0x0A`, none of them twice.
+pub mod sub_list {
+    use super::{
+        BTreeSet, Deserialize, Deserializer, Error, HexText, MapAccess, PhantomData, Serialize, Serializer,
+        Visitor, fmt,
+    };
+
+    /// Writes an object with keys of two upper-case hex digits behind `0x`.
+    pub(crate) fn serialize<T: Serialize, S: Serializer>(
+        list: &[(u8, T)],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(list.iter().map(|(sub, item)| (HexText(*sub), item)))
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Vec<(u8, T)>, D::Error> {
+        deserializer.deserialize_map(List(PhantomData))
+    }
+
+    struct List<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for List<T> {
+        type Value = Vec<(u8, T)>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a map")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Self::Value, A::Error> {
+            let mut seen = BTreeSet::new();
+            let mut list = Vec::new();
+            while let Some(HexText(sub)) = access.next_key()? {
+                if !seen.insert(sub) {
+                    return Err(A::Error::custom(format!("the key `{}` stands here twice", HexText(sub))));
+                }
+                list.push((sub, access.next_value()?));
+            }
+            Ok(list)
+        }
+    }
+}
+
+/// REAL numbers: the shortest decimal text that reads back to the same bits, and the bits where they are not finite.
+pub mod real_text {
+    use std::fmt::Debug;
+    use std::str::FromStr;
+
+    use super::{Deserialize, Deserializer, Error, Serializer};
+
+    /// Writes `1.5`, or the bits as `0x7FC00000`.
+    pub(crate) fn serialize<T: Real, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&value.to_text())
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub(crate) fn deserialize<'de, T: Real, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        T::from_text(&text).ok_or_else(|| D::Error::custom(format!("`{text}` is no REAL number")))
+    }
+
+    /// A REAL type that goes through text without a change of its bits.
+    pub(crate) trait Real: Debug + FromStr + Copy {
+        fn to_text(self) -> String;
+        fn from_text(text: &str) -> Option<Self>;
+    }
+
+    macro_rules! real {
+        ($type:ty, $bits:ty) => {
+            impl Real for $type {
+                fn to_text(self) -> String {
+                    if self.is_finite() { format!("{self:?}") } else { format!("0x{:X}", self.to_bits()) }
+                }
+
+                fn from_text(text: &str) -> Option<Self> {
+                    match text.strip_prefix("0x") {
+                        Some(hex) => <$bits>::from_str_radix(hex, 16).ok().map(Self::from_bits),
+                        // what is too large for the type would become infinite
+                        None => text.parse().ok().filter(|value: &$type| value.is_finite()),
+                    }
+                }
+            }
+        };
+    }
+    real!(f32, u32);
+    real!(f64, u64);
+}
+
+/// Bytes as hex digits.
+pub mod hex_text {
+    use std::fmt::Write;
+
+    use super::{Deserialize, Deserializer, Error, Serializer};
+
+    /// Writes two upper-case digits a byte.
+    pub fn serialize<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&print(bytes))
+    }
+
+    /// Reads what [`serialize`] wrote.
+    pub fn deserialize<'de, T: From<Box<[u8]>>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<T, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let bytes = parse(&text);
+        let bytes =
+            bytes.ok_or_else(|| D::Error::custom(format!("`{text}` is not made of pairs of hex digits")));
+        bytes.map(T::from)
+    }
+
+    /// Two upper-case hex digits a byte.
+    pub fn print(bytes: &[u8]) -> String {
+        let mut text = String::with_capacity(2 * bytes.len());
+        for byte in bytes {
+            let _ = write!(text, "{byte:02X}"); // a String takes every text
+        }
+        text
+    }
+
+    /// The bytes of a text of hex digits, two a byte.
+    pub fn parse(text: &str) -> Option<Box<[u8]>> {
+        let digit = |byte: u8| char::from(byte).to_digit(16);
+        let pairs = text.as_bytes().chunks(2);
+        pairs.map(|pair| u8::try_from(digit(pair[0])? << 4 | digit(*pair.get(1)?)?).ok()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read_index(text: &str) -> Result<u16, String> {
+        let mut json = serde_json::Deserializer::from_str(text);
+        hex_number::deserialize(&mut json).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn indexes_are_hex_texts() {
+        assert_eq!(read_index("\"0x1018\""), Ok(0x1018));
+        assert_eq!(read_index("\"0xa0\""), Ok(0xA0));
+        for text in ["\"1018\"", "\"0x\"", "\"0x+10\"", "\"0x10000\"", "\"0x \"", "\"-0x1\""] {
+            let error = read_index(text).unwrap_err();
+            assert!(error.starts_with(&text.replace('"', "`")) && error.contains("is no index"), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_repeated_key_is_an_error_in_any_spelling() {
+        let mut json = serde_json::Deserializer::from_str("{\"0x00A0\": 1, \"0xa0\": 2}");
+        let map: Result<BTreeMap<u16, u8>, _> = index_keys::deserialize(&mut json);
+        assert!(map.unwrap_err().to_string().starts_with("the key `0x00A0` stands here twice"));
+    }
+}

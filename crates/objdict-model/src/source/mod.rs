@@ -1,0 +1,212 @@
+//! Bytes in, text and positions out: the first stage of the pipeline.
+
+mod edit;
+mod encoding;
+mod folder;
+mod hash;
+mod iso646;
+mod line_index;
+mod span;
+
+use std::path::Path;
+use std::sync::OnceLock;
+use std::{fs, io};
+
+pub use edit::{EditError, Edits};
+pub use encoding::{Encoding, Unencodable, UnknownEncoding};
+pub use folder::{Folder, FolderError};
+pub use hash::Fnv;
+pub use hash::hash;
+pub use iso646::stand_in;
+pub use line_index::{LineColumn, LineIndex};
+pub use span::Span;
+
+/// The largest file that is read unless the caller allows more: 64 MiB.
+pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;
+
+/// No option reads a larger file: decoding may make three bytes of one, and a [`Span`] has four-byte offsets.
+const HARD_LIMIT: u64 = 1 << 30;
+
+/// How a file is opened.
+#[derive(Clone, Debug)]
+pub struct SourceOptions {
+    /// The encoding of the file; `None` finds it out.
+    pub encoding: Option<Encoding>,
+    /// The largest size in bytes that is read. More than 1 GiB is never read.
+    pub max_size: u64,
+}
+
+impl Default for SourceOptions {
+    fn default() -> Self {
+        Self { encoding: None, max_size: DEFAULT_MAX_SIZE }
+    }
+}
+
+/// Why a file could not be opened.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SourceError {
+    /// The operating system said no.
+    #[error("cannot read `{path}`: {error}")]
+    Io {
+        /// The file.
+        path: String,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// The file is larger than allowed.
+    #[error(
+        "`{path}` has {size} bytes, more than the {limit} that are read; raise the limit with `--max-size`"
+    )]
+    TooLarge {
+        /// The file.
+        path: String,
+        /// Its size in bytes.
+        size: u64,
+        /// The limit in bytes.
+        limit: u64,
+    },
+}
+
+/// A file's text with its name, its encoding and its line table.
+#[derive(Debug)]
+pub struct SourceFile {
+    name: String,
+    text: String,
+    encoding: Encoding,
+    /// The bytes of a file that `encoding` would not restore from `text`.
+    original: Option<Vec<u8>>,
+    lines: OnceLock<LineIndex>,
+}
+
+impl SourceFile {
+    /// Reads the file at `path`.
+    ///
+    /// # Errors
+    /// When the system cannot read it or it is larger than `options.max_size`.
+    pub fn open(path: &Path, options: &SourceOptions) -> Result<Self, SourceError> {
+        let name = path.display().to_string();
+        let io_error = |error| SourceError::Io { path: path.display().to_string(), error };
+        let limit = options.max_size.min(HARD_LIMIT);
+        let size = fs::metadata(path).map_err(io_error)?.len();
+        if size > limit {
+            return Err(SourceError::TooLarge { path: name, size, limit });
+        }
+        let bytes = fs::read(path).map_err(io_error)?;
+        Self::from_bytes(name, bytes, options)
+    }
+
+    /// A source of the given bytes; `name` is what reports call it.
+    ///
+    /// # Errors
+    /// When there are more bytes than `options.max_size`.
+    pub fn from_bytes(
+        name: impl Into<String>,
+        bytes: Vec<u8>,
+        options: &SourceOptions,
+    ) -> Result<Self, SourceError> {
+        let name = name.into();
+        let limit = options.max_size.min(HARD_LIMIT);
+        let size = bytes.len() as u64;
+        if size > limit {
+            return Err(SourceError::TooLarge { path: name, size, limit });
+        }
+        let encoding = options.encoding.unwrap_or_else(|| Encoding::detect(&bytes));
+        if encoding == Encoding::Utf8 {
+            return Ok(Self::from_utf8(name, bytes));
+        }
+        let text = encoding.decode(bytes.clone());
+        let restored = encoding.encode(&text).is_ok_and(|again| again == bytes);
+        let original = if restored { None } else { Some(bytes) };
+        Ok(Self { name, text, encoding, original, lines: OnceLock::new() })
+    }
+
+    fn from_utf8(name: String, bytes: Vec<u8>) -> Self {
+        let (text, original) = match String::from_utf8(bytes) {
+            Ok(text) => (text, None),
+            Err(error) => {
+                let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+                (text, Some(error.into_bytes()))
+            }
+        };
+        Self { name, text, encoding: Encoding::Utf8, original, lines: OnceLock::new() }
+    }
+
+    /// A source of a text in UTF-8.
+    pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            text: text.into(),
+            encoding: Encoding::Utf8,
+            original: None,
+            lines: OnceLock::new(),
+        }
+    }
+
+    /// What reports call this source: the path that it was opened by.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The decoded text, without byte order mark.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The encoding, found or asked for.
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    /// Whether the text cannot be written back: decoding lost something, so only the bytes as they came are safe.
+    pub fn is_read_only(&self) -> bool {
+        self.original.is_some()
+    }
+
+    /// The bytes of the file, exactly as they came.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        match &self.original {
+            Some(bytes) => bytes.clone(),
+            None => self.encode(&self.text).unwrap_or_else(|_| self.text.clone().into_bytes()),
+        }
+    }
+
+    /// The bytes of an edited `text` in this file's encoding.
+    ///
+    /// # Errors
+    /// When the text has a character that the encoding lacks.
+    pub fn encode(&self, text: &str) -> Result<Vec<u8>, Unencodable> {
+        self.encoding.encode(text)
+    }
+
+    /// The line table, made when it is first asked for.
+    pub fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(&self.text))
+    }
+
+    /// Line and column of a byte offset.
+    pub fn line_column(&self, offset: u32) -> LineColumn {
+        self.lines().line_column(&self.text, offset)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_that_decoding_damages_are_kept() {
+        // an odd number of bytes behind a UTF-16 mark
+        let bytes = b"\xFF\xFE[\0A".to_vec();
+        let source = SourceFile::from_bytes("x", bytes.clone(), &SourceOptions::default()).unwrap();
+        assert!(source.is_read_only());
+        assert_eq!(source.to_bytes(), bytes);
+    }
+
+    #[test]
+    fn a_large_file_is_refused_by_name() {
+        let options = SourceOptions { max_size: 3, ..SourceOptions::default() };
+        let error = SourceFile::from_bytes("big.eds", b"1234".to_vec(), &options).unwrap_err();
+        assert!(error.to_string().contains("`big.eds` has 4 bytes"), "{error}");
+    }
+}

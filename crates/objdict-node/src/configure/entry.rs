@@ -1,0 +1,133 @@
+//! The value of one entry.
+
+use std::borrow::Cow;
+
+use super::setting::spelled;
+use super::{Desk, Wrong};
+use crate::diagnostic::{listing, nearest, sub_index};
+use crate::download::{Beyond, beyond, bytes_of, transferred_type};
+use crate::literal::{self, Quirk, Quirks};
+use crate::model::{Access, Address, Entry, Object, ObjectType, Value};
+
+impl<'a> Desk<'a> {
+    /// Gives an entry the value of a text.
+    pub(super) fn set(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
+        let (sub, entry) = self.writable(at)?;
+        let value = self.read(at.index, sub, text)?;
+        self.put(at.index, sub, &entry, value)
+    }
+
+    /// Gives an entry a value that fits its type and its limits.
+    pub(super) fn put(&mut self, index: u16, sub: u8, entry: &Entry, value: Value) -> Result<(), Wrong> {
+        let bytes = bytes_of(self.device, index, sub, &value, Some(self.node_id));
+        bytes.map_err(|problem| Wrong::new(problem.to_string()))?;
+        match beyond(entry, &value, Some(self.node_id)) {
+            Some(Beyond::Low(limit)) => {
+                return Err(Wrong::new(format!("`{value}` is below the low limit `{limit}`")));
+            }
+            Some(Beyond::High(limit)) => {
+                return Err(Wrong::new(format!("`{value}` is above the high limit `{limit}`")));
+            }
+            None => {}
+        }
+        self.values.insert((index, sub), value);
+        Ok(())
+    }
+
+    /// The value of a text, in the type of an entry.
+    fn read(&self, index: u16, sub: u8, text: &str) -> Result<Value, Wrong> {
+        let Some(data_type) = transferred_type(self.device, index, sub) else {
+            return Err(Wrong::new("the description does not say of which type the entry is"));
+        };
+        if text.is_empty() {
+            return Err(Wrong::new("there is no value").help(format!("write a value of {data_type}")));
+        }
+        let mut quirks = Quirks::default();
+        let value = literal::value(text, Some(data_type), &mut quirks)
+            .map_err(|_| Wrong::new(format!("`{text}` is no value of {data_type}")))?;
+        if quirks.has(Quirk::Octal) {
+            let wrong = Wrong::new(format!("`{text}` is octal by CiA 306, and decimal to some tools"));
+            return Err(wrong.help("write it without the zero before it, or in hex with `0x`"));
+        }
+        Ok(value)
+    }
+
+    /// The entry that is meant, where a configuration may write it.
+    pub(super) fn writable(&self, at: Address) -> Result<(u8, Cow<'a, Entry>), Wrong> {
+        let (object, sub, entry) = self.entry(at)?;
+        let is_domain = entry.object_type == Some(ObjectType::Domain);
+        match entry.access.or(is_domain.then_some(Access::Rw)) {
+            Some(access) if !access.is_writable() => {
+                return Err(Wrong::new(format!("the entry is `{access}`, so it cannot be configured")));
+            }
+            _ if at.index < 0x1000 => return Err(Wrong::new("a data type has no value to configure")),
+            _ => {}
+        }
+        if entry.flags().refuses_write() || object.main.flags().refuses_write() {
+            let wrong = Wrong::new("its ObjFlags refuse a download, so no configuration may write it");
+            return Err(wrong.help("write it yourself when the node runs"));
+        }
+        Ok((sub, entry))
+    }
+
+    /// The entry that is meant.
+    pub(super) fn entry(&self, at: Address) -> Result<(&'a Object, u8, Cow<'a, Entry>), Wrong> {
+        let device = self.device;
+        let Some(object) = device.object(at.index) else {
+            let wrong = Wrong::new(format!("there is no object `{:04X}`", at.index));
+            let indexes: Vec<String> = device.objects.keys().map(|index| format!("{index:04X}")).collect();
+            let wanted = format!("{:04X}", at.index);
+            let meant = same_digits(&wanted, &indexes);
+            return Err(match meant.or_else(|| nearest(&wanted, indexes.iter().map(String::as_str))) {
+                Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
+                None => wrong.help("`objdict show` lists the objects"),
+            });
+        };
+        let has_subs = object.object_type().has_subs() || object.compact.is_some();
+        let sub = match at.sub {
+            Some(sub) => sub,
+            None if !has_subs => 0,
+            None => {
+                let subs = subs(object);
+                let wrong = Wrong::new("the object has sub-indexes, and none is named");
+                let example = spelled(Address { sub: Some(1), ..at });
+                return Err(wrong.help(format!("name one of {subs}, as in `{example}`")));
+            }
+        };
+        match object.entry(sub) {
+            Some(entry) => Ok((object, sub, entry)),
+            None => {
+                let wrong = Wrong::new(format!("the object has no sub-index {}", sub_index(sub)));
+                Err(wrong.help(format!("it has {}", subs(object))))
+            }
+        }
+    }
+}
+
+/// The index with two digits in another order, which is the mistake that is made most.
+fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
+    let sorted = |text: &str| {
+        let mut digits = text.as_bytes().to_vec();
+        digits.sort_unstable();
+        digits
+    };
+    let differing = |index: &str| index.bytes().zip(wanted.bytes()).filter(|(a, b)| a != b).count();
+    let mut indexes = indexes.iter().map(String::as_str);
+    indexes.find(|index| differing(index) == 2 && sorted(index) == sorted(wanted))
+}
+
+/// The sub-indexes of an object, those that follow each other as a range.
+fn subs(object: &Object) -> String {
+    let mut ranges: Vec<(u8, u8)> = Vec::new();
+    for (sub, _) in object.entries() {
+        match ranges.last_mut() {
+            Some((_, last)) if last.checked_add(1) == Some(sub) => *last = sub,
+            _ => ranges.push((sub, sub)),
+        }
+    }
+    let range = |&(first, last): &(u8, u8)| match first == last {
+        true => format!("{first:X}"),
+        false => format!("{first:X} to {last:X}"),
+    };
+    listing(ranges.iter().map(range))
+}

@@ -1,0 +1,135 @@
+//! Values as the bytes that a transfer carries.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+use super::ProblemKind;
+use crate::model::{DataType, Device, Entry, Object, ObjectType, TypeKind, Value};
+
+/// The data type of an entry.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EntryType {
+    /// As the description has it.
+    stated: Option<DataType>,
+    /// The static type that decides about the bytes; `None` where nobody knows.
+    pub(super) transferred: Option<DataType>,
+}
+
+impl EntryType {
+    /// The type of an entry; where the description has none, the one that its place implies.
+    pub(super) fn of(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Self {
+        let has_subs = object.object_type().has_subs();
+        let transferred = match entry.data_type {
+            Some(data_type) if data_type.kind() == TypeKind::Defined => own_type(device, data_type),
+            Some(data_type) => Some(data_type),
+            None if has_subs && sub == 0 => Some(DataType::UNSIGNED8),
+            None if has_subs && sub == 0xFF => Some(DataType::UNSIGNED32),
+            None if entry.object_type == Some(ObjectType::Domain) => Some(DataType::DOMAIN),
+            None => None,
+        };
+        Self { stated: entry.data_type, transferred }
+    }
+
+    /// The bytes of a value on a node.
+    pub(super) fn bytes(self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
+        let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.stated };
+        let data_type = self.transferred.ok_or_else(unknown)?;
+        let misfit = || ProblemKind::NotOfType { value: value.clone(), data_type };
+        let typed = match (value, node_id) {
+            (Value::Raw(text), _) => Cow::Owned(number_of_own_type(text, data_type).ok_or_else(unknown)?),
+            (Value::NodeId(_), None) => return Err(ProblemKind::NeedsNodeId(value.clone())),
+            (Value::NodeId(_), Some(node_id)) => {
+                Cow::Owned(value.resolve(data_type, node_id).ok_or_else(misfit)?)
+            }
+            _ => Cow::Borrowed(value),
+        };
+        // a value made in code may be too large for its type: the bytes would wrap
+        let fits = typed
+            .as_integer()
+            .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&*typed));
+        typed.to_bytes(data_type).filter(|_| fits).ok_or_else(misfit)
+    }
+}
+
+/// The static data type that the bytes of an entry are of in a transfer: its own, or what a type of the device's own
+/// stands for; `None` where nobody knows.
+pub fn transferred_type(device: &Device, index: u16, sub: u8) -> Option<DataType> {
+    let object = device.object(index)?;
+    let entry = object.entry(sub)?;
+    EntryType::of(device, object, sub, &entry).transferred
+}
+
+/// The bytes of a value for an entry, as a transfer carries them to the node `node_id`.
+///
+/// # Errors
+/// When the value is none of the entry's data type, that is not known, or the node-ID is missing.
+pub fn bytes_of(
+    device: &Device,
+    index: u16,
+    sub: u8,
+    value: &Value,
+    node_id: Option<u8>,
+) -> Result<Vec<u8>, ProblemKind> {
+    let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: None };
+    let object = device.object(index).ok_or_else(unknown)?;
+    let entry = object.entry(sub).ok_or_else(unknown)?;
+    EntryType::of(device, object, sub, &entry).bytes(value, node_id)
+}
+
+/// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
+/// as CanFestival writes it, in sub-index 1 which type it narrows.
+fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
+    let definition =
+        device.object(data_type.0).filter(|object| object.object_type() != ObjectType::DefStruct)?;
+    let number = |sub| definition.entry(sub).and_then(|entry| entry.value()?.as_integer());
+    if definition.object_type().has_subs() || !definition.subs.is_empty() {
+        let narrowed = u16::try_from(number(1)?).ok().map(DataType);
+        return narrowed.filter(|narrowed| narrowed.byte_length().is_some());
+    }
+    let bits = u8::try_from(number(0)?).ok()?;
+    let of_length = |data_type: &&DataType| data_type.kind() == TypeKind::Unsigned(bits);
+    match bits {
+        1 => Some(DataType::BOOLEAN),
+        _ => DataType::STATIC.iter().find(of_length).copied(),
+    }
+}
+
+/// The number that a text of a type of the device's own stands for.
+fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
+    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
+    let number = match hex {
+        Some(digits) => u64::from_str_radix(digits, 16).ok().map(i128::from),
+        None => text.parse().ok(),
+    };
+    Value::from_integer(number?, data_type)
+}
+
+/// A limit of an entry that a value is beyond.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Beyond {
+    /// Below `LowLimit`.
+    Low(Value),
+    /// Above `HighLimit`.
+    High(Value),
+}
+
+/// The limit that a value is beyond on a node; a limit that nobody can compare with is none.
+pub(crate) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
+    let against = |limit: &Option<Value>, wrong: Ordering| {
+        limit.as_ref().filter(|limit| compare(value, limit, node_id) == Some(wrong)).cloned()
+    };
+    against(&entry.low_limit, Ordering::Less)
+        .map(Beyond::Low)
+        .or_else(|| against(&entry.high_limit, Ordering::Greater).map(Beyond::High))
+}
+
+fn compare(value: &Value, limit: &Value, node_id: Option<u8>) -> Option<Ordering> {
+    let integer = |value: &Value| match node_id {
+        Some(node_id) => value.integer_for(node_id),
+        None => value.as_integer(),
+    };
+    match (integer(value), integer(limit)) {
+        (Some(value), Some(limit)) => Some(value.cmp(&limit)),
+        _ => value.as_real()?.partial_cmp(&limit.as_real()?),
+    }
+}

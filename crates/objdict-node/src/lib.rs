@@ -1,0 +1,9 @@
+//! Nodes configured: settings checked against a dictionary, couplers with their modules, and concise DCF (CiA 302-3).
+//! Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
+
+pub mod concise;
+pub mod configure;
+pub mod download;
+pub mod modular;
+
+use objdict_model::{diagnostic, literal, model};

@@ -1,0 +1,92 @@
+//! What documents demand of objects, as data: one TOML file a document (`data/`), and a house's own profiles in the same
+//! form. Rules, generators and the command ask here and know no table themselves.
+//!
+//! `docs/profiles.md` describes the form.
+
+mod condition;
+mod decode;
+pub mod default_mapping;
+mod facts;
+mod load;
+mod open;
+pub mod standard;
+
+pub use condition::{Condition, ConditionError};
+pub use decode::meaning;
+pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
+pub use load::ProfileError;
+pub use open::{OpenError, open};
+pub use standard::{for_all, of_number};
+pub use standard::{named, obsolete, standard};
+
+use objdict_model::{diagnostic, model, source};
+
+use crate::model::Device;
+
+/// The index at which the objects of a profile begin; each further logical device of a module lies behind the others.
+const FIRST_INDEX: u16 = 0x6000;
+/// Indexes that a logical device has (CiA 301 §7.4.1).
+const BLOCK: u16 = 0x800;
+/// So many logical devices a module may have.
+pub const MAX_BLOCKS: u8 = 8;
+
+/// What a document demands of a device.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// The group of the rules that hold a device against it: `cia401`; `house` for a profile that was loaded.
+    pub group: &'static str,
+    /// The document as people call it: `CiA 401`.
+    pub document: String,
+    /// What it is about.
+    pub title: String,
+    /// The edition.
+    pub version: Option<String>,
+    /// The device profile number: the low word of 1000h of a device that follows it. Without it, the document is for
+    /// devices of any profile.
+    pub number: Option<u16>,
+    /// Whether a module may have several logical devices of it, 800h indexes apart (CiA 301 §7.4.1).
+    pub repeats: bool,
+    /// The objects, in ascending order of their indexes.
+    pub objects: Vec<ObjectFacts>,
+}
+
+impl Profile {
+    /// What it says of an object of the first logical device; `None` for one that it does not define.
+    pub fn object(&self, index: u16) -> Option<&ObjectFacts> {
+        let at = self.objects.partition_point(|facts| facts.last < index);
+        self.objects.get(at).filter(|facts| facts.first <= index)
+    }
+
+    /// What it says of an object that a logical device has at `index`, counted from 0. Communication objects belong to
+    /// the first.
+    pub fn object_in(&self, block: u8, index: u16) -> Option<&ObjectFacts> {
+        match block {
+            0 => self.object(index),
+            _ if index < FIRST_INDEX => None,
+            _ => index
+                .checked_sub(BLOCK * u16::from(block))
+                .filter(|&index| index >= FIRST_INDEX)
+                .and_then(|index| self.object(index)),
+        }
+    }
+}
+
+/// The index that an object of the first logical device has in another one, counted from 0.
+pub const fn index_in(block: u8, index: u16) -> u16 {
+    if index < FIRST_INDEX { index } else { index.saturating_add(BLOCK.saturating_mul(block as u16)) }
+}
+
+/// Where the device type of a logical device stands: 1000h or, when that says that there are several (FFFFh in its low
+/// word), 67FFh and each 800h behind it (CiA 301 §7.5.2.1).
+pub fn device_type_index(device: &Device, block: u8) -> u16 {
+    match device.profile() {
+        Some(0xFFFF) => index_in(block, 0x67FF),
+        _ => 0x1000,
+    }
+}
+
+/// The device profile number that a logical device states.
+pub fn number_of(device: &Device, block: u8) -> Option<u16> {
+    let value = device.object(device_type_index(device, block))?.value(0)?.as_integer()?;
+    u16::try_from(value & 0xFFFF).ok()
+}

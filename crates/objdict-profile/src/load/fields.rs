@@ -1,0 +1,236 @@
+//! The values of keys in profiles, as TOML has them.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use serde::Deserialize;
+use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
+
+use crate::model::{Access, DataType, ObjectType};
+use crate::{Condition, Mapping, Need};
+
+/// A number in decimal or, behind `0x`, in hexadecimal.
+pub(super) fn number(text: &str) -> Option<u64> {
+    match text.strip_prefix("0x") {
+        Some(digits) => u64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
+}
+
+/// One item or a list of them.
+struct OneOrMany<T>(Vec<T>);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Items<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Items<T> {
+            type Value = OneOrMany<T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a name or a list of names")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                T::deserialize(de::value::StrDeserializer::new(text)).map(|item| OneOrMany(vec![item]))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let mut all = Vec::new();
+                while let Some(item) = items.next_element()? {
+                    all.push(item);
+                }
+                Ok(OneOrMany(all))
+            }
+        }
+        deserializer.deserialize_any(Items(std::marker::PhantomData))
+    }
+}
+
+/// A word that names something.
+struct Named<T>(T);
+
+/// What words of profiles name.
+trait Word: Sized {
+    const EXPECTED: &'static str;
+    fn of(word: &str) -> Option<Self>;
+}
+
+impl Word for ObjectType {
+    const EXPECTED: &'static str = "`VAR`, `ARRAY`, `RECORD` or `DOMAIN`";
+    fn of(word: &str) -> Option<Self> {
+        let types = [Self::Var, Self::Array, Self::Record, Self::Domain, Self::DefType, Self::DefStruct];
+        types.into_iter().find(|object_type| object_type.name() == word)
+    }
+}
+
+impl Word for DataType {
+    const EXPECTED: &'static str = "a data type of CiA 301 such as `UNSIGNED8`";
+    fn of(word: &str) -> Option<Self> {
+        Self::from_name(word)
+    }
+}
+
+impl Word for Access {
+    const EXPECTED: &'static str = "`ro`, `wo`, `rw`, `rwr`, `rww` or `const`";
+    fn of(word: &str) -> Option<Self> {
+        Self::from_name(word)
+    }
+}
+
+impl Word for Mapping {
+    const EXPECTED: &'static str = "`no`, `tpdo`, `rpdo` or `any`";
+    fn of(word: &str) -> Option<Self> {
+        [Self::No, Self::Tpdo, Self::Rpdo, Self::Any].into_iter().find(|mapping| mapping.name() == word)
+    }
+}
+
+impl<'de, T: Word> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        let unknown = || de::Error::custom(format_args!("`{word}` is unknown, expected {}", T::EXPECTED));
+        T::of(&word).map(Self).ok_or_else(unknown)
+    }
+}
+
+fn words<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Result<Vec<T>, D::Error> {
+    let words = OneOrMany::<Named<T>>::deserialize(deserializer)?;
+    Ok(words.0.into_iter().map(|word| word.0).collect())
+}
+
+pub(super) fn object_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<ObjectType>, D::Error> {
+    words(deserializer)
+}
+
+pub(super) fn data_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<DataType>, D::Error> {
+    words(deserializer)
+}
+
+pub(super) fn access_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Access>, D::Error> {
+    words(deserializer)
+}
+
+pub(super) fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Mapping>, D::Error> {
+    Named::deserialize(deserializer).map(|word| Some(word.0))
+}
+
+/// `"mandatory"`, `"optional"`, or the condition on which it is mandatory.
+pub(super) struct NeedText(pub Need);
+
+impl<'de> Deserialize<'de> for NeedText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Ok(Self(match text.as_str() {
+            "mandatory" => Need::Mandatory,
+            "optional" => Need::Optional,
+            condition => match condition.strip_prefix("if ") {
+                Some(condition) => Need::When(condition.parse().map_err(de::Error::custom)?),
+                None => {
+                    return Err(de::Error::custom(format_args!(
+                        "`{condition}` is unknown, expected `mandatory`, `optional` or `if` with a condition"
+                    )));
+                }
+            },
+        }))
+    }
+}
+
+/// A condition.
+pub(super) struct ConditionText(pub Condition);
+
+impl<'de> Deserialize<'de> for ConditionText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        text.strip_prefix("if ").unwrap_or(&text).parse().map(Self).map_err(de::Error::custom)
+    }
+}
+
+/// Numbers and pairs of the smallest and the largest number.
+#[derive(Default)]
+pub(super) struct Ranges(pub Vec<RangeInclusive<i128>>);
+
+impl<'de> Deserialize<'de> for Ranges {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let ranges: Vec<NumberOrPair> = Vec::deserialize(deserializer)?;
+        Ok(Self(ranges.into_iter().map(|range| range.0).collect()))
+    }
+}
+
+/// Bits from the lowest to the highest.
+pub(super) struct BitRange(pub RangeInclusive<u8>);
+
+impl<'de> Deserialize<'de> for BitRange {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let range = NumberOrPair::deserialize(deserializer)?.0;
+        let bit = |number: &i128| u8::try_from(*number).ok().filter(|bit| *bit < 64);
+        match (bit(range.start()), bit(range.end())) {
+            (Some(first), Some(last)) => Ok(Self(first..=last)),
+            _ => Err(de::Error::custom("bits are counted from 0 to 63")),
+        }
+    }
+}
+
+/// `5` or `[1, 5]`.
+pub(super) struct NumberOrPair(pub RangeInclusive<i128>);
+
+impl<'de> Deserialize<'de> for NumberOrPair {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers;
+        impl<'de> Visitor<'de> for Numbers {
+            type Value = NumberOrPair;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, or the smallest and the largest one such as `[1, 5]`")
+            }
+
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Self::Value, E> {
+                let number = i128::from(number);
+                Ok(NumberOrPair(number..=number))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let first: Option<i64> = items.next_element()?;
+                let last: Option<i64> = items.next_element()?;
+                match (first, last, items.next_element::<i64>()?) {
+                    (Some(first), Some(last), None) if first <= last => {
+                        Ok(NumberOrPair(i128::from(first)..=i128::from(last)))
+                    }
+                    _ => Err(de::Error::custom(
+                        "expected the smallest and the largest number such as `[1, 5]`",
+                    )),
+                }
+            }
+        }
+        deserializer.deserialize_any(Numbers)
+    }
+}
+
+/// What the values of bits mean: `{ 0 = "…", "1..3" = "…" }`.
+#[derive(Default)]
+pub(super) struct Meanings(pub Vec<(RangeInclusive<u64>, String)>);
+
+impl<'de> Deserialize<'de> for Meanings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Table;
+        impl<'de> Visitor<'de> for Table {
+            type Value = Meanings;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a table of values and their meanings such as `{ 0 = \"off\", 1 = \"on\" }`")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let mut all = Vec::new();
+                while let Some((key, meaning)) = items.next_entry::<String, String>()? {
+                    let (first, last) = key.split_once("..").unwrap_or((&key, &key));
+                    match (number(first), number(last)) {
+                        (Some(first), Some(last)) => all.push((first..=last, meaning)),
+                        _ => return Err(de::Error::custom(format_args!("`{key}` is no number"))),
+                    }
+                }
+                all.sort_by_key(|(range, _)| *range.start());
+                Ok(Meanings(all))
+            }
+        }
+        deserializer.deserialize_map(Table)
+    }
+}

@@ -1,0 +1,67 @@
+//! The rules about the structure of CiA 311, which only the text of an XDD or XDC can show.
+
+mod ids;
+mod namespaces;
+mod number;
+mod objects;
+mod parameters;
+mod profiles;
+mod structure;
+mod texts;
+mod types;
+mod values;
+mod walk;
+
+use self::ids::Ids;
+use self::namespaces::Forms;
+use self::texts::Languages;
+use self::walk::{Seen, Walk};
+use super::layout::containers;
+use super::schema::CONTAINER;
+use crate::diagnostic::{Findings, RuleInfo};
+use crate::xml::{Element, Tree};
+
+/// Every rule of this module.
+pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
+    let groups = [
+        structure::RULES,
+        namespaces::RULES,
+        profiles::RULES,
+        values::RULES,
+        ids::RULES,
+        objects::RULES,
+        parameters::RULES,
+        types::RULES,
+        texts::RULES,
+    ];
+    groups.into_iter().flatten().copied()
+}
+
+/// Holds each container of a document against CiA 311; a project file has several. What has none is no XDD, and nothing
+/// is said about it.
+pub fn check(tree: &Tree, findings: &mut Findings) {
+    for container in containers(tree).into_iter().filter(|container| container.name() == CONTAINER.name) {
+        check_container(container, findings);
+    }
+}
+
+/// Holds one container against CiA 311: the description of one device.
+pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
+    let mut walk = Walk {
+        findings,
+        forms: Forms::new(container),
+        ids: Ids::default(),
+        references: Vec::new(),
+        languages: Languages::default(),
+        seen: Seen::default(),
+    };
+    walk.element(container, CONTAINER);
+    walk.forms.report(walk.findings);
+    profiles::check(container, &mut walk);
+    profiles::check_identities(&mut walk);
+    ids::check(&mut walk);
+    objects::check(&mut walk);
+    parameters::check(&mut walk);
+    types::check(&mut walk);
+    texts::check_dictionaries(&mut walk);
+}

@@ -1,0 +1,478 @@
+//! The rules about ids and what refers to them.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::xdd::schema::Target;
+use crate::xml::{Attribute, Element, ElementId};
+
+use super::walk::Walk;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[
+    &DUPLICATE_UNIQUE_ID,
+    &DANGLING_UNIQUE_ID_REF,
+    &DANGLING_PARAMETER_REF,
+    &DANGLING_DATA_TYPE_REF,
+    &DANGLING_TEMPLATE_REF,
+    &DANGLING_LED_STATE_REF,
+    &DANGLING_FUNCTION_REF,
+    &DANGLING_INTERFACE_REF,
+    &REFERENCE_TO_WRONG_KIND,
+    &RECURSIVE_DATA_TYPE,
+    &RECURSIVE_TEMPLATE,
+];
+
+text_rule! {
+    /// two elements have the same id
+    ///
+    /// ## What it checks
+    /// Whether each `uniqueID` is unique in the file, whatever its element. The first element has it.
+    ///
+    /// ## Why it matters
+    /// What refers to the id means one of the two, and each tool takes another.
+    ///
+    /// ## Example
+    /// Two parameters with `uniqueID="UID_OBJ_2000"`
+    ///
+    /// ## How to mend
+    /// Give one of them another id, and change what refers to it.
+    ///
+    /// ## Source
+    /// CiA 311 annex A, XML Schema (ID)
+    DUPLICATE_UNIQUE_ID = "cia311/duplicate-unique-id", Error
+}
+
+text_rule! {
+    /// an object refers to a parameter that does not exist
+    ///
+    /// ## What it checks
+    /// Whether there is an element with the id in `uniqueIDRef` of each object and sub-object.
+    ///
+    /// ## Why it matters
+    /// Data type, access, limits and default of the object are those of the parameter: without it tools have none of them, or refuse the file.
+    ///
+    /// ## Example
+    /// `uniqueIDRef="UID_OBJ_2000"` in a file without a parameter of that id
+    ///
+    /// ## How to mend
+    /// Correct the id, add the parameter, or write `dataType` and `accessType` at the object instead.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error
+}
+
+text_rule! {
+    /// a group or a condition names a parameter that does not exist
+    ///
+    /// ## What it checks
+    /// Whether there is an element with the id that `parameterRef` and `conditionalSupport` name.
+    ///
+    /// ## Why it matters
+    /// The group shows a parameter less; the condition is never met.
+    ///
+    /// ## Example
+    /// `<parameterRef uniqueIDRef="UID_SPEED"/>` in a file without a parameter of that id
+    ///
+    /// ## How to mend
+    /// Correct the id, or remove the reference.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_PARAMETER_REF = "cia311/dangling-parameter-ref", Error
+}
+
+text_rule! {
+    /// a data type is used that is not defined
+    ///
+    /// ## What it checks
+    /// Whether there is an element with the id in each `dataTypeIDRef`.
+    ///
+    /// ## Why it matters
+    /// The parameter has no data type.
+    ///
+    /// ## Example
+    /// `<dataTypeIDRef uniqueIDRef="UID_ARR_1003"/>` in a file without an array of that id
+    ///
+    /// ## How to mend
+    /// Correct the id, or define the type in `dataTypeList`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_DATA_TYPE_REF = "cia311/dangling-data-type-id-ref", Error
+}
+
+text_rule! {
+    /// a template is used that is not defined
+    ///
+    /// ## What it checks
+    /// Whether there is an element with the id in each `templateIDRef`.
+    ///
+    /// ## Why it matters
+    /// What the template says of the parameter is lost.
+    ///
+    /// ## Example
+    /// `templateIDRef="UID_PERCENT"` in a file without a template of that id
+    ///
+    /// ## How to mend
+    /// Correct the id, or add the template to `templateList`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_TEMPLATE_REF = "cia311/dangling-template-id-ref", Error
+}
+
+text_rule! {
+    /// a combined LED state names a state that does not exist
+    ///
+    /// ## What it checks
+    /// Whether there is an `LEDstate` with the id in each `LEDstateRef`.
+    ///
+    /// ## Why it matters
+    /// The description of the LEDs is not complete, and tools that check a file against the schema refuse it.
+    ///
+    /// ## Example
+    /// `<LEDstateRef stateIDRef="UID_RUN"/>` in a file without a state of that id
+    ///
+    /// ## How to mend
+    /// Correct the id.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_LED_STATE_REF = "cia311/dangling-led-state-ref", Warning
+}
+
+text_rule! {
+    /// a function or a variable is used that does not exist
+    ///
+    /// ## What it checks
+    /// Whether there is an element with the id that a function instance names as its type, and that `variableRef` names as instance, variable or member.
+    ///
+    /// ## Why it matters
+    /// The parameter is of no type, the function of no kind.
+    ///
+    /// ## Example
+    /// `typeIDRef="UID_PID"` in a file without a function type of that id
+    ///
+    /// ## How to mend
+    /// Correct the id, or add what it names.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_FUNCTION_REF = "cia311/dangling-function-ref", Error
+}
+
+text_rule! {
+    /// ranges are given to a module interface that does not exist
+    ///
+    /// ## What it checks
+    /// Whether there is an interface in the device manager with the id that `interface` of the application layers names.
+    ///
+    /// ## Why it matters
+    /// The objects of the modules get no indexes.
+    ///
+    /// ## Example
+    /// `<interface uniqueIDRef="UID_BUS" addressing="auto">` in a file without `<interface uniqueID="UID_BUS" …>`
+    ///
+    /// ## How to mend
+    /// Correct the id, or add the interface to the device manager.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_INTERFACE_REF = "cia311/dangling-interface-ref", Error
+}
+
+text_rule! {
+    /// a reference leads to an element of another kind
+    ///
+    /// ## What it checks
+    /// Whether data type references lead to data types, template references to templates, references of groups to parameters and so on. An object may refer to everything in the application process that can stand for a value.
+    ///
+    /// ## Why it matters
+    /// The schema does not see it, and each tool makes something else of it.
+    ///
+    /// ## Example
+    /// `<dataTypeIDRef uniqueIDRef="UID_SPEED"/>` where `UID_SPEED` is a parameter
+    ///
+    /// ## How to mend
+    /// Name an element of the right kind.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    REFERENCE_TO_WRONG_KIND = "cia311/reference-to-wrong-kind", Error
+}
+
+text_rule! {
+    /// a data type contains itself
+    ///
+    /// ## What it checks
+    /// Whether arrays, structs and derived types lead to themselves through their `dataTypeIDRef`.
+    ///
+    /// ## Why it matters
+    /// Such a type has no size, and tools that follow the references never come to an end.
+    ///
+    /// ## Example
+    /// A struct with a member whose type is the struct
+    ///
+    /// ## How to mend
+    /// Name another type.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    RECURSIVE_DATA_TYPE = "cia311/recursive-data-type", Error
+}
+
+text_rule! {
+    /// a parameter template is built on itself
+    ///
+    /// ## What it checks
+    /// Whether parameter templates lead to themselves through `templateIDRef`.
+    ///
+    /// ## Why it matters
+    /// Tools that follow the references never come to an end.
+    ///
+    /// ## Example
+    /// Two templates, each with the id of the other in `templateIDRef`
+    ///
+    /// ## How to mend
+    /// Remove one of the references.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    RECURSIVE_TEMPLATE = "cia311/recursive-template", Error
+}
+
+/// The ids of a container with their elements.
+#[derive(Default)]
+pub(super) struct Ids<'a> {
+    elements: HashMap<Cow<'a, str>, (Element<'a>, Attribute<'a>)>,
+    /// How many objects and sub-objects refer to an element.
+    uses: HashMap<ElementId, u32>,
+}
+
+/// An attribute that names an element.
+#[derive(Clone, Copy)]
+pub(super) struct Reference<'a> {
+    pub(super) element: Element<'a>,
+    pub(super) attribute: Attribute<'a>,
+    pub(super) target: Target,
+}
+
+/// A value without blanks around it.
+pub(super) fn trimmed(value: Cow<'_, str>) -> Cow<'_, str> {
+    match value {
+        Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
+        Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
+    }
+}
+
+impl<'a> Ids<'a> {
+    /// Gives an id to its element, unless another one has it.
+    pub(super) fn define(&mut self, element: Element<'a>, attribute: Attribute<'a>, findings: &mut Findings) {
+        let id = trimmed(attribute.value());
+        if let Some((first, first_at)) = self.elements.get(&id) {
+            let message = match (first.name(), element.name()) {
+                (first, second) if first == second => format!("two `{second}` have the id `{id}`"),
+                (first, second) => {
+                    format!("`{id}` is the id of a `{first}` already, and here of a `{second}`")
+                }
+            };
+            let finding = Diagnostic::new(&DUPLICATE_UNIQUE_ID, attribute.value_span(), message);
+            let finding = finding.label(first_at.value_span(), "first here");
+            findings.push(finding.help("give one of them another id, and change what refers to it"));
+        } else {
+            self.elements.insert(id, (element, attribute));
+        }
+    }
+
+    /// The element of the id in an attribute.
+    pub(super) fn element(&self, attribute: Attribute<'_>) -> Option<Element<'a>> {
+        self.elements.get(&trimmed(attribute.value())).map(|(element, _)| *element)
+    }
+
+    /// Whether exactly one object or sub-object refers to an element, so that it belongs to that entry.
+    pub(super) fn belongs_to_entry(&self, element: Element<'_>) -> bool {
+        self.uses.get(&element.id()) == Some(&1)
+    }
+
+    /// An id that differs from another one in capital letters only.
+    fn similar(&self, id: &str) -> Option<&str> {
+        self.elements.keys().map(|known| &**known).find(|known| known.eq_ignore_ascii_case(id))
+    }
+}
+
+/// Follows all references.
+pub(super) fn check(walk: &mut Walk<'_, '_>) {
+    for reference in std::mem::take(&mut walk.references) {
+        let found = walk.ids.elements.get(&trimmed(reference.attribute.value())).copied();
+        match found {
+            None => dangling(&reference, &walk.ids, walk.findings),
+            Some((element, at)) => {
+                if reference.target == Target::Application {
+                    *walk.ids.uses.entry(element.id()).or_default() += 1;
+                }
+                if !accepts(&reference, element.name()) {
+                    walk.findings.push(wrong_kind(&reference, element, at));
+                }
+            }
+        }
+    }
+    check_cycles(walk);
+}
+
+fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
+    let (rule, what) = match reference.target {
+        Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter"),
+        Target::Parameter => (&DANGLING_PARAMETER_REF, "parameter"),
+        Target::DataType => (&DANGLING_DATA_TYPE_REF, "data type"),
+        Target::ParameterTemplate => (&DANGLING_TEMPLATE_REF, "parameter template"),
+        Target::AllowedValuesTemplate => (&DANGLING_TEMPLATE_REF, "template of allowed values"),
+        Target::LedState => (&DANGLING_LED_STATE_REF, "LED state"),
+        Target::FunctionType => (&DANGLING_FUNCTION_REF, "function type"),
+        Target::FunctionInstance => (&DANGLING_FUNCTION_REF, "function instance"),
+        Target::Variable => (&DANGLING_FUNCTION_REF, "variable"),
+        Target::ModuleInterface => (&DANGLING_INTERFACE_REF, "module interface"),
+    };
+    if findings.is_full(rule) {
+        // counted, but not looked at any further
+        findings.push(Diagnostic::new(rule, reference.attribute.value_span(), String::new()));
+        return;
+    }
+    let id = trimmed(reference.attribute.value());
+    let at = reference.attribute.value_span();
+    let message = match &*id {
+        "" => format!("`{}` names no {what}", reference.element.name()),
+        id => format!("there is no {what} with the id `{id}`"),
+    };
+    let help = match ids.similar(&id) {
+        Some(similar) => format!("did you mean `{similar}`?"),
+        None => format!("correct the id, or add the {what}"),
+    };
+    findings.push(Diagnostic::new(rule, at, message).help(help));
+}
+
+/// Whether a reference may lead to an element of this name.
+fn accepts(reference: &Reference<'_>, name: &str) -> bool {
+    match reference.target {
+        // what describes no value
+        Target::Application => !matches!(
+            name,
+            "LEDstate" | "interface" | "functionType" | "parameterGroup" | "allowedValuesTemplate"
+        ),
+        Target::Parameter if reference.element.name() == "conditionalSupport" => {
+            matches!(name, "parameter" | "parameterTemplate" | "varDeclaration")
+        }
+        _ => names(reference.target).contains(&name),
+    }
+}
+
+/// The elements that a reference may lead to.
+fn names(target: Target) -> &'static [&'static str] {
+    match target {
+        Target::Application => &["parameter", "varDeclaration"],
+        Target::Parameter => &["parameter"],
+        Target::DataType => &["array", "struct", "enum", "derived"],
+        Target::ParameterTemplate => &["parameterTemplate"],
+        Target::AllowedValuesTemplate => &["allowedValuesTemplate"],
+        Target::LedState => &["LEDstate"],
+        Target::FunctionType => &["functionType"],
+        Target::FunctionInstance => &["functionInstance"],
+        Target::Variable => &["varDeclaration"],
+        Target::ModuleInterface => &["interface"],
+    }
+}
+
+fn wrong_kind(reference: &Reference<'_>, element: Element<'_>, at: Attribute<'_>) -> Diagnostic {
+    let (id, kind) = (trimmed(reference.attribute.value()), element.name());
+    let message = format!("`{}` refers to `{id}`, which is a `{kind}`", reference.element.name());
+    Diagnostic::new(&REFERENCE_TO_WRONG_KIND, reference.attribute.value_span(), message)
+        .label(at.value_span(), "what it refers to")
+        .help(format!("name the id of {}", listing_or(names(reference.target))))
+}
+
+/// "a `x`", or "a `x` or `y`".
+fn listing_or(names: &[&str]) -> String {
+    match names {
+        [name] => format!("a `{name}`"),
+        [names @ .., last] => {
+            let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            format!("a {} or `{last}`", names.join(", "))
+        }
+        [] => String::new(),
+    }
+}
+
+fn check_cycles(walk: &mut Walk<'_, '_>) {
+    let mut found = Vec::new();
+    for attribute in cycles(&walk.seen.data_types, &walk.ids, type_references) {
+        let message = format!("the data type `{}` contains itself", attribute.value().trim_ascii());
+        found.push((&RECURSIVE_DATA_TYPE, attribute, message, "name another type"));
+    }
+    for attribute in cycles(&walk.seen.templates, &walk.ids, template_references) {
+        let message = format!("the template `{}` is built on itself", attribute.value().trim_ascii());
+        found.push((&RECURSIVE_TEMPLATE, attribute, message, "remove one of the references"));
+    }
+    for (rule, attribute, message, help) in found {
+        let finding = Diagnostic::new(rule, attribute.value_span(), message);
+        let finding = match walk.ids.elements.get(&trimmed(attribute.value())) {
+            Some((_, at)) => finding.label(at.value_span(), "defined here"),
+            None => finding,
+        };
+        walk.findings.push(finding.help(help));
+    }
+}
+
+fn type_references(element: Element<'_>) -> Vec<Attribute<'_>> {
+    match element.name() {
+        "struct" => element.children_named("varDeclaration").filter_map(type_reference).collect(),
+        _ => type_reference(element).into_iter().collect(),
+    }
+}
+
+fn template_references(element: Element<'_>) -> Vec<Attribute<'_>> {
+    element.attribute("templateIDRef").into_iter().collect()
+}
+
+fn type_reference(element: Element<'_>) -> Option<Attribute<'_>> {
+    element.child("dataTypeIDRef")?.attribute("uniqueIDRef")
+}
+
+/// The references that lead back to where they came from, one of each cycle. Without recursion: a hostile file may have
+/// a chain of any length.
+fn cycles<'a>(
+    elements: &[Element<'a>],
+    ids: &Ids<'a>,
+    references: impl Fn(Element<'a>) -> Vec<Attribute<'a>>,
+) -> Vec<Attribute<'a>> {
+    let known: HashMap<ElementId, Element<'a>> =
+        elements.iter().map(|element| (element.id(), *element)).collect();
+    let mut is_done: HashMap<ElementId, bool> = HashMap::new();
+    let mut found = Vec::new();
+    for &element in elements {
+        if is_done.contains_key(&element.id()) {
+            continue;
+        }
+        is_done.insert(element.id(), false);
+        let mut open = vec![(element.id(), references(element))];
+        while let Some((id, next)) = open.last_mut() {
+            let Some(attribute) = next.pop() else {
+                is_done.insert(*id, true);
+                open.pop();
+                continue;
+            };
+            let target = ids.element(attribute).filter(|element| known.contains_key(&element.id()));
+            let Some(target) = target else { continue };
+            match is_done.get(&target.id()) {
+                Some(true) => {}
+                Some(false) => found.push(attribute),
+                None => {
+                    is_done.insert(target.id(), false);
+                    open.push((target.id(), references(target)));
+                }
+            }
+        }
+    }
+    found
+}

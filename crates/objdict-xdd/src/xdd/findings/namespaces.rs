@@ -1,0 +1,182 @@
+//! The rules about namespaces: which version a file is of, and which elements are in its namespace.
+
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
+use crate::xdd::schema;
+use crate::xdd::version::XddVersion;
+use crate::xml::Element;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[&UNKNOWN_NAMESPACE, &ELEMENT_FORM, &MIXED_NAMESPACES];
+
+text_rule! {
+    /// the file is in no namespace of CiA 311
+    ///
+    /// ## What it checks
+    /// Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read all the same.
+    ///
+    /// ## Why it matters
+    /// Tools that go by the namespace, such as CANopenEditor, refuse the file.
+    ///
+    /// ## Example
+    /// `<ISO15745ProfileContainer>` without `xmlns`
+    ///
+    /// ## How to mend
+    /// Add `xmlns="http://www.canopen.org/xml/1.1"`, and `xmlns=""` to the elements that version 1.1 has in no namespace.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    UNKNOWN_NAMESPACE = "cia311/unknown-namespace", Warning
+}
+
+text_rule! {
+    /// elements are in the namespace that belong outside, or the other way round
+    ///
+    /// ## What it checks
+    /// Whether the elements that version 1.1 declares within others, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all are in it. The first element is shown, and how many there are.
+    ///
+    /// ## Why it matters
+    /// Tools that go by the namespace, such as CANopenEditor, pass over such elements with everything in them. Others go by the names alone.
+    ///
+    /// ## Example
+    /// `<ProfileBody>` in a file of version 1.1 without `xmlns=""`
+    ///
+    /// ## How to mend
+    /// Put `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix before the names of the global elements in them.
+    ///
+    /// ## Source
+    /// CiA 311 annex A (`elementFormDefault`)
+    ELEMENT_FORM = "cia311/element-form", Warning
+}
+
+text_rule! {
+    /// an element is in another namespace than its container
+    ///
+    /// ## What it checks
+    /// Whether all elements of CiA 311 are in the namespace of the container or in none. The first one is shown, and how many there are.
+    ///
+    /// ## Why it matters
+    /// A part of the file follows another version or another standard, and tools that go by the namespace pass over it.
+    ///
+    /// ## Example
+    /// `xmlns:q1="http://www.canopen.org/xml/1.0"` in a file of version 1.1
+    ///
+    /// ## How to mend
+    /// Declare one namespace in the whole file.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    MIXED_NAMESPACES = "cia311/mixed-namespaces", Warning
+}
+
+/// What the namespaces of a container's elements are like.
+pub(super) struct Forms<'a> {
+    container: Element<'a>,
+    version: Option<XddVersion>,
+    wrong_form: Tally<'a>,
+    foreign: Tally<'a>,
+}
+
+/// The first of some elements, and how many there are.
+#[derive(Default)]
+struct Tally<'a> {
+    first: Option<Element<'a>>,
+    count: usize,
+}
+
+impl<'a> Tally<'a> {
+    fn take(&mut self, element: Element<'a>) {
+        self.first.get_or_insert(element);
+        self.count += 1;
+    }
+}
+
+impl<'a> Forms<'a> {
+    pub(super) fn new(container: Element<'a>) -> Self {
+        let version = container.namespace().and_then(XddVersion::from_namespace);
+        Self { container, version, wrong_form: Tally::default(), foreign: Tally::default() }
+    }
+
+    /// Whether the file is of version 1.0.
+    pub(super) fn is_version_1_0(&self) -> bool {
+        self.version == Some(XddVersion::V1_0)
+    }
+
+    /// Whether an element is in the container's namespace or in none, so that it means to be one of CiA 311.
+    pub(super) fn is_ours(&self, element: Element<'_>) -> bool {
+        let namespace = element.namespace();
+        namespace.is_none() || namespace == self.container.namespace()
+    }
+
+    /// Looks at the namespace of an element of the schema.
+    pub(super) fn look_at(&mut self, element: Element<'a>, schema: &schema::Element) {
+        let Some(version) = self.version else { return };
+        let belongs_in = version == XddVersion::V1_0 || schema.is_global;
+        match element.namespace() {
+            None if belongs_in => self.wrong_form.take(element),
+            Some(_) if !self.is_ours(element) => self.foreign.take(element),
+            Some(_) if !belongs_in => self.wrong_form.take(element),
+            _ => {}
+        }
+    }
+
+    /// Says what was found.
+    pub(super) fn report(&self, findings: &mut Findings) {
+        if self.version.is_none() {
+            findings.push(self.unknown());
+        }
+        if let Some(first) = self.wrong_form.first {
+            findings.push(self.wrong_form(first));
+        }
+        if let Some(first) = self.foreign.first {
+            findings.push(self.mixed(first));
+        }
+    }
+
+    fn unknown(&self) -> Diagnostic {
+        let message = match self.container.namespace() {
+            None => "the file is in no namespace".to_owned(),
+            Some(namespace) => format!("`{namespace}` is no namespace of CiA 311"),
+        };
+        let namespace = XddVersion::V1_1.namespace();
+        let help =
+            format!("add `xmlns=\"{namespace}\"`, and `xmlns=\"\"` to `ProfileHeader` and `ProfileBody`");
+        Diagnostic::new(&UNKNOWN_NAMESPACE, self.container.name_span(), message).help(help)
+    }
+
+    fn wrong_form(&self, first: Element<'_>) -> Diagnostic {
+        let name = first.name();
+        let (is, belongs) = if first.namespace().is_some() {
+            ("in the namespace", "in none")
+        } else {
+            ("in no namespace", "in that of the file")
+        };
+        let message = match self.wrong_form.count {
+            1 => format!("`{name}` is {is}, and belongs {belongs}"),
+            count => {
+                let others = counted(count - 1, "other element", "other elements");
+                format!("`{name}` is {is}, and belongs {belongs}; so it is with {others}")
+            }
+        };
+        let namespace = self.version.unwrap_or_default().namespace();
+        let help = match (self.version, first.namespace()) {
+            (Some(XddVersion::V1_0), _) => format!("in version 1.0 every element is in `{namespace}`"),
+            (_, Some(_)) => {
+                "in version 1.1 only global elements are in the namespace: put `xmlns=\"\"` here".to_owned()
+            }
+            (_, None) => format!("declare a prefix for `{namespace}` and put it before the name"),
+        };
+        Diagnostic::new(&ELEMENT_FORM, first.name_span(), message).help(help)
+    }
+
+    fn mixed(&self, first: Element<'_>) -> Diagnostic {
+        let (name, namespace) = (first.name(), first.namespace().unwrap_or_default());
+        let mut message = format!("`{name}` is in another namespace, `{namespace}`, than its container");
+        if self.foreign.count > 1 {
+            let others = counted(self.foreign.count - 1, "other element", "other elements");
+            message.push_str(&format!("; so it is with {others}"));
+        }
+        Diagnostic::new(&MIXED_NAMESPACES, first.name_span(), message)
+            .label(self.container.name_span(), "the container")
+            .help("declare one namespace in the whole file")
+    }
+}

@@ -1,0 +1,259 @@
+//! The rules about parameters and the values that they may have.
+
+use std::cmp::Ordering;
+use std::collections::HashMap;
+
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::xml::{Attribute, Element};
+
+use super::number::Number;
+use super::walk::Walk;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] =
+    &[&VALUE_NOT_ALLOWED, &MIN_ABOVE_MAX, &DUPLICATE_PROPERTY, &MISSING_CONDITION, &AMBIGUOUS_MEMBER];
+
+text_rule! {
+    /// a parameter has a value that it does not allow
+    ///
+    /// ## What it checks
+    /// Whether the default and the actual value of a parameter are among its `allowedValues`, where these list values or several ranges of numbers. A single range is the limits of the entry, which `cia306/value-outside-limits` looks at.
+    ///
+    /// ## Why it matters
+    /// A tool that offers the allowed values cannot show the one that the device has; one that checks refuses it.
+    ///
+    /// ## Example
+    /// `<defaultValue value="3"/>` with the allowed values 0, 1 and 2
+    ///
+    /// ## How to mend
+    /// Add the value to the allowed ones, or choose another one.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    VALUE_NOT_ALLOWED = "cia311/value-not-allowed", Warning
+}
+
+text_rule! {
+    /// the lower end of a range lies above the upper end
+    ///
+    /// ## What it checks
+    /// Whether `minValue` of a range is not greater than `maxValue`, where both are numbers. The single range of a parameter that one entry refers to is the limits of the entry, which `cia306/low-limit-above-high` looks at.
+    ///
+    /// ## Why it matters
+    /// No value fits.
+    ///
+    /// ## Example
+    /// `<range><minValue value="10"/><maxValue value="1"/></range>`
+    ///
+    /// ## How to mend
+    /// Exchange the two.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    MIN_ABOVE_MAX = "cia311/min-above-max", Error
+}
+
+text_rule! {
+    /// a property stands twice
+    ///
+    /// ## What it checks
+    /// Whether the names of a parameter's properties differ.
+    ///
+    /// ## Why it matters
+    /// Some tools take the first value, some the last one.
+    ///
+    /// ## Example
+    /// `<property name="CO_storageGroup" value="RAM"/>` and `<property name="CO_storageGroup" value="ROM"/>`
+    ///
+    /// ## How to mend
+    /// Keep one of them.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DUPLICATE_PROPERTY = "cia311/duplicate-property", Warning
+}
+
+text_rule! {
+    /// a parameter is supported under a condition that is not given
+    ///
+    /// ## What it checks
+    /// Whether a parameter with `support="conditional"` has `conditionalSupport`.
+    ///
+    /// ## Why it matters
+    /// Nobody can tell when the device has the parameter.
+    ///
+    /// ## Example
+    /// `<parameter uniqueID="P" support="conditional">` without `conditionalSupport`
+    ///
+    /// ## How to mend
+    /// Name the parameters that it depends on, or write `mandatory` or `optional`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    MISSING_CONDITION = "cia311/missing-condition", Note
+}
+
+text_rule! {
+    /// a member of a variable is named by neither id nor index, or by both
+    ///
+    /// ## What it checks
+    /// Whether `memberRef` has either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.
+    ///
+    /// ## Why it matters
+    /// It is not known which part of the variable the parameter is.
+    ///
+    /// ## Example
+    /// `<memberRef/>`
+    ///
+    /// ## How to mend
+    /// Write one of the two attributes.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    AMBIGUOUS_MEMBER = "cia311/ambiguous-member", Warning
+}
+
+/// All rules of this module.
+pub(super) fn check(walk: &mut Walk<'_, '_>) {
+    for &parameter in &walk.seen.parameters {
+        condition(parameter, walk.findings);
+        let allowed = parameter.child("allowedValues");
+        if let Some(allowed) = allowed {
+            let are_limits = is_single_range(allowed) && walk.ids.belongs_to_entry(parameter);
+            if !are_limits {
+                ranges(allowed, walk.findings);
+            }
+            values(parameter, allowed, walk.findings);
+        }
+        properties(parameter, walk.findings);
+    }
+    for &element in walk.seen.templates.iter().chain(&walk.seen.variables) {
+        if let Some(allowed) = element.child("allowedValues") {
+            ranges(allowed, walk.findings);
+            values(element, allowed, walk.findings);
+        }
+        properties(element, walk.findings);
+    }
+    for &template in &walk.seen.values_templates {
+        ranges(template, walk.findings);
+    }
+    for &member in &walk.seen.member_refs {
+        member_ref(member, walk.findings);
+    }
+}
+
+fn is_single_range(allowed: Element<'_>) -> bool {
+    let mut children = allowed.children();
+    children.next().is_some_and(|child| child.name() == "range") && children.next().is_none()
+}
+
+fn condition(parameter: Element<'_>, findings: &mut Findings) {
+    let Some(support) = parameter.attribute("support") else { return };
+    // a template may name the condition
+    let has_condition =
+        parameter.child("conditionalSupport").is_some() || parameter.attribute("templateIDRef").is_some();
+    if support.value().trim_ascii() == "conditional" && !has_condition {
+        let message = "the parameter is supported under a condition, but names none";
+        let finding = Diagnostic::new(&MISSING_CONDITION, support.value_span(), message);
+        findings
+            .push(finding.help("add `conditionalSupport` with the ids of the parameters that it depends on"));
+    }
+}
+
+fn properties(parameter: Element<'_>, findings: &mut Findings) {
+    let mut properties =
+        parameter.children_named("property").filter_map(|property| property.attribute("name")).peekable();
+    let Some(first) = properties.next() else { return };
+    if properties.peek().is_none() {
+        return;
+    }
+    let mut before = HashMap::from([(first.value(), first)]);
+    for name in properties {
+        if let Some(first) = before.get(&name.value()) {
+            let message = format!("the parameter has two properties `{}`", name.value());
+            let finding = Diagnostic::new(&DUPLICATE_PROPERTY, name.value_span(), message);
+            findings.push(finding.label(first.value_span(), "first here").help("keep one of the two"));
+        } else {
+            before.insert(name.value(), name);
+        }
+    }
+}
+
+/// The value of a child without a scaling of its own.
+fn number(element: Element<'_>) -> Option<(Attribute<'_>, Number)> {
+    let is_scaled = element.attribute("offset").is_some() || element.attribute("multiplier").is_some();
+    let attribute = element.attribute("value").filter(|_| !is_scaled)?;
+    Some((attribute, Number::parse(&attribute.value())?))
+}
+
+fn ends(range: Element<'_>) -> Option<[(Attribute<'_>, Number); 2]> {
+    Some([number(range.child("minValue")?)?, number(range.child("maxValue")?)?])
+}
+
+fn ranges(allowed: Element<'_>, findings: &mut Findings) {
+    for range in allowed.children_named("range") {
+        let Some([(low_at, low), (high_at, high)]) = ends(range) else { continue };
+        if low.compare(&high) == Some(Ordering::Greater) {
+            let message =
+                format!("the range starts at `{}` and ends at `{}`", low_at.value(), high_at.value());
+            let finding = Diagnostic::new(&MIN_ABOVE_MAX, low_at.value_span(), message);
+            findings.push(finding.label(high_at.value_span(), "the upper end").help("exchange the two"));
+        }
+    }
+}
+
+fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings) {
+    if is_single_range(allowed) || allowed.attribute("templateIDRef").is_some() {
+        return;
+    }
+    let singles: Option<Vec<Number>> =
+        allowed.children_named("value").map(|value| number(value).map(|(_, number)| number)).collect();
+    let ranges: Option<Vec<_>> = allowed
+        .children_named("range")
+        .map(|range| ends(range).map(|[(_, low), (_, high)]| (low, high)))
+        .collect();
+    // one that cannot be told may be the value
+    let (Some(singles), Some(ranges)) = (singles, ranges) else { return };
+    if singles.is_empty() && ranges.is_empty() {
+        return;
+    }
+    for name in ["defaultValue", "actualValue"] {
+        let Some((attribute, value)) = parameter.child(name).and_then(number) else { continue };
+        let orders = singles.iter().chain(ranges.iter().flat_map(|(low, high)| [low, high]));
+        let mut orders = orders.map(|other| value.compare(other));
+        // hex digits may be meant as a negative number
+        if orders.any(|order| order.is_none()) || is_bits(&attribute.value(), &singles, &ranges) {
+            continue;
+        }
+        let is_within = |(low, high): &(Number, Number)| {
+            value.compare(low) != Some(Ordering::Less) && value.compare(high) != Some(Ordering::Greater)
+        };
+        if !singles.iter().any(|single| single.is_same(&value)) && !ranges.iter().any(is_within) {
+            let message =
+                format!("`{}` is `{}`, which is not among the allowed values", name, attribute.value());
+            let finding = Diagnostic::new(&VALUE_NOT_ALLOWED, attribute.value_span(), message);
+            let finding = finding.label(allowed.name_span(), "the allowed values");
+            findings.push(finding.help("add the value to the allowed ones, or choose another one"));
+        }
+    }
+}
+
+/// Whether the digits in hex may be the bits of a negative number, so that they cannot be compared.
+fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number)]) -> bool {
+    let is_negative = |number: &Number| matches!(number, Number::Integer(number) if *number < 0);
+    let is_hex = text.trim_ascii_start().to_ascii_lowercase().starts_with("0x");
+    is_hex && (singles.iter().any(is_negative) || ranges.iter().any(|(low, _)| is_negative(low)))
+}
+
+fn member_ref(member: Element<'_>, findings: &mut Findings) {
+    let (id, index) = (member.attribute("uniqueIDRef"), member.attribute("index"));
+    let message = match (id, index) {
+        (Some(_), Some(_)) => "the member is named by its id and by an index",
+        (None, None) => "the member is named neither by its id nor by an index",
+        _ => return,
+    };
+    let finding = Diagnostic::new(&AMBIGUOUS_MEMBER, member.name_span(), message);
+    findings.push(
+        finding.help("write `uniqueIDRef` for a member of a struct, `index` for an element of an array"),
+    );
+}

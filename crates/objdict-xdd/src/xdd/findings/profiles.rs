@@ -1,0 +1,368 @@
+//! The rules about the profiles of a container: a device profile and a communication network profile.
+
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
+use crate::xdd::schema::{self, DEVICE_BODY, EXTERNAL_NETWORK_BODY, NETWORK_BODY};
+use crate::xml::Element;
+
+use super::walk::Walk;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[
+    &MISSING_BODY_TYPE,
+    &UNKNOWN_BODY_TYPE,
+    &MISSING_PROFILE,
+    &DUPLICATE_PROFILE,
+    &PROFILE_CLASS_MISMATCH,
+    &CONTRADICTING_FILE_ATTRIBUTE,
+    &FILE_NAME_WITH_PATH,
+    &CONTRADICTING_IDENTITY,
+];
+
+text_rule! {
+    /// a profile body does not say which one it is
+    ///
+    /// ## What it checks
+    /// Whether `ProfileBody` has `xsi:type`. Without it the elements in it decide.
+    ///
+    /// ## Why it matters
+    /// The type is abstract in the schema: tools that go by it cannot read the body.
+    ///
+    /// ## Example
+    /// `<ProfileBody fileName="drive.xdd">`
+    ///
+    /// ## How to mend
+    /// Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace where it has one.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    MISSING_BODY_TYPE = "cia311/missing-body-type", Error
+}
+
+text_rule! {
+    /// a profile body is of a type that CiA 311 does not have
+    ///
+    /// ## What it checks
+    /// Whether `xsi:type` is `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Without one of them the elements in the body decide.
+    ///
+    /// ## Why it matters
+    /// Tools refuse the file, or leave the body out.
+    ///
+    /// ## Example
+    /// `xsi:type="ProfileBody_CANopen"`
+    ///
+    /// ## How to mend
+    /// Write one of the two types.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    UNKNOWN_BODY_TYPE = "cia311/unknown-body-type", Error
+}
+
+text_rule! {
+    /// one of the two profiles is missing
+    ///
+    /// ## What it checks
+    /// Whether the container has a device profile and a communication network profile. Without the latter, which has the object dictionary, it is an error, without the former a warning.
+    ///
+    /// ## Why it matters
+    /// Tools look for the vendor and the parameters in the one, for the objects in the other.
+    ///
+    /// ## Example
+    /// A container with a body of type `ProfileBody_Device_CANopen` alone
+    ///
+    /// ## How to mend
+    /// Add the other profile.
+    ///
+    /// ## Source
+    /// CiA 311 §5
+    MISSING_PROFILE = "cia311/missing-profile", Warning
+}
+
+text_rule! {
+    /// a profile stands twice
+    ///
+    /// ## What it checks
+    /// Whether there is one body of each type. The first one is read.
+    ///
+    /// ## Why it matters
+    /// Some tools take the first one, some the last one.
+    ///
+    /// ## Example
+    /// Two profiles with `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`
+    ///
+    /// ## How to mend
+    /// Keep one of them; another device needs a file of its own.
+    ///
+    /// ## Source
+    /// CiA 311 §5
+    DUPLICATE_PROFILE = "cia311/duplicate-profile", Error
+}
+
+text_rule! {
+    /// the header of a profile says another class than its body
+    ///
+    /// ## What it checks
+    /// Whether `ProfileClassID` is `Device` before a device body and `CommunicationNetwork` before a communication network body.
+    ///
+    /// ## Why it matters
+    /// Tools that choose the profile by its header take the wrong body.
+    ///
+    /// ## Example
+    /// `<ProfileClassID>Device</ProfileClassID>` before `ProfileBody_CommunicationNetwork_CANopen`
+    ///
+    /// ## How to mend
+    /// Write the class of the body.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    PROFILE_CLASS_MISMATCH = "cia311/profile-class-mismatch", Warning
+}
+
+text_rule! {
+    /// the two profiles do not agree about the file
+    ///
+    /// ## What it checks
+    /// Whether `fileName`, `fileVersion` and the date, time and name of the creation are the same in both bodies, where both have them.
+    ///
+    /// ## Why it matters
+    /// Both speak of the same file. Some tools show the one, some the other.
+    ///
+    /// ## Example
+    /// `fileVersion="2"` in one body and `fileVersion="1"` in the other
+    ///
+    /// ## How to mend
+    /// Write the same into both.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    CONTRADICTING_FILE_ATTRIBUTE = "cia311/contradicting-file-attribute", Warning
+}
+
+text_rule! {
+    /// the name of the file has a path before it
+    ///
+    /// ## What it checks
+    /// Whether `fileName` is a name with an ending and without folders.
+    ///
+    /// ## Why it matters
+    /// The folder was on the computer of the one who wrote the file.
+    ///
+    /// ## Example
+    /// `fileName="C:\xdd\drive.xdd"`
+    ///
+    /// ## How to mend
+    /// Write `drive.xdd`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    FILE_NAME_WITH_PATH = "cia311/file-name-with-path", Note
+}
+
+text_rule! {
+    /// the two profiles name different vendors or products
+    ///
+    /// ## What it checks
+    /// Whether `vendorID` and `productID` in `DeviceIdentity` and in `identity` of the application layers are the same numbers, where both are there.
+    ///
+    /// ## Why it matters
+    /// Tools compare one or the other with the identity object of the device on the bus.
+    ///
+    /// ## Example
+    /// `<vendorID>0x1A3</vendorID>` in one and `<vendorID>0x1A4</vendorID>` in the other
+    ///
+    /// ## How to mend
+    /// Write the same number into both.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    CONTRADICTING_IDENTITY = "cia311/contradicting-identity", Warning
+}
+
+/// A body with what it says it is, and what it is.
+#[derive(Clone, Copy)]
+pub(super) struct Body {
+    stated: Option<&'static schema::Element>,
+    /// What it is, by its type, else by what is in it.
+    pub(super) schema: Option<&'static schema::Element>,
+}
+
+/// What a body is; `None` for any other element.
+pub(super) fn body(element: Element<'_>) -> Option<Body> {
+    if element.name() != DEVICE_BODY.name {
+        return None;
+    }
+    let stated = element.attribute("type").and_then(|attribute| {
+        let value = attribute.value();
+        let name = value.trim_ascii();
+        match name.rsplit_once(':').map_or(name, |(_, local)| local) {
+            "ProfileBody_Device_CANopen" => Some(DEVICE_BODY),
+            "ProfileBody_CommunicationNetwork_CANopen" => Some(NETWORK_BODY),
+            _ => None,
+        }
+    });
+    let has = |names: &[&str]| element.children().any(|child| names.contains(&child.name()));
+    let is_network = match stated {
+        Some(schema) => std::ptr::eq(schema, NETWORK_BODY),
+        None => has(&["ApplicationLayers", "TransportLayers", "NetworkManagement"]),
+    };
+    let schema = if is_network && has(&["ExternalProfileHandle"]) && !has(&["ApplicationLayers"]) {
+        Some(EXTERNAL_NETWORK_BODY)
+    } else if is_network {
+        Some(NETWORK_BODY)
+    } else if stated.is_some()
+        || has(&["DeviceIdentity", "DeviceManager", "DeviceFunction", "ApplicationProcess"])
+    {
+        Some(DEVICE_BODY)
+    } else {
+        None
+    };
+    Some(Body { stated, schema })
+}
+
+/// Whether a body says which one it is.
+pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findings) {
+    if body.stated.is_some() {
+        return;
+    }
+    let help = match body.schema {
+        Some(schema) if std::ptr::eq(schema, DEVICE_BODY) => {
+            "write `xsi:type=\"ProfileBody_Device_CANopen\"`"
+        }
+        Some(_) => "write `xsi:type=\"ProfileBody_CommunicationNetwork_CANopen\"`",
+        None => "the types are `ProfileBody_Device_CANopen` and `ProfileBody_CommunicationNetwork_CANopen`",
+    };
+    let finding = match element.attribute("type") {
+        Some(attribute) => {
+            let message = format!("CiA 311 has no profile body of type `{}`", attribute.value());
+            Diagnostic::new(&UNKNOWN_BODY_TYPE, attribute.value_span(), message)
+        }
+        None => {
+            let message = "`ProfileBody` does not say which body it is";
+            Diagnostic::new(&MISSING_BODY_TYPE, element.name_span(), message)
+        }
+    };
+    findings.push(finding.help(help));
+}
+
+/// What the profiles say together.
+pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
+    let bodies: Vec<_> =
+        walk.seen.bodies.iter().filter_map(|&element| Some((element, body(element)?.schema?))).collect();
+    let is_device = |schema: &schema::Element| std::ptr::eq(schema, DEVICE_BODY);
+    let device = bodies.iter().find(|(_, schema)| is_device(schema)).map(|(element, _)| *element);
+    let network = bodies.iter().find(|(_, schema)| !is_device(schema)).map(|(element, _)| *element);
+    let findings = &mut *walk.findings;
+    for &(element, schema) in &bodies {
+        let first = if is_device(schema) { device } else { network };
+        if let Some(first) = first.filter(|first| first.id() != element.id()) {
+            findings.push(duplicate(element, first, is_device(schema)));
+        }
+        check_class(element, is_device(schema), findings);
+    }
+    // a body that nobody can tell may be the other one
+    if bodies.len() == walk.seen.bodies.len() && !bodies.is_empty() {
+        check_missing(container, device, network, findings);
+    }
+    if let (Some(device), Some(network)) = (device, network) {
+        check_file_attributes(device, network, findings);
+    }
+    if let Some(attribute) = device.or(network).and_then(|body| body.attribute("fileName")) {
+        let value = attribute.value();
+        if let Some((_, name)) = value.rsplit_once(['/', '\\']).filter(|(_, name)| !name.is_empty()) {
+            let finding = Diagnostic::new(
+                &FILE_NAME_WITH_PATH,
+                attribute.value_span(),
+                format!("`{value}` has a path before the name of the file"),
+            );
+            findings.push(finding.help(format!("write `{name}`")));
+        }
+    }
+}
+
+fn duplicate(element: Element<'_>, first: Element<'_>, is_device: bool) -> Diagnostic {
+    let what = if is_device { "device profile" } else { "communication network profile" };
+    Diagnostic::new(
+        &DUPLICATE_PROFILE,
+        element.name_span(),
+        format!("there is a second {what}; the first one is read"),
+    )
+    .label(first.name_span(), "first here")
+    .help("keep one of the two; another device needs a file of its own")
+}
+
+fn check_class(body: Element<'_>, is_device: bool, findings: &mut Findings) {
+    let class = body.parent().and_then(|profile| profile.child("ProfileHeader")?.child("ProfileClassID"));
+    let Some(class) = class else { return };
+    let text = class.text();
+    let right = if is_device { "Device" } else { "CommunicationNetwork" };
+    let stated = text.trim_ascii();
+    // any other word is no class of a body of CiA 311, or no class at all
+    if stated != right && matches!(stated, "Device" | "CommunicationNetwork") {
+        let message = format!("the header says class `{stated}`, the body is one of class `{right}`");
+        let finding = Diagnostic::new(&PROFILE_CLASS_MISMATCH, class.text_span(), message);
+        findings.push(finding.label(body.name_span(), "the body").help(format!("write `{right}`")));
+    }
+}
+
+fn check_missing(
+    container: Element<'_>,
+    device: Option<Element<'_>>,
+    network: Option<Element<'_>>,
+    findings: &mut Findings,
+) {
+    let (message, help, severity) = match (device, network) {
+        (Some(_), None) => (
+            "there is no communication network profile, so no object dictionary",
+            "add a profile with a body of type `ProfileBody_CommunicationNetwork_CANopen`",
+            Severity::Error,
+        ),
+        (None, Some(_)) => (
+            "there is no device profile, so no vendor and no product",
+            "add a profile with a body of type `ProfileBody_Device_CANopen`",
+            Severity::Warning,
+        ),
+        _ => return,
+    };
+    let finding = Diagnostic::new(&MISSING_PROFILE, container.name_span(), message);
+    findings.push(finding.severity(severity).help(help));
+}
+
+fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &mut Findings) {
+    for name in ["fileName", "fileVersion", "fileCreator", "fileCreationDate", "fileCreationTime"] {
+        let (Some(first), Some(second)) = (device.attribute(name), network.attribute(name)) else { continue };
+        let (first_value, second_value) = (first.value(), second.value());
+        if first_value.trim_ascii() != second_value.trim_ascii() {
+            let message =
+                format!("`{name}` is `{second_value}` here and `{first_value}` in the device profile");
+            let finding = Diagnostic::new(&CONTRADICTING_FILE_ATTRIBUTE, second.value_span(), message);
+            findings.push(finding.label(first.value_span(), "there").help("write the same into both"));
+        }
+    }
+}
+
+/// Whether both identities are of one device.
+pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
+    let find = |name: &str| walk.seen.identities.iter().copied().find(|element| element.name() == name);
+    let (Some(device), Some(network)) = (find("DeviceIdentity"), find("identity")) else { return };
+    for name in ["vendorID", "productID"] {
+        let (Some(first), Some(second)) = (device.child(name), network.child(name)) else { continue };
+        let (first_text, second_text) = (first.text(), second.text());
+        let (Some(a), Some(b)) = (id_number(&first_text), id_number(&second_text)) else { continue };
+        if a != b {
+            let (first_text, second_text) = (first_text.trim_ascii(), second_text.trim_ascii());
+            let message =
+                format!("`{name}` is `{second_text}` here and `{first_text}` in the device profile");
+            let finding = Diagnostic::new(&CONTRADICTING_IDENTITY, second.text_span(), message);
+            walk.findings
+                .push(finding.label(first.text_span(), "there").help("write the same number into both"));
+        }
+    }
+}
+
+fn id_number(text: &str) -> Option<u64> {
+    let text = text.trim_ascii();
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => u64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
+}

@@ -1,0 +1,153 @@
+//! The rules about labels and languages.
+
+use std::collections::HashSet;
+
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::xml::{Attribute, Element};
+
+use super::walk::Walk;
+
+/// Every rule of this module.
+pub(crate) static RULES: &[&RuleInfo] = &[&DUPLICATE_LABEL, &UNLISTED_LANGUAGE, &DANGLING_DICTIONARY_REF];
+
+text_rule! {
+    /// a name stands twice in one language
+    ///
+    /// ## What it checks
+    /// Whether an element has one `label` and one `description` a language at most.
+    ///
+    /// ## Why it matters
+    /// Some tools show the first one, some the last one.
+    ///
+    /// ## Example
+    /// `<label lang="en">Speed</label><label lang="en">Velocity</label>`
+    ///
+    /// ## How to mend
+    /// Keep one of them, or write the language of the other.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DUPLICATE_LABEL = "cia311/duplicate-label", Warning
+}
+
+text_rule! {
+    /// a text is in a language that the file does not list
+    ///
+    /// ## What it checks
+    /// Whether the language of each `label` and `description` is one of `supportedLanguages` of the profile body, where it has that attribute. Each language is shown once.
+    ///
+    /// ## Why it matters
+    /// Tools that offer the listed languages never show the text.
+    ///
+    /// ## Example
+    /// `<label lang="de">` in a body with `supportedLanguages="en"`
+    ///
+    /// ## How to mend
+    /// Add the language to `supportedLanguages`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    UNLISTED_LANGUAGE = "cia311/unlisted-language", Note
+}
+
+text_rule! {
+    /// a text is taken from a dictionary that the file does not have
+    ///
+    /// ## What it checks
+    /// Whether there is a `dictionary` with the `dictID` of each `labelRef` and `descriptionRef`.
+    ///
+    /// ## Why it matters
+    /// The text cannot be found.
+    ///
+    /// ## Example
+    /// `<labelRef dictID="texts" textID="speed"/>` without a `dictionaryList`
+    ///
+    /// ## How to mend
+    /// Correct the id, or add the dictionary to `DeviceFunction/dictionaryList`.
+    ///
+    /// ## Source
+    /// CiA 311 annex A
+    DANGLING_DICTIONARY_REF = "cia311/dangling-dictionary-ref", Warning
+}
+
+/// The languages that a container's bodies do not list, as far as they were found.
+#[derive(Default)]
+pub(super) struct Languages<'a> {
+    unlisted: Vec<(Element<'a>, String)>,
+}
+
+/// Looks at the names and descriptions of an element.
+pub(super) fn check<'a>(
+    element: Element<'a>,
+    body: Option<Element<'a>>,
+    languages: &mut Languages<'a>,
+    findings: &mut Findings,
+) {
+    let is_text = |child: &Element<'_>| matches!(child.name(), "label" | "description");
+    let mut before: Vec<Element<'a>> = Vec::new();
+    for child in element.children().filter(is_text) {
+        let Some(language) = child.attribute("lang") else { continue };
+        let text = language.value();
+        let first = before.iter().find(|first| {
+            let other = first.attribute("lang").map(Attribute::value);
+            first.name() == child.name()
+                && other.is_some_and(|other| other.trim_ascii().eq_ignore_ascii_case(text.trim_ascii()))
+        });
+        if let Some(first) = first {
+            let message = format!("`{}` has two `{}` in the language `{text}`", element.name(), child.name());
+            let finding = Diagnostic::new(&DUPLICATE_LABEL, language.value_span(), message);
+            let finding = finding.label(first.tag_span(), "first here");
+            findings.push(finding.help("keep one of them, or write the language of the other"));
+        }
+        // a hostile file has thousands
+        if before.len() < 64 {
+            before.push(child);
+        }
+        if let Some(body) = body {
+            check_language(child, text.trim_ascii(), body, languages, findings);
+        }
+    }
+}
+
+fn check_language<'a>(
+    child: Element<'a>,
+    language: &str,
+    body: Element<'a>,
+    languages: &mut Languages<'a>,
+    findings: &mut Findings,
+) {
+    let Some(listed) = body.attribute("supportedLanguages") else { return };
+    let value = listed.value();
+    let is_same = |one: &str| {
+        let primary = |tag: &str| tag.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase();
+        one.eq_ignore_ascii_case(language) || primary(one) == primary(language)
+    };
+    if language.is_empty() || value.split_ascii_whitespace().any(is_same) {
+        return;
+    }
+    let is_known = |(known, text): &(Element<'_>, String)| known.id() == body.id() && text == language;
+    if languages.unlisted.len() < 64 && !languages.unlisted.iter().any(is_known) {
+        languages.unlisted.push((body, language.to_owned()));
+        let at = child.attribute("lang").map_or(child.name_span(), Attribute::value_span);
+        let message = format!("the language `{language}` is not among `supportedLanguages`");
+        let finding = Diagnostic::new(&UNLISTED_LANGUAGE, at, message);
+        let help = format!("add `{language}` to `supportedLanguages`");
+        findings.push(finding.label(listed.value_span(), "the languages of the profile").help(help));
+    }
+}
+
+/// Whether all dictionaries are there that texts are taken from.
+pub(super) fn check_dictionaries(walk: &mut Walk<'_, '_>) {
+    let dictionaries = walk.seen.dictionaries.iter();
+    let ids: HashSet<_> =
+        dictionaries.filter_map(|dictionary| Some(dictionary.attribute("dictID")?.value())).collect();
+    for text in &walk.seen.text_refs {
+        let Some(id) = text.attribute("dictID") else { continue };
+        let value = id.value();
+        if !ids.contains(&value) {
+            let message = format!("there is no dictionary `{value}`");
+            let finding = Diagnostic::new(&DANGLING_DICTIONARY_REF, id.value_span(), message);
+            walk.findings.push(finding.help("correct the id, or add the dictionary to `dictionaryList`"));
+        }
+    }
+}

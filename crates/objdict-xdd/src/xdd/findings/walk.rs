@@ -1,0 +1,191 @@
+//! One walk over the elements of a container, along the schema.
+
+use super::ids::{Ids, Reference};
+use super::namespaces::Forms;
+use super::texts::Languages;
+use super::{profiles, structure, texts, values};
+use crate::diagnostic::Findings;
+use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
+use crate::xml::{Attribute, Element};
+
+/// What the walk finds and what it remembers for the rules that look at several elements at once.
+pub(super) struct Walk<'a, 'f> {
+    pub(super) findings: &'f mut Findings,
+    pub(super) forms: Forms<'a>,
+    pub(super) ids: Ids<'a>,
+    pub(super) references: Vec<Reference<'a>>,
+    pub(super) languages: Languages<'a>,
+    pub(super) seen: Seen<'a>,
+}
+
+/// Elements that further rules look at, each kind in the order of the file.
+#[derive(Default)]
+pub(super) struct Seen<'a> {
+    pub(super) bodies: Vec<Element<'a>>,
+    pub(super) object_lists: Vec<Element<'a>>,
+    pub(super) parameters: Vec<Element<'a>>,
+    pub(super) templates: Vec<Element<'a>>,
+    pub(super) data_types: Vec<Element<'a>>,
+    pub(super) variables: Vec<Element<'a>>,
+    pub(super) values_templates: Vec<Element<'a>>,
+    pub(super) identities: Vec<Element<'a>>,
+    pub(super) baud_rates: Vec<Element<'a>>,
+    pub(super) member_refs: Vec<Element<'a>>,
+    pub(super) dictionaries: Vec<Element<'a>>,
+    pub(super) text_refs: Vec<Element<'a>>,
+}
+
+impl<'a> Seen<'a> {
+    fn remember(&mut self, element: Element<'a>) {
+        let list = match element.name() {
+            "parameter" => &mut self.parameters,
+            "varDeclaration" => &mut self.variables,
+            "array" | "struct" | "enum" | "derived" => &mut self.data_types,
+            "parameterTemplate" => &mut self.templates,
+            "allowedValuesTemplate" => &mut self.values_templates,
+            "labelRef" | "descriptionRef" => &mut self.text_refs,
+            "memberRef" => &mut self.member_refs,
+            "dictionary" => &mut self.dictionaries,
+            "CANopenObjectList" => &mut self.object_lists,
+            "DeviceIdentity" | "identity" => &mut self.identities,
+            "baudRate" => &mut self.baud_rates,
+            "ProfileBody" => &mut self.bodies,
+            _ => return,
+        };
+        list.push(element);
+    }
+}
+
+impl<'a> Walk<'a, '_> {
+    /// An element, whose place in the schema is known, with everything in it.
+    pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+        self.forms.look_at(element, schema);
+        self.seen.remember(element);
+        if schema.is_opaque() {
+            return;
+        }
+        self.attributes(element, schema);
+        self.text(element, schema);
+        self.children(element, schema);
+    }
+
+    fn attributes(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+        let mut present = 0_u32;
+        for attribute in element.attributes() {
+            // `xsi:type` and the like, and what others add under names of their own
+            if !attribute.prefix().is_empty() {
+                continue;
+            }
+            let found = schema.attribute(attribute.name()).or_else(|| {
+                let meant = structure::meant_attribute(element, schema, attribute);
+                self.findings.push(structure::unknown_attribute(element, attribute, meant));
+                meant
+            });
+            let Some((number, known)) = found else { continue };
+            present |= 1 << number;
+            if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
+                self.findings.push(structure::newer_attribute(element, attribute));
+            }
+            self.value(element, attribute, known.kind);
+        }
+        for (number, attribute) in schema.attributes.iter().enumerate() {
+            if attribute.need != Need::Optional && present & (1 << number) == 0 {
+                self.findings.push(structure::missing_attribute(element, attribute));
+            }
+        }
+    }
+
+    fn value(&mut self, element: Element<'a>, attribute: Attribute<'a>, kind: Kind) {
+        match kind {
+            Kind::Text => return,
+            Kind::Reference(target) => {
+                self.references.push(Reference { element, attribute, target });
+                return;
+            }
+            _ => {}
+        }
+        let value = attribute.value();
+        let is_name = values::check(&value, kind, attribute.value_span(), attribute.name(), self.findings);
+        if matches!(kind, Kind::Id) && is_name {
+            self.ids.define(element, attribute, self.findings);
+        }
+    }
+
+    fn text(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+        match schema.text {
+            Some(Kind::Text) => {}
+            Some(kind) => {
+                let text = element.text();
+                let span = match element.text_span() {
+                    span if span.is_empty() => element.tag_span(),
+                    span => span,
+                };
+                values::check(&text, kind, span, element.name(), self.findings);
+            }
+            None if element.is_empty_tag() => {}
+            None => {
+                let span = element.text_span();
+                if !span.is_empty() {
+                    self.findings.push(structure::stray_text(element, span));
+                }
+            }
+        }
+    }
+
+    fn children(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+        let mut counts = [0_u32; MAX_SLOTS];
+        let mut first: [Option<Element<'a>>; MAX_SLOTS] = [None; MAX_SLOTS];
+        let (mut at, mut last) = (0, None);
+        let mut is_in_order = true;
+        for child in element.children() {
+            let found = schema.slot(child.name(), at).or_else(|| {
+                let meant = structure::meant_element(schema, child);
+                self.findings.push(structure::unknown_element(
+                    element,
+                    child,
+                    meant,
+                    self.forms.is_ours(child),
+                ));
+                meant
+            });
+            let Some((number, known)) = found else { continue };
+            if number < at && is_in_order {
+                self.findings.push(structure::wrong_order(element, child, last));
+                // one finding says it for all that follow
+                is_in_order = false;
+            } else if number >= at {
+                (at, last) = (number, Some(child));
+            }
+            counts[number] += 1;
+            let before = *first[number].get_or_insert(child);
+            let slot = &schema.content[number];
+            if counts[number] > slot.most_of(known) {
+                self.findings.push(structure::repeated_element(element, child, before));
+            }
+            if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
+                self.findings.push(structure::newer_element(element, child));
+            }
+            match profiles::body(child) {
+                Some(body) => self.body(child, body),
+                None => self.element(child, known),
+            }
+        }
+        for (number, slot) in schema.content.iter().enumerate() {
+            if counts[number] < slot.least {
+                self.findings.push(structure::missing_element(element, slot, counts[number]));
+            }
+        }
+        if schema.has_labels() {
+            let body = self.seen.bodies.last().copied();
+            texts::check(element, body, &mut self.languages, self.findings);
+        }
+    }
+
+    fn body(&mut self, element: Element<'a>, body: profiles::Body) {
+        match body.schema {
+            Some(schema) => self.element(element, schema),
+            None => self.seen.bodies.push(element),
+        }
+        profiles::check_type(element, body, self.findings);
+    }
+}

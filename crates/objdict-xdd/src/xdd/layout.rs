@@ -1,0 +1,126 @@
+//! Where the parts of a description stand in a tree: containers, profiles, bodies.
+
+use super::shape::ProfileClass;
+use crate::xml::{Element, Tree};
+
+/// One description: a container with the profiles of one device.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout<'a> {
+    /// What everything stands in.
+    pub(crate) container: Element<'a>,
+    /// The device profile.
+    pub(crate) device: Option<Profile<'a>>,
+    /// The communication network profile.
+    pub(crate) network: Option<Profile<'a>>,
+}
+
+/// A profile of a description.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Profile<'a> {
+    /// `ProfileHeader`.
+    pub(crate) header: Option<Element<'a>>,
+    /// `ProfileBody`.
+    pub(crate) body: Element<'a>,
+}
+
+/// The containers of a tree. A description has one; a project of CANopenEditor has one for each of its devices. Of a damaged
+/// file whatever is outermost is one.
+pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
+    let Some(root) = tree.root() else { return Vec::new() };
+    if root.name() == CONTAINER {
+        return vec![root];
+    }
+    let inner: Vec<_> = root.descendants().filter(|element| element.name() == CONTAINER).collect();
+    if inner.is_empty() { vec![root] } else { inner }
+}
+
+/// The outermost element of a description.
+pub(crate) const CONTAINER: &str = "ISO15745ProfileContainer";
+
+impl<'a> Layout<'a> {
+    /// One of the [`containers`] of a tree.
+    pub(crate) fn of(tree: &'a Tree, number: usize) -> Option<Self> {
+        containers(tree).get(number).copied().map(Self::of_container)
+    }
+
+    /// What stands in a container. Of two profiles of a kind the first counts.
+    pub(crate) fn of_container(container: Element<'a>) -> Self {
+        let mut layout = Self { container, device: None, network: None };
+        for (class, profile) in profiles(container) {
+            let place = match class {
+                ProfileClass::Device => &mut layout.device,
+                ProfileClass::Network => &mut layout.network,
+            };
+            place.get_or_insert(profile);
+        }
+        layout
+    }
+
+    /// An element of the device profile, by the names of it and what it stands in.
+    pub(crate) fn in_device(&self, path: &[&str]) -> Option<Element<'a>> {
+        below(self.device?.body, path)
+    }
+
+    /// An element of the communication network profile, by the names of it and what it stands in.
+    pub(crate) fn in_network(&self, path: &[&str]) -> Option<Element<'a>> {
+        below(self.network?.body, path)
+    }
+
+    /// The objects in their order.
+    pub(crate) fn objects(&self) -> impl Iterator<Item = Element<'a>> + use<'a> {
+        let list = self.in_network(&["ApplicationLayers", "CANopenObjectList"]);
+        list.into_iter().flat_map(|list| list.children_named("CANopenObject"))
+    }
+}
+
+/// The element that a path of names leads to, each time the first of its name.
+pub(crate) fn below<'a>(element: Element<'a>, path: &[&str]) -> Option<Element<'a>> {
+    path.iter().try_fold(element, |element, name| element.child(name))
+}
+
+/// The profiles of a container with what they are about, in their order.
+pub(crate) fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
+    let mut found = Vec::new();
+    let mut add = |header: Option<Element<'a>>, body: Element<'a>| {
+        found.push((class_of(header, body), Profile { header, body }));
+    };
+    match container.name() {
+        "ISO15745Profile" => {
+            container
+                .children_named("ProfileBody")
+                .for_each(|body| add(container.child("ProfileHeader"), body));
+        }
+        "ProfileBody" => add(None, container),
+        _ => {
+            for child in container.children() {
+                match child.name() {
+                    "ISO15745Profile" => {
+                        let bodies = child.children_named("ProfileBody");
+                        bodies.for_each(|body| add(child.child("ProfileHeader"), body));
+                    }
+                    "ProfileBody" => add(None, child),
+                    _ => {}
+                }
+            }
+        }
+    }
+    found
+}
+
+/// What a profile is about: what the type of its body says, else the class in its header, else what is in it.
+fn class_of(header: Option<Element<'_>>, body: Element<'_>) -> ProfileClass {
+    let of_word = |word: &str| match () {
+        () if word.contains("CommunicationNetwork") => Some(ProfileClass::Network),
+        () if word.contains("Device") => Some(ProfileClass::Device),
+        () => None,
+    };
+    let by_type = body.attribute("type").and_then(|name| of_word(&name.value()));
+    let class = header.and_then(|header| header.child("ProfileClassID"));
+    let by_class = || class.and_then(|class| of_word(&class.text()));
+    let by_content = || {
+        let parts = ["ApplicationLayers", "TransportLayers", "NetworkManagement"];
+        let is_network = body.children().any(|child| parts.contains(&child.name()));
+        if is_network { ProfileClass::Network } else { ProfileClass::Device }
+    };
+    by_type.or_else(by_class).unwrap_or_else(by_content)
+}

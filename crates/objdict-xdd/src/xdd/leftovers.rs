@@ -1,0 +1,282 @@
+//! What nobody reads in an XDD, so that it is not lost.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::model::{Extra, ExtraSection};
+use crate::xml::{Attribute, Element, ElementId};
+
+/// The key of an element's text.
+pub(crate) const TEXT: &str = "#text";
+
+/// Attributes, elements and texts that the model has no place for, or that are no values of their fields.
+///
+/// Everything takes about as much memory as it has text: a path that would be longer than the file allows is shortened.
+#[derive(Debug, Default)]
+pub(crate) struct Leftovers<'a> {
+    found: Vec<(Element<'a>, Extra)>,
+}
+
+impl<'a> Leftovers<'a> {
+    /// Keeps an attribute.
+    pub(crate) fn attribute(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
+        push_lines(self.extra(element), &full_name(attribute), &attribute.value());
+    }
+
+    /// Keeps the text of an element, if it has one.
+    pub(crate) fn text(&mut self, element: Element<'a>) {
+        if !element.has_text() {
+            return;
+        }
+        let text = element.text();
+        let text = text.trim_matches([' ', '\t', '\n', '\r']);
+        if !text.is_empty() {
+            push_lines(self.extra(element), TEXT, text);
+        }
+    }
+
+    /// Keeps an element with all that is in it.
+    pub(crate) fn element(&mut self, element: Element<'a>) {
+        for part in std::iter::once(element).chain(element.descendants()) {
+            self.found.push((part, Extra::default()));
+            for attribute in part.attributes() {
+                self.attribute(part, attribute);
+            }
+            self.text(part);
+        }
+    }
+
+    /// A section for each element with something left over, in the order of the file.
+    ///
+    /// It is called `xml:` and the path of the element below its `ProfileBody` (else below the root), such as
+    /// `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several lines stands in as many
+    /// entries of one key.
+    pub(crate) fn into_sections(mut self) -> Vec<ExtraSection> {
+        self.found.sort_by_key(|(element, _)| element.id());
+        let mut paths = Paths::new(self.found.first().map_or(0, |(element, _)| element.tree().text().len()));
+        let mut sections: Vec<ExtraSection> = Vec::new();
+        let mut last = None;
+        for (element, extra) in self.found {
+            match sections.last_mut() {
+                Some(section) if last == Some(element.id()) => {
+                    extra.iter().for_each(|(key, value)| section.entries.push(key, value));
+                }
+                _ => sections.push(ExtraSection { name: paths.name(element), entries: extra }),
+            }
+            last = Some(element.id());
+        }
+        sections
+    }
+
+    fn extra(&mut self, element: Element<'a>) -> &mut Extra {
+        if self.found.last().is_none_or(|(last, _)| last.id() != element.id()) {
+            self.found.push((element, Extra::default()));
+        }
+        let last = self.found.len() - 1;
+        &mut self.found[last].1
+    }
+}
+
+/// The name with its prefix.
+fn full_name(attribute: Attribute<'_>) -> String {
+    match attribute.prefix() {
+        "" => attribute.name().to_owned(),
+        prefix => format!("{prefix}:{}", attribute.name()),
+    }
+}
+
+/// A value of several lines becomes as many entries, as no entry can have a line feed.
+fn push_lines(extra: &mut Extra, key: &str, value: &str) {
+    value.split('\n').for_each(|line| extra.push(key, line));
+}
+
+/// The paths of elements that are asked for in the order of the file.
+struct Paths<'a> {
+    /// The root, …, the element asked for last, each with the length of its path.
+    open: Vec<(Element<'a>, usize)>,
+    path: String,
+    /// The number of an element among its siblings of the same name, where there are more.
+    numbers: HashMap<ElementId, u32>,
+    numbered: HashSet<ElementId>,
+    /// How long all further paths may be together.
+    room: usize,
+}
+
+impl<'a> Paths<'a> {
+    fn new(source_length: usize) -> Self {
+        Self {
+            open: Vec::new(),
+            path: String::new(),
+            numbers: HashMap::new(),
+            numbered: HashSet::new(),
+            room: source_length.saturating_mul(4).saturating_add(4096),
+        }
+    }
+
+    /// The name of an element's section.
+    fn name(&mut self, element: Element<'a>) -> Box<str> {
+        self.go_to(element);
+        let path = &self.path[self.start()..];
+        let is_short = path.len() <= self.room;
+        self.room = self.room.saturating_sub(path.len());
+        let name = match path.rsplit_once('/') {
+            Some((_, last)) if !is_short => format!("xml:.../{last}"),
+            _ => format!("xml:{path}"),
+        };
+        name.into()
+    }
+
+    /// Where the part of the path begins that is below the `ProfileBody`, else below the root.
+    fn start(&self) -> usize {
+        let around = self.open.len().saturating_sub(1);
+        let around = &self.open[..around];
+        let body = around.iter().find(|(element, _)| element.name() == "ProfileBody");
+        body.or(around.first()).map_or(0, |(_, end)| end + 1)
+    }
+
+    /// Makes `path` that of an element.
+    fn go_to(&mut self, element: Element<'a>) {
+        let mut missing = Vec::new();
+        let mut next = Some(element);
+        let mut shared = 0;
+        while let Some(ancestor) = next {
+            if let Ok(at) = self.open.binary_search_by_key(&ancestor.id(), |(open, _)| open.id()) {
+                shared = at + 1;
+                break;
+            }
+            missing.push(ancestor);
+            next = ancestor.parent();
+        }
+        self.open.truncate(shared);
+        self.path.truncate(self.open.last().map_or(0, |(_, length)| *length));
+        missing.into_iter().rev().for_each(|element| self.enter(element));
+    }
+
+    fn enter(&mut self, element: Element<'a>) {
+        if !self.open.is_empty() {
+            self.path.push('/');
+        }
+        self.path.push_str(element.name());
+        if let Some(number) = self.number(element) {
+            self.path.push_str(&format!("[{number}]"));
+        }
+        self.open.push((element, self.path.len()));
+    }
+
+    fn number(&mut self, element: Element<'a>) -> Option<u32> {
+        let parent = element.parent()?;
+        if self.numbered.insert(parent.id()) {
+            let mut totals: HashMap<&str, u32> = HashMap::new();
+            parent.children().for_each(|child| *totals.entry(child.name()).or_default() += 1);
+            let mut so_far: HashMap<&str, u32> = HashMap::new();
+            for child in
+                parent.children().filter(|child| totals.get(child.name()).is_some_and(|&total| total > 1))
+            {
+                let number = so_far.entry(child.name()).or_default();
+                *number += 1;
+                self.numbers.insert(child.id(), *number);
+            }
+        }
+        self.numbers.get(&element.id()).copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Findings;
+    use crate::source::SourceFile;
+    use crate::xml::Tree;
+
+    fn tree(text: &str) -> Tree {
+        Tree::new(SourceFile::from_text("test.xdd", text), &mut Findings::new())
+    }
+
+    /// The sections of all elements with the names.
+    fn sections(text: &str, names: &[&str]) -> Vec<(String, Vec<(String, String)>)> {
+        let tree = tree(text);
+        let mut leftovers = Leftovers::default();
+        let elements =
+            tree.root().into_iter().flat_map(|root| std::iter::once(root).chain(root.descendants()));
+        // the last first: the order of the file must not depend on that of the reader
+        let mut elements: Vec<_> = elements.filter(|element| names.contains(&element.name())).collect();
+        elements.reverse();
+        elements.into_iter().for_each(|element| leftovers.element(element));
+        let sections = leftovers.into_sections().into_iter();
+        let owned = |(key, value): (&str, &str)| (key.to_owned(), value.to_owned());
+        sections.map(|section| (section.name.into(), section.entries.iter().map(owned).collect())).collect()
+    }
+
+    fn names_of(sections: &[(String, Vec<(String, String)>)]) -> Vec<&str> {
+        sections.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    #[test]
+    fn paths_begin_below_the_body() {
+        let text = "<C><Profile><ProfileHeader><x/></ProfileHeader><ProfileBody><x/><F><x/><y/><x/></F><F/></ProfileBody>\
+            <x/></Profile><Profile><ProfileBody><D><x/></D></ProfileBody></Profile></C>";
+        let expected = [
+            "xml:Profile[1]/ProfileHeader/x",
+            "xml:x",
+            "xml:F[1]/x[1]",
+            "xml:F[1]/x[2]",
+            "xml:Profile[1]/x",
+            "xml:D/x",
+        ];
+        assert_eq!(names_of(&sections(text, &["x"])), expected);
+        let around = ["xml:C", "xml:Profile[1]", "xml:Profile[1]/ProfileBody", "xml:Profile[2]"];
+        let whole = sections(text, &["C"]);
+        assert!(around.iter().all(|name| names_of(&whole).contains(name)), "{whole:?}");
+    }
+
+    #[test]
+    fn an_element_is_kept_with_all_in_it() {
+        let text =
+            "<R><ProfileBody><a k='1' l='&#10;2'> first <b>in\n side</b> second\n<c/></a></ProfileBody></R>";
+        let entry = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        let expected = [
+            (
+                "xml:a".to_owned(),
+                vec![entry("k", "1"), entry("l", ""), entry("l", "2"), entry(TEXT, "first  second")],
+            ),
+            ("xml:a/b".to_owned(), vec![entry(TEXT, "in"), entry(TEXT, " side")]),
+            ("xml:a/c".to_owned(), vec![]),
+        ];
+        assert_eq!(sections(text, &["a"]), expected);
+    }
+
+    #[test]
+    fn attributes_of_one_element_are_one_section() {
+        let tree = tree("<R><ProfileBody a='1' b='2'><c d='3'/></ProfileBody></R>");
+        let mut leftovers = Leftovers::default();
+        let elements: Vec<_> = tree.root().into_iter().flat_map(Element::descendants).collect();
+        for (element, name) in [(elements[0], "b"), (elements[1], "d"), (elements[0], "a")] {
+            if let Some(attribute) = element.attribute(name) {
+                leftovers.attribute(element, attribute);
+            }
+        }
+        let sections = leftovers.into_sections();
+        let entries: Vec<_> =
+            sections.iter().map(|section| section.entries.iter().collect::<Vec<_>>()).collect();
+        assert_eq!(entries, [vec![("b", "2"), ("a", "1")], vec![("d", "3")]]);
+    }
+
+    /// Many elements at the end of a long path, or beside each other, take no more than a multiple of their text.
+    #[test]
+    fn hostile_files_take_about_their_text() {
+        let name = "n".repeat(1000);
+        let depth = 200;
+        let deep = format!(
+            "<R>{}{}{}</R>",
+            format!("<{name}>").repeat(depth),
+            "<a/>".repeat(50_000),
+            format!("</{name}>").repeat(depth)
+        );
+        let wide = format!("<R>{}</R>", "<a/><b/>".repeat(50_000));
+        for text in [deep, wide] {
+            let found = sections(&text, &["R"]);
+            assert!(found.len() > 50_000);
+            let length: usize = found.iter().map(|(name, _)| name.len()).sum();
+            assert!(length < 16 * text.len(), "{length} of {}", text.len());
+        }
+    }
+}

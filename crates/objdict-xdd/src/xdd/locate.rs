@@ -1,0 +1,119 @@
+//! Places to spans. Little is stored: the place names its element and attribute, and the tree is searched for them when a
+//! finding is shown. A clean file pays nothing.
+
+mod entry;
+mod facts;
+
+use std::collections::HashMap;
+use std::hash::{BuildHasher, RandomState};
+
+pub(super) use self::entry::attribute_name;
+use super::layout::Layout;
+use crate::model::{Field, Part, Place};
+use crate::source::Span;
+use crate::xml::{Attribute, Element, ElementId, Tree};
+
+/// Where the objects of a tree stand, and what they may refer to.
+#[derive(Debug)]
+pub struct Locator {
+    /// Which of the containers it is for.
+    number: usize,
+    objects: HashMap<u16, ElementId>,
+    state: RandomState,
+    /// Hash of each id, and the element that has it, in order of the hashes.
+    ids: Vec<(u32, ElementId)>,
+}
+
+impl Locator {
+    /// Finds the objects of a device of the file.
+    pub fn new(tree: &Tree, number: usize) -> Self {
+        let mut found = Self { number, objects: HashMap::new(), state: RandomState::new(), ids: Vec::new() };
+        let Some(layout) = Layout::of(tree, number) else { return found };
+        for object in layout.objects() {
+            let attributes = super::read::EntryAttributes::of(object);
+            if let Some(index) = attributes.index() {
+                found.objects.entry(index).or_insert(object.id());
+            }
+        }
+        for process in
+            layout.device.iter().flat_map(|device| device.body.children_named("ApplicationProcess"))
+        {
+            for element in process.descendants() {
+                if let Some(id) = element.attribute("uniqueID") {
+                    found.ids.push((found.hash(&id.value()), element.id()));
+                }
+            }
+        }
+        found.ids.sort_unstable();
+        found
+    }
+
+    /// The span of a place: what its attribute or element says, where that is there; else the tag of its part. `None` for
+    /// the device as a whole, and for parts that are not there.
+    pub fn locate(&self, tree: &Tree, place: &Place) -> Option<Span> {
+        let layout = Layout::of(tree, self.number)?;
+        let field = place.field.as_ref();
+        match &place.part {
+            Part::Object(index) => self.entry(tree, *index, None, field),
+            Part::Entry(index, sub) => self.entry(tree, *index, Some(*sub), field),
+            Part::Section(name) => section(&layout, name, field),
+            part => facts::locate(&layout, part, field),
+        }
+    }
+
+    /// The container that it is for.
+    pub(super) fn layout<'a>(&self, tree: &'a Tree) -> Option<Layout<'a>> {
+        Layout::of(tree, self.number)
+    }
+
+    /// The element with an id.
+    fn by_id<'a>(&self, tree: &'a Tree, id: &str) -> Option<Element<'a>> {
+        let hash = self.hash(id);
+        let from = self.ids.partition_point(|(other, _)| *other < hash);
+        let candidates = self.ids[from..].iter().take_while(|(other, _)| *other == hash);
+        let mut elements = candidates.map(|(_, element)| tree.element(*element));
+        elements.find(|element| element.attribute("uniqueID").is_some_and(|other| other.value() == id))
+    }
+
+    fn hash(&self, id: &str) -> u32 {
+        self.state.hash_one(id) as u32
+    }
+}
+
+/// The value of an attribute, or the attribute where that is empty.
+fn value_of(attribute: Attribute<'_>) -> Span {
+    let value = attribute.value_span();
+    if value.is_empty() { attribute.span() } else { value }
+}
+
+/// The text of an element, or its tag where there is none.
+fn text_of(element: Element<'_>) -> Span {
+    let text = element.text_span();
+    if text.is_empty() { element.tag_span() } else { text }
+}
+
+/// An element that is left over, by the path that [`Leftovers`](super::leftovers::Leftovers) gave it.
+fn section(layout: &Layout<'_>, name: &str, field: Option<&Field>) -> Option<Span> {
+    let path = name.get(..4).filter(|prefix| prefix.eq_ignore_ascii_case("xml:")).map(|_| &name[4..]);
+    let Some(path) = path else { return facts::carried(layout, name) };
+    let bodies = [layout.device, layout.network].into_iter().flatten().map(|profile| profile.body);
+    let mut roots = bodies.chain([layout.container]).chain(layout.container.parent());
+    let element = roots.find_map(|root| follow(root, path))?;
+    let Some(field) = field.map(Field::name) else { return Some(element.tag_span()) };
+    let attribute = element.attributes().find(|attribute| attribute.name().eq_ignore_ascii_case(&field));
+    Some(attribute.map_or_else(|| text_of(element), value_of))
+}
+
+/// The element that a path such as `DeviceFunction/foo[2]` leads to.
+fn follow<'a>(root: Element<'a>, path: &str) -> Option<Element<'a>> {
+    let is_root = root.name().eq_ignore_ascii_case(path);
+    let step = |element: Element<'a>, step: &str| {
+        let (name, number) = match step.split_once('[') {
+            Some((name, number)) => (name, number.strip_suffix(']')?.parse::<usize>().ok()?),
+            None => (step, 1),
+        };
+        let mut children = element.children().filter(|child| child.name().eq_ignore_ascii_case(name));
+        children.nth(number.checked_sub(1)?)
+    };
+    if is_root { Some(root) } else { path.split('/').try_fold(root, step) }
+}

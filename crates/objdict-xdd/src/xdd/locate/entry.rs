@@ -1,0 +1,87 @@
+//! Places of objects and sub-objects: an attribute of theirs, or what their parameter says instead.
+
+use std::borrow::Cow;
+
+use super::{Locator, text_of, value_of};
+use crate::model::{Field, SimpleType};
+use crate::source::Span;
+use crate::xdd::layout::below;
+use crate::xdd::read::{EntryAttributes, SUB};
+use crate::xml::{Element, Tree};
+
+impl Locator {
+    /// The span of a field of an object or sub-object; a sub-object that is not there stands in its object.
+    pub(super) fn entry(
+        &self,
+        tree: &Tree,
+        index: u16,
+        sub: Option<u8>,
+        field: Option<&Field>,
+    ) -> Option<Span> {
+        let Some(element) = self.element(tree, index, sub) else {
+            return self.element(tree, index, None).map(Element::tag_span);
+        };
+        let Some(field) = field else { return Some(element.tag_span()) };
+        let attribute = element.attribute(&attribute_name(field)).map(value_of);
+        let parameter = || self.in_parameter(tree, element, field);
+        attribute.or_else(parameter).or(Some(element.tag_span()))
+    }
+
+    /// The element of an object or sub-object.
+    pub(in crate::xdd) fn element<'a>(
+        &self,
+        tree: &'a Tree,
+        index: u16,
+        sub: Option<u8>,
+    ) -> Option<Element<'a>> {
+        let object = tree.element(*self.objects.get(&index)?);
+        let is_sub = |child: &Element<'_>| EntryAttributes::of(*child).sub_index() == sub;
+        if sub.is_none() { Some(object) } else { object.children_named(SUB).find(is_sub) }
+    }
+
+    /// Where the parameter of an element says a field.
+    pub(in crate::xdd) fn in_parameter(
+        &self,
+        tree: &Tree,
+        element: Element<'_>,
+        field: &Field,
+    ) -> Option<Span> {
+        let id = element.attribute("uniqueIDRef")?;
+        let parameter = self.by_id(tree, id.value().trim_ascii())?;
+        let value = |path: &[&str]| below(parameter, path)?.attribute("value").map(value_of);
+        match field {
+            Field::ParameterName => parameter.child("label").map(text_of),
+            Field::DataType => parameter.children().find(is_type).map(Element::tag_span),
+            Field::AccessType => parameter.attribute("access").map(value_of),
+            Field::DefaultValue => value(&["defaultValue"]),
+            Field::ParameterValue => value(&["actualValue"]),
+            Field::LowLimit => value(&["allowedValues", "range", "minValue"]),
+            Field::HighLimit => value(&["allowedValues", "range", "maxValue"]),
+            Field::Denotation => below(parameter, &["denotation", "label"]).map(text_of),
+            _ => None,
+        }
+    }
+}
+
+fn is_type(element: &Element<'_>) -> bool {
+    SimpleType::from_name(element.name()).is_some() || element.name() == "dataTypeIDRef"
+}
+
+/// The attribute of a field.
+pub(in crate::xdd) fn attribute_name(field: &Field) -> Cow<'_, str> {
+    Cow::Borrowed(match field {
+        Field::ParameterName => "name",
+        Field::ObjectType => "objectType",
+        Field::DataType => "dataType",
+        Field::LowLimit => "lowLimit",
+        Field::HighLimit => "highLimit",
+        Field::AccessType => "accessType",
+        Field::DefaultValue => "defaultValue",
+        Field::ParameterValue => "actualValue",
+        Field::Denotation => "denotation",
+        Field::PdoMapping => "PDOmapping",
+        Field::ObjFlags => "objFlags",
+        Field::SubNumber => "subNumber",
+        other => return other.name(),
+    })
+}

@@ -1,0 +1,26 @@
+//! XDD and XDC: device descriptions and configurations in XML (CiA 311).
+
+mod configure;
+mod defaults;
+pub mod findings;
+mod layout;
+mod leftovers;
+mod locate;
+mod markup;
+mod mend;
+mod read;
+pub(crate) mod schema;
+#[macro_use]
+mod shape;
+mod types;
+mod version;
+pub mod wording;
+pub mod write;
+
+pub use self::configure::{to_xdc, to_xdd};
+pub use self::layout::containers;
+pub use self::locate::Locator;
+pub use self::mend::edits;
+pub use self::read::read;
+pub use self::version::XddVersion;
+pub use self::write::write;

@@ -1,0 +1,225 @@
+//! What a parameter says of its entry goes to the entry; the rest stays in the parameter.
+
+use super::entry::value_type;
+use super::parameters::Definitions;
+use super::text::value_text;
+use crate::diagnostic::Findings;
+use crate::literal::{self, Quirks};
+use crate::model::{
+    Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, Parameter, ParameterAccess,
+    Place, ScaledValue, Value, ValueRange,
+};
+use crate::xdd::types;
+
+/// Fills the entry at `place`, whose data type is known, with what its parameter says, and takes that out of the parameter.
+/// What the entry's own attributes say counts; the parameter keeps what differs.
+pub(crate) fn absorb(
+    entry: &mut Entry,
+    parameter: &mut Parameter,
+    definitions: &Definitions<'_>,
+    place: &Place,
+    findings: &mut Findings,
+) {
+    name(entry, &mut parameter.labels);
+    let template = definitions.template(parameter);
+    access(entry, parameter, template);
+    let data_type = value_type(entry);
+    let mut values = Values { entry, data_type, place, findings };
+    values.take(parameter, definitions);
+    if let Some(template) = template {
+        values.take(&mut template.clone(), definitions);
+    }
+    denotation(entry, &mut parameter.denotation);
+}
+
+/// The name of an entry, where its own attribute is missing; a parameter that says nothing else needs no label.
+pub(crate) fn name(entry: &mut Entry, labels: &mut Labels) {
+    if entry.name.is_empty()
+        && let Some(name) = labels.names().next().map(|(_, name)| name.trim_ascii())
+    {
+        entry.name = name.into();
+    }
+    if is_only(labels, &entry.name) {
+        *labels = Labels::default();
+    }
+}
+
+/// Whether labels are but one name, in English.
+fn is_only(labels: &Labels, name: &str) -> bool {
+    matches!(&labels.0[..], [Label::Name { lang, text }] if &**lang == "en" && &**text == name)
+}
+
+/// The data type of an entry, where its own attribute is missing.
+pub(crate) fn data_type(entry: &mut Entry, parameter: &mut Parameter, definitions: &Definitions<'_>) {
+    let object_type = entry.object_type;
+    let template = definitions.template(parameter);
+    let stated = parameter.data_type.as_ref().or(template.and_then(|template| template.data_type.as_ref()));
+    if entry.data_type.is_none() {
+        let simple = stated.and_then(|reference| definitions.simple(reference));
+        entry.data_type = simple.map(|simple| types::data_type(simple, object_type));
+    }
+    let written = entry.data_type.map(types::simple_type).map(DataTypeRef::Simple);
+    if written.is_some() && parameter.data_type == written {
+        parameter.data_type = None;
+    }
+}
+
+/// The access type of an entry. rwr and rww can only be said by the parameter; where it says nothing it may be read.
+fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parameter>) {
+    let stated = parameter.access.or(template.and_then(|template| template.access));
+    let access = match stated.unwrap_or(ParameterAccess::Read) {
+        ParameterAccess::Const => Some(Access::Const),
+        ParameterAccess::Read => Some(Access::Ro),
+        ParameterAccess::Write => Some(Access::Wo),
+        ParameterAccess::ReadWrite => Some(Access::Rw),
+        ParameterAccess::ReadWriteInput => Some(Access::Rwr),
+        ParameterAccess::ReadWriteOutput => Some(Access::Rww),
+        ParameterAccess::NoAccess => None,
+    };
+    let is_misfit = entry.misfits.get(&Field::AccessType).is_some();
+    match (entry.access, access) {
+        (Some(Access::Rw), Some(Access::Rwr | Access::Rww)) => entry.access = access,
+        (None, _) if !is_misfit => entry.access = access,
+        _ => {}
+    }
+    if entry.access.is_some_and(|access| parameter.access == Some(written_access(access))) {
+        parameter.access = None;
+    }
+}
+
+/// How a parameter says an access type.
+pub(crate) const fn written_access(access: Access) -> ParameterAccess {
+    match access {
+        Access::Const => ParameterAccess::Const,
+        Access::Ro => ParameterAccess::Read,
+        Access::Wo => ParameterAccess::Write,
+        Access::Rw => ParameterAccess::ReadWrite,
+        Access::Rwr => ParameterAccess::ReadWriteInput,
+        Access::Rww => ParameterAccess::ReadWriteOutput,
+    }
+}
+
+/// The values of an entry.
+struct Values<'a> {
+    entry: &'a mut Entry,
+    data_type: Option<DataType>,
+    place: &'a Place,
+    findings: &'a mut Findings,
+}
+
+/// One of the values of an entry.
+#[derive(Clone, Copy)]
+enum Slot {
+    Default,
+    Actual,
+    Low,
+    High,
+}
+
+impl Slot {
+    fn field(self) -> Field {
+        match self {
+            Self::Default => Field::DefaultValue,
+            Self::Actual => Field::ParameterValue,
+            Self::Low => Field::LowLimit,
+            Self::High => Field::HighLimit,
+        }
+    }
+}
+
+impl Values<'_> {
+    /// Takes all values of a parameter.
+    fn take(&mut self, parameter: &mut Parameter, definitions: &Definitions<'_>) {
+        self.absorb(Slot::Default, &mut parameter.default_value);
+        self.range(&mut parameter.allowed_values, definitions);
+        self.absorb(Slot::Actual, &mut parameter.actual_value);
+    }
+
+    /// Takes a value of the parameter, and out of it what it says no more than the entry.
+    fn absorb(&mut self, slot: Slot, value: &mut Option<ScaledValue>) {
+        if value.as_ref().is_some_and(|value| self.fill(slot, value)) {
+            *value = None;
+        }
+    }
+
+    /// Takes the limits, where the parameter allows one range of plain values.
+    fn range(&mut self, allowed: &mut Option<AllowedValues>, definitions: &Definitions<'_>) {
+        let Some(stated) = allowed.as_ref() else { return };
+        let AllowedValues { values, ranges, .. } = definitions.allowed(stated);
+        let [ValueRange { min, max, step: None }] = &ranges[..] else { return };
+        if !values.is_empty() {
+            return;
+        }
+        // both of them, whatever the first one says
+        let is_said = self.fill(Slot::Low, min) & self.fill(Slot::High, max);
+        let is_own = stated.template.is_none();
+        if is_said && is_own {
+            *allowed = None;
+        }
+    }
+
+    /// Fills a value that the entry does not have. Whether the entry then says all that the parameter does.
+    fn fill(&mut self, slot: Slot, value: &ScaledValue) -> bool {
+        let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
+        let Some(text) = value_text(&value.value, self.data_type) else { return is_plain };
+        if let Some(misfit) = self.entry.misfits.get(&slot.field()) {
+            return is_plain && &*misfit.text == text;
+        }
+        let mut quirks = Quirks::default();
+        let read = literal::value(text, self.data_type, &mut quirks);
+        if let Some(own) = self.get(slot) {
+            return is_plain && read.as_ref() == Ok(own);
+        }
+        match read {
+            Ok(value) => {
+                literal::spelling(
+                    text,
+                    self.place.clone().field(slot.field()),
+                    quirks,
+                    Some(&value),
+                    self.findings,
+                );
+                self.set(slot, value);
+            }
+            Err(reason) => self.entry.misfits.push(slot.field(), text, reason),
+        }
+        is_plain
+    }
+
+    fn get(&self, slot: Slot) -> Option<&Value> {
+        match slot {
+            Slot::Default => self.entry.default.as_ref(),
+            Slot::Actual => self.entry.configured_value(),
+            Slot::Low => self.entry.low_limit.as_ref(),
+            Slot::High => self.entry.high_limit.as_ref(),
+        }
+    }
+
+    fn set(&mut self, slot: Slot, value: Value) {
+        match slot {
+            Slot::Default => self.entry.default = Some(value),
+            Slot::Actual => self.entry.configured_mut().value = Some(value),
+            Slot::Low => self.entry.low_limit = Some(value),
+            Slot::High => self.entry.high_limit = Some(value),
+        }
+    }
+}
+
+/// The name of the entry in the application. One in English is the entry's; others stay with the parameter too.
+fn denotation(entry: &mut Entry, labels: &mut Labels) {
+    let Some(name) = labels.name_in("en") else { return };
+    let own = entry.configured.as_ref().and_then(|configured| configured.denotation.clone());
+    let denotation = match own {
+        Some(own) => own,
+        None => {
+            let name: Box<str> = name.trim_ascii().into();
+            if !name.is_empty() {
+                entry.configured_mut().denotation = Some(name.clone());
+            }
+            name
+        }
+    };
+    if is_only(labels, &denotation) {
+        *labels = Labels::default();
+    }
+}

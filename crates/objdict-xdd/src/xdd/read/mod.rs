@@ -1,0 +1,124 @@
+//! XDD and XDC texts to the model. Reading never fails: what cannot be read is a finding, a misfit or left over, and goes on.
+
+mod absorb;
+mod entry;
+mod file;
+mod identity;
+mod network;
+mod objects;
+mod parameters;
+mod text;
+
+pub(crate) use self::absorb::written_access;
+pub(crate) use self::entry::EntryAttributes;
+pub(crate) use self::network::{
+    DIRECTIONS, count_attribute, default_rate_field, range_length, supported_field,
+};
+pub(crate) use self::objects::count;
+pub(crate) use self::parameters::SUB;
+use self::parameters::Slot;
+use self::text::Text;
+pub(crate) use self::text::{bit_rate, hex};
+use super::defaults;
+use super::layout::{Layout, Profile, containers};
+use super::leftovers::Leftovers;
+use super::shape::{Shape, read_application_process};
+use crate::diagnostic::Findings;
+use crate::model::{ApplicationProcess, Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
+use crate::xml::{Element, Tree};
+
+/// Reads one of the [`containers`] of a tree as the description of a device type or, where it is told or has a node in
+/// it, of a node.
+pub fn read(tree: &Tree, number: usize, kind: DeviceKind) -> (Device, Findings) {
+    match containers(tree).get(number) {
+        Some(&container) => read_container(container, kind),
+        None => (Device { kind, ..Device::default() }, Findings::new()),
+    }
+}
+
+/// Reads one of the [`containers`] of a tree.
+fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings) {
+    let mut reader = Reader::new(Layout::of_container(container));
+    reader.headers();
+    reader.files();
+    reader.device_body();
+    reader.network_body();
+    reader.derive_lists();
+    reader.finish(kind)
+}
+
+/// A description in the making.
+struct Reader<'a> {
+    layout: Layout<'a>,
+    device: Device,
+    findings: Findings,
+    leftovers: Leftovers<'a>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(layout: Layout<'a>) -> Self {
+        Self { layout, device: Device::default(), findings: Findings::new(), leftovers: Leftovers::default() }
+    }
+
+    /// Facts about the device, for writing.
+    fn info(&mut self) -> &mut DeviceInfo {
+        self.device.device_info.get_or_insert_default()
+    }
+
+    /// The device profile but for its file attributes, and the objects that refer to it.
+    fn device_body(&mut self) {
+        let (mut application, parameters) = match self.layout.device {
+            Some(Profile { body, .. }) => self.device_parts(body),
+            None => Default::default(),
+        };
+        self.objects(&mut application, parameters);
+        application.retain(|process| *process != Default::default());
+        self.device.application = application;
+        self.device.manager = self.device.manager.take().filter(|manager| **manager != Default::default());
+        if defaults::is_function_invented(&self.device.functions) {
+            self.device.functions = Vec::new();
+        }
+    }
+
+    /// Reads the parts of the device profile. The parameters of the application processes are only found: objects refer to
+    /// them.
+    fn device_parts(&mut self, body: Element<'a>) -> (Vec<ApplicationProcess>, Vec<Slot<'a>>) {
+        let mut application = Vec::new();
+        let mut slots = Vec::new();
+        let mut has_identity = false;
+        for element in body.children() {
+            match element.name() {
+                "DeviceIdentity" if !std::mem::replace(&mut has_identity, true) => {
+                    self.device_identity(element);
+                }
+                "DeviceManager" if self.device.manager.is_none() => {
+                    self.device.manager = Some(Shape::read(element, &mut self.leftovers));
+                }
+                "DeviceFunction" => {
+                    self.device.functions.push(DeviceFunction::read(element, &mut self.leftovers));
+                }
+                "ApplicationProcess" => {
+                    let (process, found) = read_application_process(element, &mut self.leftovers);
+                    slots.extend(found.into_iter().map(|parameter| Slot::new(parameter, application.len())));
+                    application.push(process);
+                }
+                _ => self.leftovers.element(element),
+            }
+        }
+        self.leftovers.text(body);
+        (application, slots)
+    }
+
+    fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
+        let device = &mut self.device;
+        device.file_info = device.file_info.take().filter(|info| *info != FileInfo::default());
+        device.device_info = device.device_info.take().filter(|info| *info != DeviceInfo::default());
+        device.identity = device.identity.take().filter(|identity| **identity != Default::default());
+        device.kind = match device.commissioning {
+            Some(_) => DeviceKind::Node,
+            None => kind,
+        };
+        device.extra = self.leftovers.into_sections();
+        (self.device, self.findings)
+    }
+}

@@ -1,0 +1,214 @@
+//! The object list: objects, sub-objects, and what they refer to.
+
+use super::Reader;
+use super::absorb::{self, absorb};
+use super::entry::EntryAttributes;
+use super::parameters::{Definitions, Parameters, Reference, SUB, Slot, variables};
+use crate::diagnostic::Findings;
+use crate::model::{
+    ApplicationProcess, DataTypeRef, Device, Entry, Field, Misfit, Misfits, Object, ObjectList, ObjectLists,
+    ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+};
+use crate::xdd::leftovers::Leftovers;
+use crate::xdd::shape::take_stack_options;
+use crate::xdd::types;
+use crate::xml::Element;
+
+impl<'a> Reader<'a> {
+    /// Reads all objects. The parameters that belong to no entry, or to several, go to the application processes.
+    pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<Slot<'a>>) {
+        let mut parameters = Parameters::new(slots, application, &self.layout);
+        let definitions = Definitions::of(application);
+        let mut entries = Entries {
+            parameters: &mut parameters,
+            definitions: &definitions,
+            variables: variables(application).collect(),
+            findings: &mut self.findings,
+            leftovers: &mut self.leftovers,
+            number: 0,
+        };
+        for element in self.layout.objects() {
+            let attributes = EntryAttributes::of(element);
+            let index = attributes.index().filter(|index| !self.device.objects.contains_key(index));
+            match index {
+                Some(index) => {
+                    let object = entries.object(element, &attributes, index);
+                    self.device.objects.insert(index, object);
+                }
+                None => {
+                    entries.number += 1 + element.children_named(SUB).count();
+                    entries.leftovers.element(element);
+                }
+            }
+        }
+        parameters.give_rest(application, &mut self.leftovers);
+        drop_written_types(&mut self.device, application);
+    }
+
+    /// The lists that an EDS has: all objects from 1000h on, by what CiA 306-1 §4.6.3.1 says of their indexes.
+    pub(super) fn derive_lists(&mut self) {
+        if self.device.objects.is_empty() {
+            return;
+        }
+        self.device.lists = ObjectLists::naming(self.device.objects.keys().copied());
+    }
+}
+
+/// How many of some indexes `CANopenObjectList` counts in a list. It has no other number for definitions of data types than
+/// that of the optional objects.
+pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
+    indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
+}
+
+/// The entries of an object list, one after the other.
+struct Entries<'t, 'a> {
+    parameters: &'a mut Parameters<'t>,
+    definitions: &'a Definitions<'a>,
+    variables: Vec<&'a VarDeclaration>,
+    findings: &'a mut Findings,
+    leftovers: &'a mut Leftovers<'t>,
+    /// How many objects and sub-objects were met.
+    number: usize,
+}
+
+impl<'t> Entries<'t, '_> {
+    fn object(&mut self, element: Element<'t>, attributes: &EntryAttributes<'t>, index: u16) -> Object {
+        let main = self.entry(attributes, index, None);
+        let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
+        if let Some(number) = attributes.sub_number.map(super::Text::of) {
+            object.sub_number =
+                number.integer(Field::SubNumber, (0, 255), &mut object.main.misfits, self.findings);
+        }
+        for child in element.children() {
+            if child.name() != SUB {
+                self.leftovers.element(child);
+                continue;
+            }
+            let attributes = EntryAttributes::of(child);
+            match attributes.sub_index().filter(|&sub| object.subs.get(sub).is_none()) {
+                Some(sub) => {
+                    let mut entry = self.entry(&attributes, index, Some(sub));
+                    if let Some(attribute) = attributes.sub_number {
+                        entry.extra.push(attribute.name(), &attribute.value());
+                    }
+                    child.children().for_each(|unknown| self.leftovers.element(unknown));
+                    object.subs.insert(sub, entry);
+                }
+                None => {
+                    self.number += 1;
+                    self.leftovers.element(child);
+                }
+            }
+        }
+        object
+    }
+
+    fn entry(&mut self, attributes: &EntryAttributes<'_>, index: u16, sub: Option<u8>) -> Entry {
+        let (mut entry, values) = attributes.read();
+        let reference = self.parameters.reference(self.number);
+        self.number += 1;
+        let mut source = self.source(reference);
+        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        let is_structure = sub.is_none() && entry.object_type.is_some_and(ObjectType::has_subs);
+        if let Some(source) = &mut source
+            && !is_structure
+        {
+            // the data type must be known before the values
+            absorb::data_type(&mut entry, source.parameter(), self.definitions);
+        }
+        values.read(&mut entry, self.findings);
+        match &mut source {
+            None => {}
+            Some(source) if is_structure => absorb::name(&mut entry, &mut source.parameter().labels),
+            Some(source) => absorb(&mut entry, source.parameter(), self.definitions, &place, self.findings),
+        }
+        match (source, attributes.reference) {
+            (Some(Source::Own(mut parameter)), _) => {
+                take_stack_options(&mut entry.stack, &mut parameter.properties);
+                if parameter.has_usual_id(index, sub) && !self.parameters.is_named(&parameter.unique_id) {
+                    parameter.unique_id = Box::default();
+                }
+                entry.parameter =
+                    Some(Box::new(parameter)).filter(|parameter| **parameter != Parameter::default());
+            }
+            (_, Some(id)) if reference != Reference::None => entry.extra.push(id.name(), &id.value()),
+            _ => {}
+        }
+        in_order(&mut entry.misfits);
+        entry
+    }
+
+    /// What a reference leads to, as a parameter.
+    fn source(&mut self, reference: Reference) -> Option<Source> {
+        match reference {
+            Reference::None | Reference::Dangling => None,
+            Reference::Parameter(number) => match self.parameters.own(number, self.leftovers) {
+                Some(own) => Some(Source::Own(own)),
+                None => self.parameters.shared(number, self.leftovers).cloned().map(Source::Shared),
+            },
+            Reference::Variable(number) => {
+                let variable = self.variables.get(number as usize)?;
+                Some(Source::Shared(Parameter {
+                    labels: variable.labels.clone(),
+                    data_type: variable.data_type.clone(),
+                    access: Some(ParameterAccess::NoAccess),
+                    default_value: variable.default_value.clone(),
+                    allowed_values: variable.allowed_values.clone(),
+                    ..Parameter::default()
+                }))
+            }
+        }
+    }
+}
+
+/// Where an entry gets from what it does not say itself.
+enum Source {
+    /// A parameter of its own.
+    Own(Parameter),
+    /// A copy of what is not its own.
+    Shared(Parameter),
+}
+
+impl Source {
+    fn parameter(&mut self) -> &mut Parameter {
+        match self {
+            Self::Own(parameter) | Self::Shared(parameter) => parameter,
+        }
+    }
+}
+
+/// Puts misfits into the order of their fields: attributes come before parameters, and both may have some.
+fn in_order(misfits: &mut Misfits) {
+    if misfits.iter().is_sorted_by_key(|misfit| &misfit.field) {
+        return;
+    }
+    let mut all: Vec<Misfit> = misfits.iter().cloned().collect();
+    all.sort_by(|a, b| a.field.cmp(&b.field));
+    *misfits = Misfits::default();
+    for Misfit { field, text, reason } in all {
+        misfits.push(field, &text, reason);
+    }
+}
+
+/// Drops the types of ARRAYs and RECORDs that would be written anyway.
+fn drop_written_types(device: &mut Device, application: &mut [ApplicationProcess]) {
+    for process in application {
+        process.data_types.retain(|definition| {
+            let Some(index) = types::index_of(&definition.unique_id) else { return true };
+            let Some(object) = device.objects.get_mut(&index) else { return true };
+            if types::definition_of(index, object).as_ref() != Some(definition) {
+                return true;
+            }
+            drop_type_of(&mut object.main, &definition.unique_id);
+            false
+        });
+    }
+}
+
+fn drop_type_of(entry: &mut Entry, id: &str) {
+    let is_it = |reference: &DataTypeRef| matches!(reference, DataTypeRef::Defined(other) if &**other == id);
+    if let Some(mut parameter) = entry.parameter.take() {
+        parameter.data_type = parameter.data_type.take().filter(|reference| !is_it(reference));
+        entry.parameter = Some(parameter).filter(|parameter| **parameter != Parameter::default());
+    }
+}

@@ -1,0 +1,238 @@
+//! The parameters of the application process, and which entry each belongs to.
+
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+
+use crate::model::{
+    AllowedValues, ApplicationProcess, DataTypeRef, FunctionType, Parameter, ParameterGroup, SimpleType,
+    TypeDefinition, TypeShape, VarDeclaration,
+};
+use crate::xdd::layout::Layout;
+use crate::xdd::leftovers::Leftovers;
+use crate::xdd::shape::Shape;
+use crate::xml::{Attribute, Element};
+
+/// All parameters of a description. They are read when it is known whose they are.
+pub(crate) struct Parameters<'a> {
+    slots: Vec<Slot<'a>>,
+    /// What each object and sub-object in the order of the file refers to.
+    references: Vec<Reference>,
+    /// The ids that groups and conditions speak of.
+    named: HashSet<Box<str>>,
+}
+
+/// A parameter.
+#[derive(Debug)]
+pub(crate) struct Slot<'a> {
+    element: Element<'a>,
+    /// Its application process.
+    process: usize,
+    /// How many objects and sub-objects refer to it.
+    uses: u32,
+    /// Whether it belongs to an entry.
+    is_own: bool,
+    /// What it says, where several refer to it and the first of them was met.
+    shared: Option<Box<Parameter>>,
+}
+
+impl<'a> Slot<'a> {
+    /// A parameter of an application process.
+    pub(crate) fn new(element: Element<'a>, process: usize) -> Self {
+        Self { element, process, uses: 0, is_own: false, shared: None }
+    }
+
+    fn id(&self) -> Option<Cow<'a, str>> {
+        self.element.attribute("uniqueID").map(Attribute::value)
+    }
+}
+
+/// What `uniqueIDRef` refers to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reference {
+    /// There is no such attribute.
+    None,
+    /// Nothing that has a type or value.
+    Dangling,
+    /// The parameter of this number.
+    Parameter(u32),
+    /// The variable of this number, in the order of [`variables`].
+    Variable(u32),
+}
+
+impl<'a> Parameters<'a> {
+    /// Looks up what the objects refer to.
+    pub(crate) fn new(
+        mut slots: Vec<Slot<'a>>,
+        application: &[ApplicationProcess],
+        layout: &Layout<'a>,
+    ) -> Self {
+        let named = named_ids(&slots, application);
+        let references = references(&slots, application, layout);
+        for reference in &references {
+            if let Reference::Parameter(number) = reference {
+                slots[*number as usize].uses += 1;
+            }
+        }
+        Self { slots, references, named }
+    }
+
+    /// What the object or sub-object of this number refers to.
+    pub(crate) fn reference(&self, number: usize) -> Reference {
+        self.references.get(number).copied().unwrap_or(Reference::None)
+    }
+
+    /// The parameter that one entry alone refers to; it is its own.
+    pub(crate) fn own(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<Parameter> {
+        let slot = self.slots.get_mut(number as usize).filter(|slot| slot.uses == 1)?;
+        slot.is_own = true;
+        Some(Parameter::read(slot.element, leftovers))
+    }
+
+    /// A parameter that several entries refer to.
+    pub(crate) fn shared(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<&Parameter> {
+        let slot = self.slots.get_mut(number as usize)?;
+        let element = slot.element;
+        Some(slot.shared.get_or_insert_with(|| Box::new(Parameter::read(element, leftovers))))
+    }
+
+    /// Whether a group or a condition speaks of an id.
+    pub(crate) fn is_named(&self, id: &str) -> bool {
+        self.named.contains(id)
+    }
+
+    /// Gives those that belong to no entry to their application processes.
+    pub(crate) fn give_rest(self, application: &mut [ApplicationProcess], leftovers: &mut Leftovers<'a>) {
+        for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
+            if let Some(process) = application.get_mut(slot.process) {
+                let read = slot.shared.map(|parameter| *parameter);
+                process.parameters.push(read.unwrap_or_else(|| Parameter::read(slot.element, leftovers)));
+            }
+        }
+        for process in application {
+            process.parameters.shrink_to_fit();
+        }
+    }
+}
+
+/// Looks up `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids the first counts.
+fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &Layout<'_>) -> Vec<Reference> {
+    let mut targets: HashMap<Cow<'_, str>, Reference> = HashMap::with_capacity(slots.len());
+    for (number, slot) in (0..).zip(slots) {
+        if let Some(id) = slot.id() {
+            targets.entry(id).or_insert(Reference::Parameter(number));
+        }
+    }
+    for (number, variable) in (0..).zip(variables(application)) {
+        targets.entry(Cow::Borrowed(&*variable.unique_id)).or_insert(Reference::Variable(number));
+    }
+    let objects = layout.objects();
+    let elements = objects.flat_map(|object| std::iter::once(object).chain(object.children_named(SUB)));
+    let reference = |element: Element<'_>| {
+        let id = element.attribute("uniqueIDRef").map(Attribute::value);
+        match id.as_deref().map(str::trim_ascii) {
+            None | Some("") => Reference::None,
+            Some(id) => targets.get(id).copied().unwrap_or(Reference::Dangling),
+        }
+    };
+    elements.map(reference).collect()
+}
+
+/// The element of a sub-index.
+pub(crate) const SUB: &str = "CANopenSubObject";
+
+/// The variables that objects may refer to: members of structs, and variables of functions.
+pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Item = &VarDeclaration> {
+    fn of_function(function: &FunctionType) -> impl Iterator<Item = &VarDeclaration> {
+        function.inputs.iter().chain(&function.outputs).chain(&function.configuration)
+    }
+    application.iter().flat_map(|process| {
+        let members = process.data_types.iter().filter_map(|definition| match &definition.shape {
+            TypeShape::Struct { members } => Some(members),
+            _ => None,
+        });
+        members.flatten().chain(process.function_types.iter().flat_map(of_function))
+    })
+}
+
+/// The ids of parameters that groups and conditions speak of.
+fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<Box<str>> {
+    fn of_groups(groups: &[ParameterGroup], ids: &mut HashSet<Box<str>>) {
+        for group in groups {
+            ids.extend(group.parameters.iter().cloned());
+            of_groups(&group.groups, ids);
+        }
+    }
+    let mut ids = HashSet::new();
+    for process in application {
+        of_groups(&process.groups, &mut ids);
+        for variable in variables(std::slice::from_ref(process)) {
+            ids.extend(variable.conditional_support.iter().cloned());
+        }
+    }
+    let conditions = slots.iter().flat_map(|slot| slot.element.children_named("conditionalSupport"));
+    let named = conditions.filter_map(|condition| condition.attribute("paramIDRef"));
+    ids.extend(named.map(|id| id.value().into()));
+    ids
+}
+
+/// What parameters refer to: types and templates, by their ids.
+pub(crate) struct Definitions<'a> {
+    types: HashMap<&'a str, &'a TypeDefinition>,
+    templates: HashMap<&'a str, &'a Parameter>,
+    allowed: HashMap<&'a str, &'a AllowedValues>,
+}
+
+/// So many types may be defined by each other; more is a circle.
+const MAX_DERIVATIONS: usize = 16;
+
+impl<'a> Definitions<'a> {
+    /// The types and templates of the application processes.
+    pub(crate) fn of(application: &'a [ApplicationProcess]) -> Self {
+        let mut found = Self { types: HashMap::new(), templates: HashMap::new(), allowed: HashMap::new() };
+        for process in application {
+            for definition in &process.data_types {
+                found.types.entry(&definition.unique_id).or_insert(definition);
+            }
+            for template in &process.parameter_templates {
+                found.templates.entry(&template.parameter.unique_id).or_insert(&template.parameter);
+            }
+            for template in &process.allowed_values_templates {
+                found.allowed.entry(&template.unique_id).or_insert(&template.allowed);
+            }
+        }
+        found
+    }
+
+    /// The simple type behind a reference; `None` for arrays, structs and what is not there.
+    pub(crate) fn simple(&self, reference: &DataTypeRef) -> Option<SimpleType> {
+        let mut reference = reference;
+        for _ in 0..MAX_DERIVATIONS {
+            let id = match reference {
+                DataTypeRef::Simple(simple) => return Some(*simple),
+                DataTypeRef::Defined(id) => id,
+                DataTypeRef::Variables(_) => return None,
+            };
+            match &self.types.get(&**id)?.shape {
+                TypeShape::Enum { base, .. } => return *base,
+                TypeShape::Derived { base, .. } => reference = base.as_ref()?,
+                TypeShape::Array { .. } | TypeShape::Struct { .. } => return None,
+            }
+        }
+        None
+    }
+
+    /// The template of a parameter.
+    pub(crate) fn template(&self, parameter: &Parameter) -> Option<&'a Parameter> {
+        self.templates.get(parameter.template.as_deref()?).copied()
+    }
+
+    /// The allowed values with those of their template, where there is nothing else.
+    pub(crate) fn allowed<'b>(&self, allowed: &'b AllowedValues) -> &'b AllowedValues
+    where
+        'a: 'b,
+    {
+        let is_reference = allowed.values.is_empty() && allowed.ranges.is_empty();
+        let template = allowed.template.as_deref().filter(|_| is_reference);
+        template.and_then(|id| self.allowed.get(id).copied()).unwrap_or(allowed)
+    }
+}

@@ -1,0 +1,21 @@
+//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml, and never an error.
+
+mod attributes;
+mod build;
+mod chars;
+mod comments;
+mod content;
+mod edit;
+mod expand;
+pub mod findings;
+mod namespaces;
+mod prolog;
+mod tag;
+mod tree;
+mod write;
+
+pub use comments::comments;
+pub use edit::Editor;
+pub use tree::{Attribute, Element, ElementId, Tree};
+pub(crate) use write::escaped_value;
+pub use write::{Replaced, XmlWriter};
