@@ -60,7 +60,7 @@ fn check_with_all_profiles(bencher: Bencher<'_, '_>, megabytes: usize) {
     let text = eds(megabytes);
     let description = format::read(SourceFile::from_text("bench.eds", text.clone()), Format::Eds);
     let mut options = Options::default();
-    options.profiles.extend(profile::standard().cloned());
+    options.profiles.extend(profile::standard().cloned().map(std::sync::Arc::new));
     bencher.counter(BytesCount::of_str(&text)).bench(|| objdict::check_with(&description, &options).len());
 }
 

@@ -12,7 +12,7 @@ use objdict::source::{SourceFile, SourceOptions};
 
 static OPTIONS: LazyLock<Options> = LazyLock::new(|| {
     let mut options = Options::default();
-    options.profiles = objdict::profile::standard().map(Arc::clone).collect();
+    options.profiles = objdict::profile::standard().cloned().map(Arc::new).collect();
     options.tools = Tool::ALL.to_vec();
     options
 });

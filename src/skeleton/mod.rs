@@ -156,7 +156,7 @@ pub fn skeleton(wanted: &Wanted) -> Device {
         comments: Some(Vec::new()),
         ..Device::default()
     };
-    let general = profile::named("301").map(|profile| &**profile);
+    let general = profile::named("301");
     let own = wanted.functions.profile().and_then(profile::of_number);
     let documents: Vec<&Profile> = general.into_iter().chain(own).collect();
     let maker = objects::Maker { wanted, documents: &documents };
@@ -187,7 +187,7 @@ fn is_for(document: &Profile, device: &Device, index: u16) -> bool {
 
 /// The first object that a document demands and the device does not have.
 fn missing(device: &Device, documents: &[&Profile]) -> Option<u16> {
-    let objects = documents.iter().flat_map(|document| &document.objects);
+    let objects = documents.iter().flat_map(|document| document.objects());
     let mut demanded = objects.filter(|facts| facts.is_demanded(device, 0)).map(|facts| facts.first);
     demanded.find(|index| !device.objects.contains_key(index))
 }

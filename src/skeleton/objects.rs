@@ -13,11 +13,11 @@ pub(super) struct Maker<'a> {
 impl Maker<'_> {
     /// Adds an object, with the sub-indexes that it needs.
     pub(super) fn add(&self, device: &mut Device, index: u16) {
-        let facts: Vec<&ObjectFacts> = self.facts(index);
+        let facts: Vec<ObjectFacts<'_>> = self.facts(index);
         let has_subs = facts.iter().any(|facts| facts.states_type() && facts.object_type().has_subs());
         let object_type = facts.iter().find(|facts| facts.states_type()).map(|facts| facts.object_type());
         let mut object = Object::default();
-        object.main.name = self.facts(index).last().map_or("", |facts| facts.name.as_str()).into();
+        object.main.name = self.facts(index).last().map_or("", |facts| facts.name).into();
         object.main.object_type = Some(object_type.unwrap_or(ObjectType::Var));
         device.objects.insert(index, object);
         let entries: Vec<(u8, Entry)> = match has_subs {
@@ -39,7 +39,7 @@ impl Maker<'_> {
     }
 
     /// What the documents say of an object.
-    fn facts(&self, index: u16) -> Vec<&ObjectFacts> {
+    fn facts(&self, index: u16) -> Vec<ObjectFacts<'_>> {
         self.documents.iter().filter_map(|document| document.object(index)).collect()
     }
 
@@ -61,14 +61,14 @@ impl Maker<'_> {
     /// An entry as the documents describe it; where both say something, as that of the profile does.
     pub(super) fn entry(&self, index: u16, sub: u8) -> Entry {
         let facts = self.facts(index);
-        let facts: Vec<&EntryFacts> = facts.iter().rev().filter_map(|facts| facts.entry(sub)).collect();
+        let facts: Vec<EntryFacts<'_>> = facts.iter().rev().filter_map(|facts| facts.entry(sub)).collect();
         let data_type = facts.iter().find_map(|facts| facts.data_types.first().copied());
         let mapping = facts.iter().find_map(|facts| facts.mapping);
         let access = facts.iter().find_map(|facts| facts.access.first().copied());
-        let default = facts.iter().find_map(|facts| facts.default.clone());
+        let default = facts.iter().find_map(|facts| facts.default.cloned());
         let range =
             facts.iter().find(|facts| facts.first <= sub && sub <= facts.last && facts.last > facts.first);
-        let name = facts.iter().map(|facts| facts.name.as_str()).find(|name| !name.is_empty());
+        let name = facts.iter().map(|facts| facts.name).find(|name| !name.is_empty());
         let name = match (name, range) {
             (Some(name), Some(_)) => format!("{name} {sub}"),
             (Some(name), None) => name.to_owned(),
@@ -122,7 +122,7 @@ fn directed(access: Access, mapping: Option<Mapping>) -> Access {
 }
 
 /// Zero, or the first value that is allowed.
-fn first_value(data_type: DataType, facts: &[&EntryFacts]) -> Option<Value> {
+fn first_value(data_type: DataType, facts: &[EntryFacts<'_>]) -> Option<Value> {
     let allowed = facts.iter().find(|facts| !facts.values.is_empty());
     let number = match allowed {
         Some(facts) if !facts.accepts_value(0) => *facts.values.first()?.start(),

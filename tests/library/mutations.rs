@@ -63,7 +63,7 @@ fn no_damage_makes_it_panic() {
     let texts = texts();
     assert!(texts.len() > 100, "the fixtures are there");
     let mut options = Options::default();
-    options.profiles = objdict::profile::standard().map(Arc::clone).collect();
+    options.profiles = objdict::profile::standard().cloned().map(Arc::new).collect();
     options.tools = Tool::ALL.to_vec();
     let next = AtomicUsize::new(0);
     // a mutant is made of its number alone, so that one that fails can be made again

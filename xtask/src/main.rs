@@ -1,6 +1,6 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
-//! `cargo xtask docs [--check]`.
+//! `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -10,6 +10,7 @@ mod corpus;
 mod docs;
 mod mutants;
 mod mutate;
+mod profiles;
 mod round_trip;
 mod shares;
 mod targets;
@@ -32,7 +33,10 @@ usage:
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
   cargo xtask docs [--check]
-      write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare";
+      write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
+  cargo xtask profiles [--check]
+      write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
+      --check only compare";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -55,6 +59,8 @@ fn main() -> ExitCode {
         ["concise", corpus] => concise::run(Path::new(corpus)),
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
+        ["profiles"] => profiles::run(false),
+        ["profiles", "--check"] => profiles::run(true),
         _ => Err(USAGE.to_owned()),
     };
     match result {

@@ -68,7 +68,7 @@ fn mutant(texts: &[(Format, Vec<u8>)], number: usize) -> (Format, Vec<u8>) {
 /// All profiles and all tools.
 fn everything() -> Options {
     let mut options = Options::default();
-    options.profiles = objdict::profile::standard().map(Arc::clone).collect();
+    options.profiles = objdict::profile::standard().cloned().map(Arc::new).collect();
     options.tools = Tool::ALL.to_vec();
     options
 }

@@ -9,6 +9,7 @@
 //! 6206h and not 6207h        both; `or`, and brackets
 //! ```
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::RangeInclusive;
 
@@ -18,21 +19,28 @@ use crate::model::{Device, Value};
 /// When a demand holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    text: String,
-    expression: Expression,
+    text: Cow<'static, str>,
+    terms: Cow<'static, [Term]>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-enum Expression {
-    All(Vec<Expression>),
-    Any(Vec<Expression>),
-    Not(Box<Expression>),
+/// A piece of a condition; what it joins or compares with stands behind it.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term {
+    /// All of so many terms hold.
+    All(u32),
+    /// One of so many terms holds.
+    OneOf(u32),
+    /// A term does not hold.
+    Not,
     /// The object or sub-index is described.
     Described(u16, Option<u8>),
-    /// The bits of a value are one of these numbers.
-    Bits(u16, u8, RangeInclusive<u8>, Vec<RangeInclusive<i128>>),
-    /// The value is one of these numbers.
-    Value(u16, u8, Vec<RangeInclusive<i128>>),
+    /// The bits of a value, from the lowest to the highest, are in one of so many ranges.
+    BitsIn(u16, u8, [u8; 2], u32),
+    /// The value is in one of so many ranges.
+    ValueIn(u16, u8, u32),
+    /// A range of numbers, from the smallest to the greatest.
+    Range(i128, i128),
 }
 
 /// Why a text is no condition.
@@ -58,10 +66,22 @@ impl fmt::Display for Found<'_> {
 const MAX_DEPTH: u8 = 16;
 
 impl Condition {
+    /// One that was read before.
+    #[doc(hidden)]
+    pub const fn constant(text: &'static str, terms: &'static [Term]) -> Self {
+        Self { text: Cow::Borrowed(text), terms: Cow::Borrowed(terms) }
+    }
+
+    /// What it was read as.
+    #[doc(hidden)]
+    pub fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
     /// Whether it holds for a logical device, counted from 0; `None` where the description does not say. 1000h stands for
     /// the device type of the logical device.
     pub fn holds(&self, device: &Device, block: u8) -> Option<bool> {
-        self.expression.holds(device, block)
+        Terms { rest: &self.terms, device, block }.next()
     }
 }
 
@@ -69,10 +89,10 @@ impl std::str::FromStr for Condition {
     type Err = ConditionError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let mut parser = Parser { rest: text.trim_start(), depth: 0 };
-        let expression = parser.any()?;
+        let mut parser = Parser { rest: text.trim_start(), depth: 0, terms: Vec::new() };
+        parser.any()?;
         match parser.rest {
-            "" => Ok(Self { text: text.trim().to_owned(), expression }),
+            "" => Ok(Self { text: text.trim().to_owned().into(), terms: parser.terms.into() }),
             _ => Err(parser.error("`and`, `or` or the end")),
         }
     }
@@ -84,116 +104,154 @@ impl fmt::Display for Condition {
     }
 }
 
-impl Expression {
-    fn holds(&self, device: &Device, block: u8) -> Option<bool> {
-        match self {
-            Self::All(all) => decided(all.iter().map(|one| one.holds(device, block)), false),
-            Self::Any(any) => decided(any.iter().map(|one| one.holds(device, block)), true),
-            Self::Not(not) => not.holds(device, block).map(|holds| !holds),
-            Self::Described(index, sub) => {
-                let object = device.object(place_of(device, block, *index)).filter(|object| !object.orphan);
+/// Terms, and the logical device that they are asked of.
+struct Terms<'a> {
+    rest: &'a [Term],
+    device: &'a Device,
+    block: u8,
+}
+
+impl Terms<'_> {
+    /// Whether the next term holds, which is taken with all that belongs to it.
+    fn next(&mut self) -> Option<bool> {
+        let (term, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        match *term {
+            Term::All(count) => self.decided(count, false),
+            Term::OneOf(count) => self.decided(count, true),
+            Term::Not => self.next().map(|holds| !holds),
+            Term::Described(index, sub) => {
+                let object = self.device.object(self.place_of(index)).filter(|object| !object.orphan);
                 Some(object.is_some_and(|object| sub.is_none_or(|sub| object.has(sub))))
             }
-            Self::Bits(index, sub, bits, numbers) => {
-                let value = value_of(device, block, *index, *sub)?;
-                let width = u32::from(bits.end() - bits.start()) + 1;
-                let part = (value >> bits.start()) & ((1i128 << width) - 1);
-                Some(numbers.iter().any(|range| range.contains(&part)))
+            Term::BitsIn(index, sub, [first, last], count) => {
+                let value = self.value_of(index, sub);
+                let width = u32::from(last.saturating_sub(first)) + 1;
+                self.is_in(count, value.map(|value| (value >> first) & ((1i128 << width) - 1)))
             }
-            Self::Value(index, sub, numbers) => {
-                let value = value_of(device, block, *index, *sub)?;
-                Some(numbers.iter().any(|range| range.contains(&value)))
+            Term::ValueIn(index, sub, count) => {
+                let value = self.value_of(index, sub);
+                self.is_in(count, value)
             }
+            Term::Range(..) => None,
         }
     }
-}
 
-/// `deciding` when one is it, else the opposite when all are known.
-fn decided(all: impl Iterator<Item = Option<bool>>, deciding: bool) -> Option<bool> {
-    let mut known = true;
-    for one in all {
-        match one {
-            Some(holds) if holds == deciding => return Some(deciding),
-            Some(_) => {}
-            None => known = false,
+    /// `deciding` when one of the next terms is it, else the opposite when all are known.
+    fn decided(&mut self, count: u32, deciding: bool) -> Option<bool> {
+        let (mut known, mut decided) = (true, false);
+        for _ in 0..count {
+            let one = self.next();
+            known &= one.is_some();
+            decided |= one == Some(deciding);
+        }
+        if decided { Some(deciding) } else { known.then_some(!deciding) }
+    }
+
+    /// Whether a number is in one of the next ranges.
+    fn is_in(&mut self, count: u32, number: Option<i128>) -> Option<bool> {
+        let (ranges, rest) = self.rest.split_at_checked(count as usize)?;
+        self.rest = rest;
+        let number = number?;
+        let is_in =
+            |term: &Term| matches!(*term, Term::Range(first, last) if (first..=last).contains(&number));
+        Some(ranges.iter().any(is_in))
+    }
+
+    fn place_of(&self, index: u16) -> u16 {
+        match index {
+            0x1000 => device_type_index(self.device, self.block),
+            _ => index_in(self.block, index),
         }
     }
-    known.then_some(!deciding)
-}
 
-fn place_of(device: &Device, block: u8, index: u16) -> u16 {
-    if index == 0x1000 { device_type_index(device, block) } else { index_in(block, index) }
-}
-
-fn value_of(device: &Device, block: u8, index: u16, sub: u8) -> Option<i128> {
-    device.object(place_of(device, block, index))?.value(sub).as_deref().and_then(Value::as_integer)
+    fn value_of(&self, index: u16, sub: u8) -> Option<i128> {
+        self.device.object(self.place_of(index))?.value(sub).as_deref().and_then(Value::as_integer)
+    }
 }
 
 struct Parser<'a> {
     rest: &'a str,
     depth: u8,
+    terms: Vec<Term>,
 }
 
-impl<'a> Parser<'a> {
-    fn any(&mut self) -> Result<Expression, ConditionError> {
-        let mut any = vec![self.all()?];
-        while self.word("or") {
-            any.push(self.all()?);
-        }
-        Ok(if any.len() == 1 { any.remove(0) } else { Expression::Any(any) })
+impl Parser<'_> {
+    fn any(&mut self) -> Result<(), ConditionError> {
+        self.joined("or", Term::OneOf, Self::all)
     }
 
-    fn all(&mut self) -> Result<Expression, ConditionError> {
-        let mut all = vec![self.one()?];
-        while self.word("and") {
-            all.push(self.one()?);
-        }
-        Ok(if all.len() == 1 { all.remove(0) } else { Expression::All(all) })
+    fn all(&mut self) -> Result<(), ConditionError> {
+        self.joined("and", Term::All, Self::one)
     }
 
-    fn one(&mut self) -> Result<Expression, ConditionError> {
+    /// One part or several with a word between them.
+    fn joined(
+        &mut self,
+        word: &str,
+        join: fn(u32) -> Term,
+        part: fn(&mut Self) -> Result<(), ConditionError>,
+    ) -> Result<(), ConditionError> {
+        let start = self.terms.len();
+        let mut count = 1;
+        part(self)?;
+        while self.word(word) {
+            part(self)?;
+            count += 1;
+        }
+        if count > 1 {
+            self.terms.insert(start, join(count));
+        }
+        Ok(())
+    }
+
+    fn one(&mut self) -> Result<(), ConditionError> {
         if self.depth == MAX_DEPTH {
             return Err(self.error("fewer brackets"));
         }
         self.depth += 1;
-        let one = if self.word("not") {
-            Expression::Not(Box::new(self.one()?))
+        if self.word("not") {
+            self.terms.push(Term::Not);
+            self.one()?;
         } else if self.symbol("(") {
-            let any = self.any()?;
+            self.any()?;
             if !self.symbol(")") {
                 return Err(self.error("`)`"));
             }
-            any
         } else {
-            self.test()?
-        };
+            self.test()?;
+        }
         self.depth -= 1;
-        Ok(one)
+        Ok(())
     }
 
-    fn test(&mut self) -> Result<Expression, ConditionError> {
+    fn test(&mut self) -> Result<(), ConditionError> {
         let index = self.hex("an index such as `6040h`")?;
         let sub = match self.symbol(":") {
             true => Some(self.hex("a sub-index in hexadecimal")?),
             false => None,
         };
-        if self.symbol("[") {
-            let bits = self.bits()?;
-            let numbers = self.comparison()?.unwrap_or_else(|| vec![1..=i128::MAX]);
-            return Ok(Expression::Bits(index, sub.unwrap_or(0), bits, numbers));
-        }
-        Ok(match self.comparison()? {
-            Some(numbers) => Expression::Value(index, sub.unwrap_or(0), numbers),
-            None => Expression::Described(index, sub),
-        })
+        let bits = if self.symbol("[") { Some(self.bits()?) } else { None };
+        let ranges = self.comparison()?;
+        let (term, ranges) = match (bits, ranges) {
+            (None, None) => (Term::Described(index, sub), Vec::new()),
+            (None, Some(ranges)) => (Term::ValueIn(index, sub.unwrap_or(0), count(&ranges)), ranges),
+            (Some(bits), ranges) => {
+                let ranges = ranges.unwrap_or_else(|| vec![1..=i128::MAX]);
+                (Term::BitsIn(index, sub.unwrap_or(0), bits, count(&ranges)), ranges)
+            }
+        };
+        self.terms.push(term);
+        self.terms.extend(ranges.iter().map(|range| Term::Range(*range.start(), *range.end())));
+        Ok(())
     }
 
-    fn bits(&mut self) -> Result<RangeInclusive<u8>, ConditionError> {
+    fn bits(&mut self) -> Result<[u8; 2], ConditionError> {
         let expected = "bits from 0 to 63, such as `16` or `16..31`";
         let range = self.range(expected)?;
         let bit = |number: i128| u8::try_from(number).ok().filter(|bit| *bit < 64);
         match (bit(*range.start()), bit(*range.end()), self.symbol("]")) {
-            (Some(first), Some(last), true) if first <= last => Ok(first..=last),
+            (Some(first), Some(last), true) if first <= last => Ok([first, last]),
             (_, _, false) => Err(self.error("`]`")),
             _ => Err(ConditionError { expected, found: format!("{}..{}", range.start(), range.end()) }),
         }
@@ -279,6 +337,11 @@ impl<'a> Parser<'a> {
         let found: String = self.rest.chars().take(20).collect();
         ConditionError { expected, found: found.trim_end().to_owned() }
     }
+}
+
+/// How many ranges a comparison has; a text has room for far less than 4 thousand million.
+fn count(ranges: &[RangeInclusive<i128>]) -> u32 {
+    u32::try_from(ranges.len()).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]

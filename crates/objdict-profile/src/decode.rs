@@ -5,15 +5,15 @@ use std::ops::Range;
 use super::{BitField, EntryFacts, Profile, for_all, of_number};
 use crate::model::{Device, Value};
 
-impl EntryFacts {
+impl EntryFacts<'_> {
     /// What the bits of a number say, as far as the document knows: groups of bits with what their value means, single bits
     /// that are set by their names. A negative number counts as its two's complement. `None` where it says nothing.
     pub fn meaning(&self, number: i128) -> Option<String> {
         // what lies beyond 64 bits has no fields
         let value = (number & i128::from(u64::MAX)) as u64;
-        let parts: Vec<String> = self.bits.iter().filter_map(|field| part(field, value)).collect();
+        let parts: Vec<String> = self.bits().filter_map(|field| part(field, value)).collect();
         match parts.is_empty() {
-            true if self.bits.is_empty() => None,
+            true if self.bits().len() == 0 => None,
             true => Some("no bit is set".to_owned()),
             false => Some(parts.join(", ")),
         }
@@ -21,12 +21,12 @@ impl EntryFacts {
 }
 
 /// What a group of bits says; `None` for one that is 0 and has no word for that.
-fn part(field: &BitField, value: u64) -> Option<String> {
+fn part(field: BitField<'_>, value: u64) -> Option<String> {
     let number = field.of(value);
     match (field.meaning(value), number) {
         (Some(meaning), _) => Some(format!("{}: {meaning}", field.name)),
         (None, 0) => None,
-        (None, _) if field.first == field.last => Some(field.name.clone()),
+        (None, _) if field.first == field.last => Some(field.name.to_owned()),
         (None, _) => Some(format!("{}: {number}", field.name)),
     }
 }

@@ -3,72 +3,71 @@
 use std::ops::RangeInclusive;
 
 use super::Condition;
+use super::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Tables};
 use crate::model::{Access, DataType, Device, ObjectType, Value};
 
 /// What a document says of an object, or of a range of alike ones.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ObjectFacts {
+#[derive(Clone, Copy, Debug)]
+pub struct ObjectFacts<'a> {
     /// First index.
     pub first: u16,
     /// Last index; the first one for a single object.
     pub last: u16,
     /// Name in the document.
-    pub name: String,
+    pub name: &'a str,
     /// The object type, then others that real devices have and that do no harm; empty where any may be.
-    pub object_types: Vec<ObjectType>,
+    pub object_types: &'a [ObjectType],
     /// Whether a device has to have it.
-    pub need: Need,
+    pub need: Need<'a>,
     /// When it makes sense at all; always, without.
-    pub only: Option<Condition>,
+    pub only: Option<&'a Condition>,
     /// Objects that it has as many elements as: the first ones of those that are there. Empty where the document does not
     /// say.
-    pub as_many_as: Vec<u16>,
-    /// The sub-indexes that it may have, in ascending order; 0 for the value of a VAR. Empty where the document says
-    /// nothing of them.
-    pub entries: Vec<EntryFacts>,
+    pub as_many_as: &'a [u16],
     /// Where the document says so, or who else does.
-    pub source: Option<String>,
+    pub source: Option<&'a str>,
+    entries: &'a [EntryRow],
+    tables: &'a Tables,
 }
 
 /// What a document says of a sub-index, or of a range of alike ones.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EntryFacts {
+#[derive(Clone, Copy, Debug)]
+pub struct EntryFacts<'a> {
     /// First sub-index.
     pub first: u8,
     /// Last sub-index; the first one for a single entry.
     pub last: u8,
     /// Name in the document; empty for the value of a VAR.
-    pub name: String,
+    pub name: &'a str,
     /// The data type, then others that editions know; empty where any may be.
-    pub data_types: Vec<DataType>,
+    pub data_types: &'a [DataType],
     /// The access type, then others that editions allow; empty where any may be. See [`EntryFacts::accepts_access`].
-    pub access: Vec<Access>,
+    pub access: &'a [Access],
     /// Whether the entry is there whenever the object is.
-    pub need: Need,
+    pub need: Need<'a>,
     /// Whether a PDO may carry it; `None` where the document does not say.
     pub mapping: Option<Mapping>,
     /// The values that it may have; empty for all of the data type.
-    pub values: Vec<RangeInclusive<i128>>,
+    pub values: &'a [RangeInclusive<i128>],
     /// The value that it has when the device comes from its maker.
-    pub default: Option<Value>,
-    /// What its bits mean.
-    pub bits: Vec<BitField>,
+    pub default: Option<&'a Value>,
+    bits: &'a [BitRow],
+    tables: &'a Tables,
 }
 
 /// Whether something has to be there.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Need {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Need<'a> {
     /// It may be there.
-    #[default]
     Optional,
     /// It has to be.
     Mandatory,
     /// It has to be when something holds.
-    When(Condition),
+    When(&'a Condition),
 }
 
 /// Which PDOs may carry an entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mapping {
     /// None.
     No,
@@ -81,19 +80,27 @@ pub enum Mapping {
 }
 
 /// A group of bits of a value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BitField {
+#[derive(Clone, Copy, Debug)]
+pub struct BitField<'a> {
     /// Lowest bit, counted from 0.
     pub first: u8,
     /// Highest bit.
     pub last: u8,
     /// What it is.
-    pub name: String,
-    /// What its values mean.
-    pub values: Vec<(RangeInclusive<u64>, String)>,
+    pub name: &'a str,
+    meanings: &'a [MeaningRow],
+    texts: &'a str,
 }
 
-impl Need {
+impl<'a> Need<'a> {
+    fn of(row: NeedRow, tables: &'a Tables) -> Self {
+        match row {
+            NeedRow::Optional => Self::Optional,
+            NeedRow::Mandatory => Self::Mandatory,
+            NeedRow::When(at) => tables.conditions.get(at as usize).map_or(Self::Optional, Self::When),
+        }
+    }
+
     /// Whether a logical device, see [`Condition::holds`], surely needs what has this need.
     pub fn is_there(&self, device: &Device, block: u8) -> bool {
         match self {
@@ -104,10 +111,25 @@ impl Need {
     }
 }
 
-impl ObjectFacts {
+impl<'a> ObjectFacts<'a> {
+    pub(super) fn of(row: &ObjectRow, tables: &'a Tables) -> Self {
+        Self {
+            first: row.first,
+            last: row.last,
+            name: row.name.of_text(&tables.texts),
+            object_types: row.object_types.of(&tables.object_types),
+            need: Need::of(row.need, tables),
+            only: row.only.and_then(|at| tables.conditions.get(at as usize)),
+            as_many_as: row.as_many_as.of(&tables.indexes),
+            source: Some(row.source.of_text(&tables.texts)).filter(|source| !source.is_empty()),
+            entries: row.entries.of(&tables.entries),
+            tables,
+        }
+    }
+
     /// Whether the object is surely one for a logical device, see [`Condition::holds`], and not only for others.
     pub fn is_for(&self, device: &Device, block: u8) -> bool {
-        self.only.as_ref().is_none_or(|only| only.holds(device, block) == Some(true))
+        self.only.is_none_or(|only| only.holds(device, block) == Some(true))
     }
 
     /// Whether a logical device has to have the object.
@@ -125,10 +147,18 @@ impl ObjectFacts {
         !self.object_types.is_empty()
     }
 
+    /// The sub-indexes that it may have, in ascending order; 0 for the value of a VAR. None where the document says nothing
+    /// of them.
+    pub fn entries(&self) -> impl ExactSizeIterator<Item = EntryFacts<'a>> + use<'a> {
+        let tables = self.tables;
+        self.entries.iter().map(move |row| EntryFacts::of(row, tables))
+    }
+
     /// What it says of a sub-index; `None` for one that the object does not have.
-    pub fn entry(&self, sub: u8) -> Option<&EntryFacts> {
+    pub fn entry(&self, sub: u8) -> Option<EntryFacts<'a>> {
         let at = self.entries.partition_point(|entry| entry.last < sub);
-        self.entries.get(at).filter(|entry| entry.first <= sub)
+        let row = self.entries.get(at).filter(|entry| entry.first <= sub);
+        row.map(|row| EntryFacts::of(row, self.tables))
     }
 
     /// The highest sub-index that it may have.
@@ -137,7 +167,35 @@ impl ObjectFacts {
     }
 }
 
-impl EntryFacts {
+impl<'a> EntryFacts<'a> {
+    fn of(row: &EntryRow, tables: &'a Tables) -> Self {
+        Self {
+            first: row.first,
+            last: row.last,
+            name: row.name.of_text(&tables.texts),
+            data_types: row.data_types.of(&tables.data_types),
+            access: row.access.of(&tables.access),
+            need: Need::of(row.need, tables),
+            mapping: row.mapping,
+            values: row.values.of(&tables.values),
+            default: row.default.and_then(|at| tables.defaults.get(at as usize)),
+            bits: row.bits.of(&tables.bits),
+            tables,
+        }
+    }
+
+    /// What its bits mean.
+    pub fn bits(&self) -> impl ExactSizeIterator<Item = BitField<'a>> + use<'a> {
+        let tables = self.tables;
+        self.bits.iter().map(move |row| BitField {
+            first: row.first,
+            last: row.last,
+            name: row.name.of_text(&tables.texts),
+            meanings: row.values.of(&tables.meanings),
+            texts: &tables.texts,
+        })
+    }
+
     /// Whether an entry may have this data type.
     pub fn accepts_type(&self, data_type: DataType) -> bool {
         self.data_types.is_empty() || self.data_types.contains(&data_type)
@@ -182,7 +240,7 @@ impl Mapping {
     }
 }
 
-impl BitField {
+impl<'a> BitField<'a> {
     /// Its part of a value.
     pub fn of(&self, value: u64) -> u64 {
         let width = u32::from(self.last.saturating_sub(self.first)) + 1;
@@ -190,9 +248,15 @@ impl BitField {
         value.checked_shr(self.first.into()).unwrap_or(0) & mask
     }
 
+    /// What its values mean.
+    pub fn meanings(&self) -> impl ExactSizeIterator<Item = (RangeInclusive<u64>, &'a str)> + use<'a> {
+        let texts = self.texts;
+        self.meanings.iter().map(move |row| (row.first..=row.last, row.text.of_text(texts)))
+    }
+
     /// What its part of a value means, where the document says so.
-    pub fn meaning(&self, value: u64) -> Option<&str> {
+    pub fn meaning(&self, value: u64) -> Option<&'a str> {
         let part = self.of(value);
-        self.values.iter().find(|(range, _)| range.contains(&part)).map(|(_, meaning)| meaning.as_str())
+        self.meanings().find(|(range, _)| range.contains(&part)).map(|(_, meaning)| meaning)
     }
 }

@@ -1,15 +1,21 @@
-//! What documents demand of objects, as data: one TOML file a document (`data/`), and a house's own profiles in the same
-//! form. Rules, generators and the command ask here and know no table themselves.
+//! What documents demand of objects, as data: one TOML file a document (`data/`), of which `cargo xtask profiles` makes
+//! constants (`constants/`), and a house's own profiles, which are read in the same form. Rules, generators and the command
+//! ask here and know no table themselves.
 //!
 //! `docs/profiles.md` describes the form.
 
 mod condition;
+mod constants;
 mod decode;
 pub mod default_mapping;
 mod facts;
 mod load;
 mod open;
 pub mod standard;
+#[doc(hidden)]
+pub mod tables;
+
+use std::borrow::Cow;
 
 pub use condition::{Condition, ConditionError};
 pub use decode::meaning;
@@ -21,6 +27,7 @@ pub use standard::{named, obsolete, standard};
 
 use objdict_model::{diagnostic, model, source};
 
+use self::tables::Tables;
 use crate::model::Device;
 
 /// The index at which the objects of a profile begin; each further logical device of a module lies behind the others.
@@ -36,30 +43,37 @@ pub struct Profile {
     /// The group of the rules that hold a device against it: `cia401`; `house` for a profile that was loaded.
     pub group: &'static str,
     /// The document as people call it: `CiA 401`.
-    pub document: String,
+    pub document: Cow<'static, str>,
     /// What it is about.
-    pub title: String,
+    pub title: Cow<'static, str>,
     /// The edition.
-    pub version: Option<String>,
+    pub version: Option<Cow<'static, str>>,
     /// The device profile number: the low word of 1000h of a device that follows it. Without it, the document is for
     /// devices of any profile.
     pub number: Option<u16>,
     /// Whether a module may have several logical devices of it, 800h indexes apart (CiA 301 §7.4.1).
     pub repeats: bool,
-    /// The objects, in ascending order of their indexes.
-    pub objects: Vec<ObjectFacts>,
+    /// What it says of objects.
+    #[doc(hidden)]
+    pub tables: Tables,
 }
 
 impl Profile {
+    /// The objects, in ascending order of their indexes.
+    pub fn objects(&self) -> impl ExactSizeIterator<Item = ObjectFacts<'_>> {
+        self.tables.objects.iter().map(|row| ObjectFacts::of(row, &self.tables))
+    }
+
     /// What it says of an object of the first logical device; `None` for one that it does not define.
-    pub fn object(&self, index: u16) -> Option<&ObjectFacts> {
-        let at = self.objects.partition_point(|facts| facts.last < index);
-        self.objects.get(at).filter(|facts| facts.first <= index)
+    pub fn object(&self, index: u16) -> Option<ObjectFacts<'_>> {
+        let at = self.tables.objects.partition_point(|row| row.last < index);
+        let row = self.tables.objects.get(at).filter(|row| row.first <= index);
+        row.map(|row| ObjectFacts::of(row, &self.tables))
     }
 
     /// What it says of an object that a logical device has at `index`, counted from 0. Communication objects belong to
     /// the first.
-    pub fn object_in(&self, block: u8, index: u16) -> Option<&ObjectFacts> {
+    pub fn object_in(&self, block: u8, index: u16) -> Option<ObjectFacts<'_>> {
         match block {
             0 => self.object(index),
             _ if index < FIRST_INDEX => None,

@@ -61,7 +61,7 @@ impl Profile {
 /// When there is none of this name, or the file cannot be read or is no profile.
 pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
     if let Some(profile) = named(name) {
-        return Ok(Arc::clone(profile));
+        return Ok(Arc::new(profile.clone()));
     }
     let path = folder.join(name);
     if !path.exists() && path.extension().is_none() {

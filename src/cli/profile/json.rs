@@ -1,7 +1,6 @@
 //! Profiles as JSON; `docs/json.md` describes it.
 
 use std::io::{self, Write};
-use std::sync::Arc;
 
 use serde_json::{Map, Value as Json, json};
 
@@ -12,19 +11,20 @@ use crate::profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 const VERSION: u32 = 1;
 
 /// The documents, one a line.
-pub(super) fn list<'a>(
-    profiles: impl Iterator<Item = &'a Arc<Profile>>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub(super) fn list<'a>(profiles: impl Iterator<Item = &'a Profile>, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "{{\"version\":{VERSION},\"profiles\":[")?;
     lines(profiles.map(|profile| Json::Object(head(profile))), out)
 }
 
 /// A profile, one object a line.
-pub(super) fn profile(profile: &Profile, objects: &[ObjectFacts], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn profile<'a>(
+    profile: &Profile,
+    objects: impl Iterator<Item = ObjectFacts<'a>>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let head = Json::Object(head(profile));
     write!(out, "{{\"version\":{VERSION},\"profile\":{head},\"objects\":[")?;
-    lines(objects.iter().map(|facts| Json::Object(object(facts))), out)
+    lines(objects.map(|facts| Json::Object(object(&facts))), out)
 }
 
 fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<()> {
@@ -42,48 +42,48 @@ fn head(profile: &Profile) -> Map<String, Json> {
     if profile.group != "house" {
         field("name", profile.document_number().into());
     }
-    field("document", profile.document.as_str().into());
-    field("title", profile.title.as_str().into());
+    field("document", (&*profile.document).into());
+    field("title", (&*profile.title).into());
     if let Some(edition) = &profile.version {
-        field("edition", edition.as_str().into());
+        field("edition", (&**edition).into());
     }
     if let Some(number) = profile.number {
         field("number", number.into());
     }
     field("repeats", profile.repeats.into());
-    field("count", profile.objects.len().into());
+    field("count", profile.objects().len().into());
     fields
 }
 
-fn object(facts: &ObjectFacts) -> Map<String, Json> {
+fn object(facts: &ObjectFacts<'_>) -> Map<String, Json> {
     let mut fields = Map::new();
     let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
     field("index", format!("0x{:04X}", facts.first).into());
     if facts.last > facts.first {
         field("last", format!("0x{:04X}", facts.last).into());
     }
-    field("name", facts.name.as_str().into());
+    field("name", facts.name.into());
     if facts.states_type() {
-        field("object_types", names(&facts.object_types));
+        field("object_types", names(facts.object_types));
     }
-    field("need", need(&facts.need));
-    if let Some(only) = &facts.only {
+    field("need", need(facts.need));
+    if let Some(only) = facts.only {
         field("only", only.to_string().into());
     }
     if !facts.as_many_as.is_empty() {
         let indexes = facts.as_many_as.iter().map(|index| format!("0x{index:04X}"));
         field("as_many_as", indexes.collect());
     }
-    if !facts.entries.is_empty() {
-        field("entries", facts.entries.iter().map(|facts| Json::Object(entry(facts))).collect());
+    if facts.entries().len() > 0 {
+        field("entries", facts.entries().map(|facts| Json::Object(entry(&facts))).collect());
     }
-    if let Some(source) = &facts.source {
-        field("source", source.as_str().into());
+    if let Some(source) = facts.source {
+        field("source", source.into());
     }
     fields
 }
 
-fn entry(facts: &EntryFacts) -> Map<String, Json> {
+fn entry(facts: &EntryFacts<'_>) -> Map<String, Json> {
     let mut fields = Map::new();
     let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
     field("sub", format!("0x{:02X}", facts.first).into());
@@ -91,14 +91,14 @@ fn entry(facts: &EntryFacts) -> Map<String, Json> {
         field("last", format!("0x{:02X}", facts.last).into());
     }
     if !facts.name.is_empty() {
-        field("name", facts.name.as_str().into());
+        field("name", facts.name.into());
     }
-    field("need", need(&facts.need));
+    field("need", need(facts.need));
     if !facts.data_types.is_empty() {
-        field("data_types", names(&facts.data_types));
+        field("data_types", names(facts.data_types));
     }
     if !facts.access.is_empty() {
-        field("access", names(&facts.access));
+        field("access", names(facts.access));
     }
     if let Some(mapping) = facts.mapping {
         field("mapping", Mapping::name(mapping).into());
@@ -111,20 +111,22 @@ fn entry(facts: &EntryFacts) -> Map<String, Json> {
             facts.values.iter().map(|range| json!([bound(*range.start()), bound(*range.end())])).collect(),
         );
     }
-    if let Some(default) = &facts.default {
+    if let Some(default) = facts.default {
         field("default", value(default));
     }
-    if !facts.bits.is_empty() {
-        field("bits", facts.bits.iter().map(bits).collect());
+    if facts.bits().len() > 0 {
+        field("bits", facts.bits().map(bits).collect());
     }
     fields
 }
 
-fn bits(field: &BitField) -> Json {
+fn bits(field: BitField<'_>) -> Json {
     let mut bits = json!({ "first": field.first, "last": field.last, "name": field.name });
-    if !field.values.is_empty() {
-        let meaning = |(range, meaning): &(std::ops::RangeInclusive<u64>, String)| json!({ "first": range.start(), "last": range.end(), "meaning": meaning });
-        bits["values"] = field.values.iter().map(meaning).collect();
+    if field.meanings().len() > 0 {
+        let meanings = field.meanings().map(
+            |(range, meaning)| json!({ "first": range.start(), "last": range.end(), "meaning": meaning }),
+        );
+        bits["values"] = meanings.collect();
     }
     bits
 }
@@ -133,7 +135,7 @@ fn names<T: ToString>(items: &[T]) -> Json {
     items.iter().map(ToString::to_string).collect()
 }
 
-fn need(need: &Need) -> Json {
+fn need(need: Need<'_>) -> Json {
     match need {
         Need::Optional => "optional".into(),
         Need::Mandatory => "mandatory".into(),

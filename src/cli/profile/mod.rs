@@ -29,23 +29,23 @@ fn show(args: &ProfileShowArgs, out: &mut Output) -> Result<(), Failure> {
     let object = args.index.map(|address| find(&profile, address.index)).transpose()?;
     match (args.format, object) {
         (ProfileFormat::Text, None) => text::profile(&profile, out)?,
-        (ProfileFormat::Text, Some(object)) => text::object(&profile, object, out)?,
-        (ProfileFormat::Json, None) => json::profile(&profile, &profile.objects, out)?,
+        (ProfileFormat::Text, Some(object)) => text::object(&profile, &object, out)?,
+        (ProfileFormat::Json, None) => json::profile(&profile, profile.objects(), out)?,
         (ProfileFormat::Json, Some(object)) => {
-            json::profile(&profile, std::slice::from_ref(object), out)?;
+            json::profile(&profile, std::iter::once(object), out)?;
         }
     }
     Ok(())
 }
 
 /// What a profile says of an object, of whichever logical device.
-fn find(profile: &Profile, index: u16) -> Result<&ObjectFacts, Failure> {
+fn find(profile: &Profile, index: u16) -> Result<ObjectFacts<'_>, Failure> {
     let blocks = if profile.repeats { crate::profile::MAX_BLOCKS } else { 1 };
     let found = (0..blocks).find_map(|block| profile.object_in(block, index));
     found.ok_or_else(|| {
         let document = &profile.document;
         let failure = Failure::new(format_args!("{document} says nothing of 0x{index:04X}"));
-        let next = profile.objects.iter().min_by_key(|facts| facts.first.abs_diff(index));
+        let next = profile.objects().min_by_key(|facts| facts.first.abs_diff(index));
         match next {
             Some(next) => failure.help(format!("next to it: 0x{:04X} {}", next.first, next.name)),
             None => failure,

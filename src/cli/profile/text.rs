@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
-use std::sync::Arc;
 
 use crate::cli::table::Table;
 use crate::profile::{EntryFacts, Mapping, Need, ObjectFacts, Profile};
@@ -15,17 +14,14 @@ const CELL: usize = 44;
 const LINE: usize = 4000;
 
 /// The documents, a line each.
-pub(super) fn list<'a>(
-    profiles: impl Iterator<Item = &'a Arc<Profile>>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub(super) fn list<'a>(profiles: impl Iterator<Item = &'a Profile>, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(["Profile", "Version", "Objects", "About"], usize::MAX);
     for profile in profiles {
         table.row([
             profile.document_number().to_owned(),
-            profile.version.clone().unwrap_or_default(),
-            profile.objects.len().to_string(),
-            profile.title.clone(),
+            profile.version.as_deref().unwrap_or_default().to_owned(),
+            profile.objects().len().to_string(),
+            profile.title.to_string(),
         ]);
     }
     table.write(out)
@@ -35,7 +31,7 @@ pub(super) fn list<'a>(
 pub(super) fn profile(profile: &Profile, out: &mut dyn Write) -> io::Result<()> {
     let version = profile.version.as_ref().map(|version| format!(" version {version}")).unwrap_or_default();
     writeln!(out, "{}{version}: {}", profile.document, profile.title)?;
-    let objects = plural(profile.objects.len(), "object");
+    let objects = plural(profile.objects().len(), "object");
     match (profile.number, profile.repeats) {
         (None, _) => writeln!(out, "{objects}, for devices of any profile\n")?,
         (Some(number), true) => writeln!(
@@ -46,18 +42,18 @@ pub(super) fn profile(profile: &Profile, out: &mut dyn Write) -> io::Result<()> 
     }
     let headings = ["Index", "Name", "Object", "Type", "Need", "Access", "PDO", "Values", "Default"];
     let mut table = Table::new(headings, CELL);
-    for facts in &profile.objects {
-        let [data_type, access, mapping, values, default] = shared_cells(facts);
+    for facts in profile.objects() {
+        let [data_type, access, mapping, values, default] = shared_cells(&facts);
         let object_type = facts.object_types.first().map(ToString::to_string).unwrap_or_default();
-        let name = facts.name.clone();
-        let need = need(&facts.need);
-        table.row([range(facts), name, object_type, data_type, need, access, mapping, values, default]);
+        let name = facts.name.to_owned();
+        let need = need(facts.need);
+        table.row([range(&facts), name, object_type, data_type, need, access, mapping, values, default]);
     }
     table.write(out)
 }
 
 /// One object with all that is known of it.
-pub(super) fn object(profile: &Profile, facts: &ObjectFacts, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn object(profile: &Profile, facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}  {} ({})\n", range(facts), facts.name, profile.document)?;
     let mut lines = Table::new(["", ""], LINE);
     let mut line = |name: &str, text: String| {
@@ -65,13 +61,13 @@ pub(super) fn object(profile: &Profile, facts: &ObjectFacts, out: &mut dyn Write
             lines.row([format!("  {name}"), text]);
         }
     };
-    line("object type", all(&facts.object_types));
-    line("need", if facts.need == Need::Optional { "optional".to_owned() } else { need(&facts.need) });
-    line("only", facts.only.as_ref().map(ToString::to_string).unwrap_or_default());
+    line("object type", all(facts.object_types));
+    line("need", if facts.need == Need::Optional { "optional".to_owned() } else { need(facts.need) });
+    line("only", facts.only.map(ToString::to_string).unwrap_or_default());
     let as_many_as: Vec<String> = facts.as_many_as.iter().map(|index| format!("0x{index:04X}")).collect();
     line("as many as", as_many_as.join(", "));
-    let value = facts.entries.first().filter(|entry| facts.entries.len() == 1 && entry.name.is_empty());
-    if let Some(entry) = value {
+    let value = facts.entries().next().filter(|entry| facts.entries().len() == 1 && entry.name.is_empty());
+    if let Some(entry) = &value {
         let [data_type, access, mapping, values, default] = entry_cells(entry);
         for (name, text) in [
             ("data type", data_type),
@@ -83,40 +79,40 @@ pub(super) fn object(profile: &Profile, facts: &ObjectFacts, out: &mut dyn Write
             line(name, text);
         }
     }
-    line("source", facts.source.clone().unwrap_or_default());
+    line("source", facts.source.unwrap_or_default().to_owned());
     lines.write(out)?;
-    if value.is_none() && !facts.entries.is_empty() {
+    if value.is_none() && facts.entries().len() > 0 {
         writeln!(out)?;
         entries(facts, out)?;
     }
     bits(facts, out)
 }
 
-fn entries(facts: &ObjectFacts, out: &mut dyn Write) -> io::Result<()> {
+fn entries(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
     let headings = ["Sub", "Name", "Type", "Need", "Access", "PDO", "Values", "Default"];
     let mut table = Table::new(headings, LINE);
-    for entry in &facts.entries {
-        let [data_type, access, mapping, values, default] = entry_cells(entry);
-        let (name, need) = (entry.name.clone(), need(&entry.need));
-        table.row([subs(entry), name, data_type, need, access, mapping, values, default]);
+    for entry in facts.entries() {
+        let [data_type, access, mapping, values, default] = entry_cells(&entry);
+        let (name, need) = (entry.name.to_owned(), need(entry.need));
+        table.row([subs(&entry), name, data_type, need, access, mapping, values, default]);
     }
     table.write(out)
 }
 
-fn bits(facts: &ObjectFacts, out: &mut dyn Write) -> io::Result<()> {
+fn bits(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(["Sub", "Bits", "Name", "Value", "Meaning"], LINE);
     let mut any = false;
-    for entry in &facts.entries {
-        let mut sub = if facts.entries.len() > 1 { subs(entry) } else { String::new() };
-        for field in &entry.bits {
+    for entry in facts.entries() {
+        let mut sub = if facts.entries().len() > 1 { subs(&entry) } else { String::new() };
+        for field in entry.bits() {
             any = true;
             let bits = span(&(field.first..=field.last));
-            let mut names = [std::mem::take(&mut sub), bits, field.name.clone()];
-            for (values, meaning) in &field.values {
+            let mut names = [std::mem::take(&mut sub), bits, field.name.to_owned()];
+            for (values, meaning) in field.meanings() {
                 let [sub, bits, name] = std::mem::take(&mut names);
-                table.row([sub, bits, name, span(values), meaning.clone()]);
+                table.row([sub, bits, name, span(&values), meaning.to_owned()]);
             }
-            if field.values.is_empty() {
+            if field.meanings().len() == 0 {
                 let [sub, bits, name] = names;
                 table.row([sub, bits, name, String::new(), String::new()]);
             }
@@ -130,12 +126,10 @@ fn bits(facts: &ObjectFacts, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Type, access, mapping, values and default of an object's value, or of its sub-indexes but 0 where they are alike.
-fn shared_cells(facts: &ObjectFacts) -> [String; 5] {
-    let entries: Vec<&EntryFacts> = match facts.entries.as_slice() {
-        [entry] => vec![entry],
-        entries => entries.iter().filter(|entry| entry.first > 0).collect(),
-    };
-    let mut cells = entries.iter().map(|entry| entry_cells(entry));
+fn shared_cells(facts: &ObjectFacts<'_>) -> [String; 5] {
+    let is_single = facts.entries().len() == 1;
+    let entries = facts.entries().filter(|entry| is_single || entry.first > 0);
+    let mut cells = entries.map(|entry| entry_cells(&entry));
     let first = cells.next().unwrap_or_default();
     cells.fold(first, |shared, cells| {
         let mut cells = cells.into_iter();
@@ -143,7 +137,7 @@ fn shared_cells(facts: &ObjectFacts) -> [String; 5] {
     })
 }
 
-fn entry_cells(entry: &EntryFacts) -> [String; 5] {
+fn entry_cells(entry: &EntryFacts<'_>) -> [String; 5] {
     let mapping = match entry.mapping {
         None => "",
         Some(Mapping::No) => "no",
@@ -153,11 +147,11 @@ fn entry_cells(entry: &EntryFacts) -> [String; 5] {
     };
     let values: Vec<String> = entry.values.iter().map(span).collect();
     [
-        all(&entry.data_types),
-        all(&entry.access),
+        all(entry.data_types),
+        all(entry.access),
         mapping.to_owned(),
         values.join(", "),
-        entry.default.as_ref().map(ToString::to_string).unwrap_or_default(),
+        entry.default.map(ToString::to_string).unwrap_or_default(),
     ]
 }
 
@@ -167,7 +161,7 @@ fn all<T: ToString>(items: &[T]) -> String {
     items.join(" or ")
 }
 
-fn need(need: &Need) -> String {
+fn need(need: Need<'_>) -> String {
     match need {
         Need::Optional => String::new(),
         Need::Mandatory => "mandatory".to_owned(),
@@ -175,14 +169,14 @@ fn need(need: &Need) -> String {
     }
 }
 
-fn range(facts: &ObjectFacts) -> String {
+fn range(facts: &ObjectFacts<'_>) -> String {
     match (facts.first, facts.last) {
         (first, last) if first == last => format!("0x{first:04X}"),
         (first, last) => format!("0x{first:04X}..0x{last:04X}"),
     }
 }
 
-fn subs(entry: &EntryFacts) -> String {
+fn subs(entry: &EntryFacts<'_>) -> String {
     match (entry.first, entry.last) {
         (first, last) if first == last => format!("{first:X}"),
         (first, last) => format!("{first:X}..{last:X}"),

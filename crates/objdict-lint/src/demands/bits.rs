@@ -9,7 +9,7 @@ use crate::stated;
 /// Bits are set that the document gives no meaning.
 pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
-    let reserved = value & !at.facts.bits.iter().fold(0, |known, field| known | mask(field));
+    let reserved = value & !at.facts.bits().fold(0, |known, field| known | mask(&field));
     if reserved == 0 {
         return;
     }
@@ -28,7 +28,7 @@ pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings
 /// A group of bits has a value that the document gives no meaning, though it lists meanings.
 pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
-    for field in at.facts.bits.iter().filter(|field| !field.values.is_empty()) {
+    for field in at.facts.bits().filter(|field| field.meanings().len() > 0) {
         if field.meaning(value).is_some() {
             continue;
         }
@@ -42,7 +42,7 @@ pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, 
             field.name,
             at.document()
         );
-        let known = field.values.iter().map(|(range, meaning)| format!("{} {meaning}", range.start()));
+        let known = field.meanings().map(|(range, meaning)| format!("{} {meaning}", range.start()));
         let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
         findings.push(finding.help(format!("the document knows {}", series(known))));
     }
@@ -54,7 +54,7 @@ fn value(at: &Expected<'_>) -> Option<u64> {
     let against = &at.against;
     let is_type_of_all =
         against.index == 0x1000 && device_type_index(against.device, against.applied.block) != 0x1000;
-    if at.facts.bits.is_empty() || at.counts() || is_type_of_all {
+    if at.facts.bits().len() == 0 || at.counts() || is_type_of_all {
         return None;
     }
     let [node_id, _] = stated::node_ids(against.device);
@@ -62,6 +62,6 @@ fn value(at: &Expected<'_>) -> Option<u64> {
     u64::try_from(value).ok().filter(|_| at.facts.accepts_value(value))
 }
 
-fn mask(field: &BitField) -> u64 {
+fn mask(field: &BitField<'_>) -> u64 {
     field.of(u64::MAX).checked_shl(field.first.into()).unwrap_or(0)
 }

@@ -87,7 +87,7 @@ pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: 
 
 /// The default is another one.
 pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
-    let (Some(expected), Some(found)) = (&at.facts.default, &at.entry.default) else { return };
+    let (Some(expected), Some(found)) = (at.facts.default, &at.entry.default) else { return };
     // a value that is not even allowed is reported as that
     let is_allowed = found.as_integer().is_none_or(|number| at.facts.accepts_value(number));
     if at.counts() || is_equal(expected, found) || !is_allowed {

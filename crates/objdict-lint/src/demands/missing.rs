@@ -14,13 +14,13 @@ pub(crate) fn missing_object(
     findings: &mut Findings,
 ) {
     let device = facts.device;
-    for facts in &applied.profile.objects {
+    for facts in applied.profile.objects() {
         let index = index_in(applied.block, facts.first);
         let is_communication = applied.block > 0 && index == facts.first;
         if is_communication || !facts.is_demanded(device, applied.block) || is_there(device, index) {
             continue;
         }
-        let why = why(&facts.need);
+        let why = why(facts.need);
         let message =
             format!("{index:04X}h ({}) is missing, {} demands it{why}", facts.name, applied.document());
         let place = Place::object(crate::profile::device_type_index(device, applied.block));
@@ -36,7 +36,7 @@ pub(crate) fn is_there(device: &Device, index: u16) -> bool {
 }
 
 /// Why something is demanded, as the end of a message.
-fn why(need: &Need) -> String {
+fn why(need: Need<'_>) -> String {
     match need {
         Need::When(condition) => format!(" when `{condition}`"),
         Need::Mandatory | Need::Optional => String::new(),
@@ -50,9 +50,9 @@ pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings:
         return;
     }
     // sub-index 0 is the matter of a rule of its own
-    let missing = at.facts.entries.iter().filter(|facts| facts.first > 0 && !at.object.has(facts.first));
+    let missing = at.facts.entries().filter(|facts| facts.first > 0 && !at.object.has(facts.first));
     for facts in missing.filter(|facts| facts.need.is_there(at.device, at.applied.block)) {
-        let why = why(&facts.need);
+        let why = why(facts.need);
         let (sub, document) = (facts.first, at.applied.document());
         let name = if facts.name.is_empty() { String::new() } else { format!(" ({})", facts.name) };
         let message = format!("{at} has no sub-index {sub}{name}, {document} demands it{why}");

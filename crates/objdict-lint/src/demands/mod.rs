@@ -37,7 +37,7 @@ pub(crate) struct Against<'a> {
     pub applied: Applied<'a>,
     pub index: u16,
     pub object: &'a Object,
-    pub facts: &'a ObjectFacts,
+    pub facts: ObjectFacts<'a>,
 }
 
 /// A described entry beside what a document says of it.
@@ -47,7 +47,7 @@ pub(crate) struct Expected<'a> {
     /// The sub-index; `None` for the object's own section.
     pub sub: Option<u8>,
     pub entry: &'a Entry,
-    pub facts: &'a EntryFacts,
+    pub facts: EntryFacts<'a>,
 }
 
 /// The documents that hold for a device: those for all devices, that of its device type, and those that were asked for.

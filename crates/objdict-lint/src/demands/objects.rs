@@ -33,7 +33,7 @@ fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
 /// document says of the object, so that it does not say of what object type it is.
 pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     // a VAR with sub-indexes is the matter of another rule
-    let is_whole = at.facts.states_type() && !at.facts.entries.is_empty();
+    let is_whole = at.facts.states_type() && at.facts.entries().len() > 0;
     if !at.has_its_shape() || !at.object.object_type().has_subs() || !is_whole {
         return;
     }
@@ -83,13 +83,13 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
     let differs = value != i128::from(highest)
         && object.subs.get(0).and_then(|entry| entry.access).is_some_and(|access| !access.is_writable());
     let has_rule = matches!(facts.first, 0x1018 | 0x1200..=0x12FF | 0x1400..=0x19FF | 0x1F00..=0x1F9F);
-    let missing = facts.entries.iter().any(|entry| entry.is_mandatory() && !object.has(entry.first));
+    let missing = facts.entries().any(|entry| entry.is_mandatory() && !object.has(entry.first));
     differs || highest > facts.highest_sub() || (has_rule && missing) || object.compact.is_some()
 }
 
 /// The object is there, though the document has it for other devices only.
 pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    let Some(only) = at.facts.only.as_ref().filter(|_| !at.object.orphan) else { return };
+    let Some(only) = at.facts.only.filter(|_| !at.object.orphan) else { return };
     if only.holds(at.device, at.applied.block) == Some(false) {
         let message = format!("{at} is for devices with `{only}` only, says {}", at.applied.document());
         let finding = Diagnostic::new(rule, Place::object(at.index), message);

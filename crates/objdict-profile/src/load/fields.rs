@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 
 use crate::model::{Access, DataType, ObjectType};
-use crate::{Condition, Mapping, Need};
+use crate::{Condition, Mapping};
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
 pub(super) fn number(text: &str) -> Option<u64> {
@@ -114,23 +114,27 @@ pub(super) fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Opti
 }
 
 /// `"mandatory"`, `"optional"`, or the condition on which it is mandatory.
-pub(super) struct NeedText(pub Need);
+pub(super) enum NeedText {
+    Optional,
+    Mandatory,
+    When(Condition),
+}
 
 impl<'de> Deserialize<'de> for NeedText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Ok(Self(match text.as_str() {
-            "mandatory" => Need::Mandatory,
-            "optional" => Need::Optional,
+        Ok(match text.as_str() {
+            "mandatory" => Self::Mandatory,
+            "optional" => Self::Optional,
             condition => match condition.strip_prefix("if ") {
-                Some(condition) => Need::When(condition.parse().map_err(de::Error::custom)?),
+                Some(condition) => Self::When(condition.parse().map_err(de::Error::custom)?),
                 None => {
                     return Err(de::Error::custom(format_args!(
                         "`{condition}` is unknown, expected `mandatory`, `optional` or `if` with a condition"
                     )));
                 }
             },
-        }))
+        })
     }
 }
 

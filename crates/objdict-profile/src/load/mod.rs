@@ -2,6 +2,7 @@
 //! `docs/profiles.md` describes it.
 
 mod fields;
+mod pack;
 
 use std::ops::RangeInclusive;
 
@@ -12,7 +13,9 @@ use self::fields::{
     BitRange, ConditionText, Meanings, NeedText, NumberOrPair, Ranges, access_types, data_types, mapping,
     number, object_types,
 };
-use super::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
+use self::pack::Packer;
+use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow};
+use super::{Mapping, Profile};
 use crate::diagnostic::nearest;
 use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
 use crate::source::Span;
@@ -51,34 +54,29 @@ impl Profile {
     /// # Errors
     /// When the text is no TOML, has a key that profiles do not have, or a value that is none of its key.
     pub fn from_toml(text: &str) -> Result<Self, ProfileError> {
-        Self::read(text, "house")
-    }
-
-    /// The profile that a TOML text describes, for rules of a group.
-    pub(super) fn read(text: &str, group: &'static str) -> Result<Self, ProfileError> {
         let file: ProfileFile = toml::from_str(text)
             .map_err(|error| ProfileError::new(error.message().to_owned(), error.span().map(span)))?;
+        let mut packer = Packer::default();
         let mut objects = Vec::with_capacity(file.object.len());
         for object in file.object {
             let at = span(object.span());
-            let facts =
-                object.into_inner().facts().map_err(|message| ProfileError::new(message, Some(at)))?;
-            objects.push((facts, at));
+            let row = object.into_inner().row(&mut packer);
+            objects.push((row.map_err(|message| ProfileError::new(message, Some(at)))?, at));
         }
-        objects.sort_by_key(|(facts, _)| facts.first);
+        objects.sort_by_key(|(row, _)| row.first);
         let twice = objects.windows(2).find(|pair| pair[0].0.last >= pair[1].0.first);
-        if let Some((facts, at)) = twice.map(|pair| &pair[1]) {
-            let message = format!("{:04X}h is described twice", facts.first);
+        if let Some((row, at)) = twice.map(|pair| &pair[1]) {
+            let message = format!("{:04X}h is described twice", row.first);
             return Err(ProfileError::new(message, Some(*at)));
         }
         Ok(Self {
-            group,
-            document: file.document,
-            title: file.title,
-            version: file.version,
+            group: "house",
+            document: file.document.into(),
+            title: file.title.into(),
+            version: file.version.map(Into::into),
             number: file.number,
             repeats: file.repeats,
-            objects: objects.into_iter().map(|(facts, _)| facts).collect(),
+            tables: packer.tables(objects.into_iter().map(|(row, _)| row).collect()),
         })
     }
 }
@@ -162,7 +160,7 @@ struct BitTable {
 }
 
 impl ObjectTable {
-    fn facts(self) -> Result<ObjectFacts, String> {
+    fn row(self, packer: &mut Packer) -> Result<ObjectRow, String> {
         let last = self.last.unwrap_or(self.index);
         if last < self.index {
             return Err(format!("`last` {last:04X}h is below `index` {:04X}h", self.index));
@@ -175,7 +173,7 @@ impl ObjectTable {
             sub: 0,
             last: None,
             name: String::new(),
-            need: Some(NeedText(Need::Mandatory)),
+            need: Some(NeedText::Mandatory),
             data_type: self.data_type,
             access: self.access,
             mapping: self.mapping,
@@ -189,65 +187,66 @@ impl ObjectTable {
                 return Err("an object with `entries` has data type, access and values there".to_owned());
             }
             (Some(entries), None) => {
-                entries.into_iter().map(EntryTable::facts).collect::<Result<Vec<_>, _>>()?
+                entries.into_iter().map(|entry| entry.row(packer)).collect::<Result<Vec<_>, _>>()?
             }
             (None, Some(number)) => {
                 if object_types.is_empty() {
                     object_types.extend([ObjectType::Array, ObjectType::Record]);
                 }
-                elements(&self.name, number.0, value.facts()?)?
+                let element = EntryRow { name: packer.text(&self.name), ..value.row(packer)? };
+                elements(number.0, element, packer)?
             }
             (None, None) if has_value => {
                 if object_types.is_empty() {
                     object_types.push(ObjectType::Var);
                 }
-                vec![value.facts()?]
+                vec![value.row(packer)?]
             }
             (None, None) => Vec::new(),
         };
         if let Some(pair) = entries.windows(2).find(|pair| pair[0].last >= pair[1].first) {
             return Err(format!("sub-index {} comes behind {}", pair[1].first, pair[0].last));
         }
-        Ok(ObjectFacts {
+        Ok(ObjectRow {
             first: self.index,
             last,
-            name: self.name,
-            object_types,
-            need: self.need.map(|need| need.0).unwrap_or_default(),
-            only: self.only.map(|only| only.0),
-            as_many_as: self.as_many_as,
-            entries,
-            source: self.source,
+            name: packer.text(&self.name),
+            object_types: packer.object_types.part(&object_types),
+            need: packer.need(self.need),
+            only: self.only.map(|only| packer.condition(only.0)),
+            as_many_as: packer.indexes.part(&self.as_many_as),
+            entries: packer.entries.part(&entries),
+            source: packer.text(self.source.as_deref().unwrap_or_default()),
         })
     }
 }
 
 impl EntryTable {
-    fn facts(self) -> Result<EntryFacts, String> {
+    fn row(self, packer: &mut Packer) -> Result<EntryRow, String> {
         let last = self.last.unwrap_or(self.sub);
         if last < self.sub {
             return Err(format!("`last` {last} is below `sub` {}", self.sub));
         }
         let data_type = self.data_type.first().copied();
         let default = self.default.map(|figure| value(&figure, data_type)).transpose()?;
-        let bits = self.bits.into_iter();
-        let bits = bits.map(|bits| BitField {
+        let bits = self.bits.iter().map(|bits| BitRow {
             first: *bits.at.0.start(),
             last: *bits.at.0.end(),
-            name: bits.name,
-            values: bits.values.0,
+            name: packer.text(&bits.name),
+            values: packer.meanings(&bits.values.0),
         });
-        Ok(EntryFacts {
+        let bits: Vec<BitRow> = bits.collect();
+        Ok(EntryRow {
             first: self.sub,
             last,
-            name: self.name,
-            data_types: self.data_type,
-            access: self.access,
-            need: self.need.map(|need| need.0).unwrap_or_default(),
+            name: packer.text(&self.name),
+            data_types: packer.data_types.part(&self.data_type),
+            access: packer.access.part(&self.access),
+            need: packer.need(self.need),
             mapping: self.mapping,
-            values: self.values.0,
-            default,
-            bits: bits.collect(),
+            values: packer.values.part(&self.values.0),
+            default: default.map(|default| packer.default_value(default)),
+            bits: packer.bits.part(&bits),
         })
     }
 }
@@ -255,35 +254,34 @@ impl EntryTable {
 /// The entries of an ARRAY of alike elements: their number in sub-index 0, the first one, which is always there, and the
 /// others; all of them are, where the number is fixed.
 fn elements(
-    name: &str,
     number: RangeInclusive<i128>,
-    element: EntryFacts,
-) -> Result<Vec<EntryFacts>, String> {
+    element: EntryRow,
+    packer: &mut Packer,
+) -> Result<Vec<EntryRow>, String> {
     let sub = |number: &i128| u8::try_from(*number).ok().filter(|&number| number < 0xFF);
     let (Some(least), Some(most @ 1..)) = (sub(number.start()), sub(number.end())) else {
         return Err("`elements` is a number from 1 to 254, or the smallest and the largest one".to_owned());
     };
-    let count = EntryFacts {
+    let count = EntryRow {
         first: 0,
         last: 0,
-        name: "Highest sub-index supported".to_owned(),
-        data_types: vec![DataType::UNSIGNED8],
-        access: vec![Access::Ro],
-        need: Need::Mandatory,
+        name: packer.text("Highest sub-index supported"),
+        data_types: packer.data_types.part(&[DataType::UNSIGNED8]),
+        access: packer.access.part(&[Access::Ro]),
+        need: NeedRow::Mandatory,
         mapping: Some(Mapping::No),
-        values: vec![number],
+        values: packer.values.part(&[number]),
         default: None,
-        bits: Vec::new(),
+        bits: packer.bits.part(&[]),
     };
-    let first = EntryFacts { first: 1, last: 1, name: name.to_owned(), ..element };
+    let first = EntryRow { first: 1, last: 1, ..element };
     if least == most {
-        return Ok(vec![count, EntryFacts { last: most, ..first }]);
+        return Ok(vec![count, EntryRow { last: most, ..first }]);
     }
-    let need = if least == 0 { Need::Optional } else { Need::Mandatory };
-    let first = EntryFacts { need, ..first };
-    let others = EntryFacts { first: 2, last: most, need: Need::Optional, ..first.clone() };
+    let need = if least == 0 { NeedRow::Optional } else { NeedRow::Mandatory };
+    let others = EntryRow { first: 2, last: most, need: NeedRow::Optional, ..first };
     let others = (most > 1).then_some(others);
-    Ok([count, first].into_iter().chain(others).collect())
+    Ok([count, EntryRow { need, ..first }].into_iter().chain(others).collect())
 }
 
 /// A default value of a data type; without one, a whole number.
@@ -327,6 +325,7 @@ fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, Str
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Need;
 
     const HEAD: &str = "document = \"Q\"\ntitle = \"drives\"\n";
 
@@ -357,11 +356,12 @@ entries = [
         let profile = Profile::from_toml(&format!("{HEAD}{text}")).unwrap();
         assert_eq!(profile.group, "house");
         let phase = profile.object(0x2007).unwrap();
-        assert_eq!((phase.need.clone(), phase.object_type()), (Need::Mandatory, ObjectType::Record));
-        assert_eq!(phase.entry(2).unwrap().bits[0].meaning(0b110), Some("on"));
-        assert_eq!(phase.entry(4), None);
+        assert_eq!((phase.need, phase.object_type()), (Need::Mandatory, ObjectType::Record));
+        let state = phase.entry(2).unwrap();
+        assert_eq!(state.bits().next().and_then(|field| field.meaning(0b110)), Some("on"));
+        assert!(phase.entry(4).is_none());
         let torque = profile.object(0x2100).unwrap().entry(0).unwrap();
-        assert_eq!(torque.default, Some(Value::Signed(-1)));
+        assert_eq!(torque.default, Some(&Value::Signed(-1)));
         assert!(torque.accepts_value(150) && !torque.accepts_value(50));
     }
 
@@ -372,20 +372,25 @@ entries = [
                 "{HEAD}[[object]]\nindex = 0x2000\nname = \"Input\"\nas-many-as = [0x2100]\n\
                  data-type = \"INTEGER16\"\naccess = \"ro\"\nelements = {elements}\n"
             );
-            Profile::from_toml(&text).map(|profile| profile.objects[0].clone())
+            Profile::from_toml(&text)
         };
         let inputs = array("[1, 254]").unwrap();
+        let inputs = inputs.object(0x2000).unwrap();
         assert_eq!(inputs.object_types, [ObjectType::Array, ObjectType::Record]);
         assert_eq!(inputs.as_many_as, [0x2100]);
-        let subs: Vec<_> = inputs.entries.iter().map(|entry| (entry.first, entry.last)).collect();
+        let subs: Vec<_> = inputs.entries().map(|entry| (entry.first, entry.last)).collect();
         assert_eq!(subs, [(0, 0), (1, 1), (2, 254)]);
-        assert_eq!(inputs.entries[0].values, [1..=254]);
-        assert_eq!(inputs.entries[0].data_types, [DataType::UNSIGNED8]);
-        assert!(inputs.entries[1].is_mandatory() && !inputs.entries[2].is_mandatory());
-        assert_eq!(inputs.entries[2].data_types, [DataType::INTEGER16]);
-        let nodes = array("127").unwrap();
-        assert!(nodes.entries[1].is_mandatory() && nodes.entries[1].last == 127);
-        assert!(!array("[0, 4]").unwrap().entries[1].is_mandatory());
+        let [count, first, others] = [0, 1, 2].map(|sub| inputs.entry(sub).unwrap());
+        assert_eq!((count.values, count.data_types), (&[1..=254][..], &[DataType::UNSIGNED8][..]));
+        assert!(first.is_mandatory() && !others.is_mandatory());
+        assert_eq!((others.data_types, others.name), (&[DataType::INTEGER16][..], "Input"));
+        let first = |elements: &str| {
+            let nodes = array(elements).unwrap();
+            let first = nodes.object(0x2000).and_then(|nodes| nodes.entry(1)).unwrap();
+            (first.is_mandatory(), first.last)
+        };
+        assert_eq!(first("127"), (true, 127));
+        assert_eq!(first("[0, 4]"), (false, 1));
         let message = array("255").unwrap_err().message;
         assert_eq!(message, "`elements` is a number from 1 to 254, or the smallest and the largest one");
     }

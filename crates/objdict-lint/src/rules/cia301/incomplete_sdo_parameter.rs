@@ -28,9 +28,9 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     if !(0x1200..=0x12FF).contains(&index) || object.orphan || !object.object_type().has_subs() {
         return;
     }
-    let needed = at.facts.entries.iter().filter(|entry| entry.is_mandatory() && entry.first > 0);
+    let needed = at.facts.entries().filter(|entry| entry.is_mandatory() && entry.first > 0);
     for entry in needed.filter(|entry| !object.has(entry.first)) {
-        let (sub, name) = (entry.first, &entry.name);
+        let (sub, name) = (entry.first, entry.name);
         let message = format!("{at} has no sub-index {sub} ({name})");
         let finding = Diagnostic::new(rule, Place::object(index), message);
         findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));

@@ -30,8 +30,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
         return;
     }
-    for facts in applied.profile.objects.iter().filter(|facts| facts.need == Need::Mandatory) {
-        let (index, name) = (facts.first, &facts.name);
+    for facts in applied.profile.objects().filter(|facts| facts.need == Need::Mandatory) {
+        let (index, name) = (facts.first, facts.name);
         // what is listed and not described has a rule of its own
         if stated::is_there(device, index) {
             continue;

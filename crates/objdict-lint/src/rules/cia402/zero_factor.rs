@@ -27,7 +27,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     for index in [0x604B, 0x604C].into_iter().chain(0x608F..=0x6097).chain([0x60A2]) {
         let zero: Vec<u8> = [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)).collect();
         let Some(&first) = zero.first() else { continue };
-        let name = applied.profile.object(index).map_or("", |facts| facts.name.as_str());
+        let name = applied.profile.object(index).map_or("", |facts| facts.name);
         let message = format!("`0` in {} ({name}), which is a ratio", drive.name(index));
         let finding = Diagnostic::new(rule, drive.value_place(index, first), message);
         let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "here too".to_owned()));
