@@ -18,6 +18,9 @@ use crate::format::Description;
 /// Columns that a message may take before it goes on in the next line.
 const WIDTH: usize = 100;
 
+/// A text of fewer bytes takes one line, with the `  help: ` before it and the margin of two columns.
+const SHORT: usize = WIDTH - 10;
+
 /// The most characters of a message that are shown.
 const MAX_MESSAGE: usize = 600;
 
@@ -25,6 +28,8 @@ const MAX_MESSAGE: usize = 600;
 pub struct Text<W> {
     out: W,
     handler: GraphicalReportHandler,
+    /// For findings whose texts each fit a line: to look where Unicode lets a line break takes longer than all the rest.
+    quick: GraphicalReportHandler,
     tally: Tally,
     detail: Detail,
     statistics: Statistics,
@@ -42,10 +47,10 @@ impl<W: Write> Text<W> {
     /// A report that writes to `out`, with the colours of a terminal or without.
     pub fn new(out: W, colour: bool) -> Self {
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-        let handler = GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH);
         Self {
             out,
-            handler,
+            quick: handler(theme.clone()).with_wrap_lines(false),
+            handler: handler(theme),
             tally: Tally::default(),
             detail: Detail::default(),
             statistics: Statistics::default(),
@@ -59,6 +64,11 @@ impl<W: Write> Text<W> {
         self.detail = detail;
         self
     }
+}
+
+/// What draws findings.
+fn handler(theme: GraphicalTheme) -> GraphicalReportHandler {
+    GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH)
 }
 
 impl<W> Text<W> {
@@ -87,7 +97,8 @@ impl<W: Write> Report for Text<W> {
         for finding in findings {
             text.clear();
             let finding = Rendered::new(subject, &excerpts, finding);
-            self.handler.render_report(&mut text, &finding).map_err(io::Error::other)?;
+            let handler = if finding.is_short() { &self.quick } else { &self.handler };
+            handler.render_report(&mut text, &finding).map_err(io::Error::other)?;
             self.out.write_all(text.as_bytes())?;
             self.out.write_all(b"\n")?;
         }
@@ -144,6 +155,12 @@ impl<'a> Rendered<'a> {
             });
         }
         Self { finding, message: shown(&finding.message), excerpts, labels }
+    }
+
+    /// Whether no text of it is broken into lines.
+    fn is_short(&self) -> bool {
+        let is_short = |text: &str| text.len() < SHORT && text.trim() == text && !text.contains('\n');
+        is_short(&self.message) && self.finding.help.as_deref().is_none_or(is_short)
     }
 }
 

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
+use miette::{GraphicalTheme, LabeledSpan};
 
 use super::excerpt::Excerpts;
-use super::{WIDTH, shown};
+use super::{handler, shown};
 use crate::source::{SourceFile, Span};
 
 /// What is wrong with a text of ours (a profile, a configuration), with the lines and a mark under them, without colours:
@@ -14,10 +14,9 @@ pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Opti
     let excerpts = Excerpts::new(source);
     let label = LabeledSpan::new_primary_with_span(None, excerpts.cut(span));
     let problem = Problem { message: shown(message), help: help.map(shown), excerpts, label };
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor());
     let mut text = String::new();
     // writing to a string cannot fail
-    let _ = handler.with_links(false).with_width(WIDTH).render_report(&mut text, &problem);
+    let _ = handler(GraphicalTheme::unicode_nocolor()).render_report(&mut text, &problem);
     text
 }
 
