@@ -12,7 +12,7 @@ pub(super) struct Change {
     pub(super) new: Range<usize>,
 }
 
-/// So many steps a search may take in one text, some tenths of a second: enough for some thousand changes.
+/// So many steps a search may take, some tenths of a second: enough for some thousand changes.
 const MAX_STEPS: usize = 1 << 26;
 
 /// The changes that make `new` of `old`, in order.
@@ -28,14 +28,13 @@ fn changes_within(mut patience: usize, old: &[&str], new: &[&str]) -> Vec<Change
     };
     let old: Vec<usize> = old.iter().map(|line| number(*line)).collect();
     let new: Vec<usize> = new.iter().map(|line| number(*line)).collect();
-    let (middle_old, middle_new) = without_ends(&old, &new, 0..old.len(), 0..new.len());
     let mut diff = Diff::new(&old, &new);
-    let (mut from_old, mut from_new) = (middle_old.start, middle_new.start);
-    for (at_old, at_new) in anchors(&old, &new, &middle_old, &middle_new, &mut patience) {
+    let (mut from_old, mut from_new) = (0, 0);
+    for (at_old, at_new) in anchors(&old, &new, patience) {
         diff.between(from_old..at_old, from_new..at_new, &mut patience);
         (from_old, from_new) = (at_old + 1, at_new + 1);
     }
-    diff.between(from_old..middle_old.end, from_new..middle_new.end, &mut patience);
+    diff.between(from_old..old.len(), from_new..new.len(), &mut patience);
     slide(&new, &mut diff.is_new);
     diff.changes()
 }
@@ -56,25 +55,19 @@ fn without_ends(
     (in_old, in_new)
 }
 
-/// The positions of lines that stand once in either range, as many as have the same order in both.
-fn anchors(
-    old: &[usize],
-    new: &[usize],
-    in_old: &Range<usize>,
-    in_new: &Range<usize>,
-    patience: &mut usize,
-) -> Vec<(usize, usize)> {
-    let single = |lines: &[usize], range: &Range<usize>| {
+/// The positions of lines that stand once in either version, as many as have the same order in both.
+fn anchors(old: &[usize], new: &[usize], mut patience: usize) -> Vec<(usize, usize)> {
+    let single = |lines: &[usize]| {
         let mut counts: HashMap<usize, u32> = HashMap::new();
-        lines[range.clone()].iter().for_each(|line| *counts.entry(*line).or_default() += 1);
-        range.clone().filter(|&at| counts.get(&lines[at]) == Some(&1)).collect::<Vec<usize>>()
+        lines.iter().for_each(|line| *counts.entry(*line).or_default() += 1);
+        (0..lines.len()).filter(|&at| counts.get(&lines[at]) == Some(&1)).collect::<Vec<usize>>()
     };
-    let (places_old, places_new) = (single(old, in_old), single(new, in_new));
+    let (places_old, places_new) = (single(old), single(new));
     let lines =
         |lines: &[usize], places: &[usize]| places.iter().map(|&at| lines[at]).collect::<Vec<usize>>();
     let (single_old, single_new) = (lines(old, &places_old), lines(new, &places_new));
     let mut diff = Diff::new(&single_old, &single_new);
-    diff.between(0..single_old.len(), 0..single_new.len(), patience);
+    diff.between(0..single_old.len(), 0..single_new.len(), &mut patience);
     let shared =
         |places: Vec<usize>, marks: Vec<bool>| places.into_iter().zip(marks).filter(|(_, mark)| !mark);
     let pairs = shared(places_old, diff.is_old).zip(shared(places_new, diff.is_new));
@@ -171,7 +164,8 @@ impl Reach {
 /// O(ND) difference algorithm and its variations*, §4b); `None` when finding it takes too long.
 fn split(old: &[usize], new: &[usize], patience: &mut usize) -> Option<(usize, usize)> {
     let (rows, columns) = (old.len(), new.len());
-    let most = (rows + columns).div_ceil(2);
+    // to look for a way of so many steps takes their square
+    let most = (rows + columns).div_ceil(2).min(patience.isqrt());
     let (mut forward, mut backward) = (Reach::new(most), Reach::new(most));
     let delta = rows as isize - columns as isize;
     let is_odd = delta % 2 != 0;
