@@ -6,8 +6,8 @@ use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use super::fields::NeedText;
-use crate::model::{Access, DataType, ObjectType, Value};
 use crate::Condition;
+use crate::model::{Access, DataType, ObjectType, Value};
 use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Part, Tables};
 
 /// Lists of one kind, behind each other.
