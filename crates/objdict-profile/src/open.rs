@@ -44,7 +44,7 @@ impl OpenError {
 }
 
 fn numbers() -> String {
-    let numbers: Vec<&str> = standard().map(|profile| profile.document_number()).collect();
+    let numbers: Vec<&str> = standard().map(Profile::document_number).collect();
     numbers.join(", ")
 }
 
