@@ -1,8 +1,8 @@
 //! What the writer says where the standard demands something and the model has nothing. The reader knows these texts and takes
 //! them for nothing.
 
-use super::shape::ProfileClass;
-use crate::model::{Characteristic, CharacteristicsList, Date, DeviceFunction, Labels, ProfileHeader};
+use super::layout::ProfileClass;
+use crate::model::{Characteristic, CharacteristicsList, DeviceFunction, Labels, ProfileHeader};
 
 /// A text that nobody stated: who made the file, the vendor, the product.
 pub(crate) const NOT_STATED: &str = "not stated";
@@ -11,7 +11,7 @@ pub(crate) const NOT_STATED: &str = "not stated";
 pub(crate) const FILE_NAME: &str = "unnamed.xdd";
 
 /// The day on which a file was made that does not say when.
-pub(crate) const DATE: Date = Date { year: 1970, month: 1, day: 1 };
+pub(crate) const DATE: &str = "1970-01-01";
 
 /// The bit rate in kbit/s of a device that supports none: the one that the standard takes for the default.
 pub(crate) const BIT_RATE: u16 = 250;

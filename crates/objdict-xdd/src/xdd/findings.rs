@@ -40,7 +40,7 @@ pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
 /// Holds each container of a document against CiA 311; a project file has several. What has none is no XDD, and nothing
 /// is said about it.
 pub fn check(tree: &Tree, findings: &mut Findings) {
-    for container in containers(tree).into_iter().filter(|container| container.name() == CONTAINER.name) {
+    for container in containers(tree).into_iter().filter(|container| container.tag() == CONTAINER.name) {
         check_container(container, findings);
     }
 }
@@ -55,7 +55,7 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
         languages: Languages::default(),
         seen: Seen::default(),
     };
-    walk.element(container, CONTAINER);
+    walk.element(container, &CONTAINER);
     walk.forms.report(walk.findings);
     profiles::check(container, &mut walk);
     profiles::check_identities(&mut walk);

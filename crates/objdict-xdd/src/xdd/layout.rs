@@ -1,7 +1,26 @@
 //! Where the parts of a description stand in a tree: containers, profiles, bodies.
 
-use super::shape::ProfileClass;
-use crate::xml::{Element, Tree};
+use super::schema::{self, DEVICE_HEADER, NETWORK_HEADER};
+use crate::xml::{Element, Name, Tree, n};
+
+/// What a profile is about (`ProfileClassID`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ProfileClass {
+    /// The device.
+    Device,
+    /// The communication network.
+    Network,
+}
+
+impl ProfileClass {
+    /// `ProfileHeader` of such a profile.
+    pub(crate) fn header(self) -> &'static schema::Element {
+        match self {
+            Self::Device => &DEVICE_HEADER,
+            Self::Network => &NETWORK_HEADER,
+        }
+    }
+}
 
 /// One description: a container with the profiles of one device.
 #[derive(Clone, Copy, Debug)]
@@ -27,15 +46,13 @@ pub(crate) struct Profile<'a> {
 /// file whatever is outermost is one.
 pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
     let Some(root) = tree.root() else { return Vec::new() };
-    if root.name() == CONTAINER {
+    if root.tag() == n::ISO15745ProfileContainer {
         return vec![root];
     }
-    let inner: Vec<_> = root.descendants().filter(|element| element.name() == CONTAINER).collect();
+    let inner: Vec<_> =
+        root.descendants().filter(|element| element.tag() == n::ISO15745ProfileContainer).collect();
     if inner.is_empty() { vec![root] } else { inner }
 }
-
-/// The outermost element of a description.
-pub(crate) const CONTAINER: &str = "ISO15745ProfileContainer";
 
 impl<'a> Layout<'a> {
     /// One of the [`containers`] of a tree.
@@ -57,25 +74,25 @@ impl<'a> Layout<'a> {
     }
 
     /// An element of the device profile, by the names of it and what it stands in.
-    pub(crate) fn in_device(&self, path: &[&str]) -> Option<Element<'a>> {
+    pub(crate) fn in_device(&self, path: &[Name]) -> Option<Element<'a>> {
         below(self.device?.body, path)
     }
 
     /// An element of the communication network profile, by the names of it and what it stands in.
-    pub(crate) fn in_network(&self, path: &[&str]) -> Option<Element<'a>> {
+    pub(crate) fn in_network(&self, path: &[Name]) -> Option<Element<'a>> {
         below(self.network?.body, path)
     }
 
     /// The objects in their order.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Element<'a>> + use<'a> {
-        let list = self.in_network(&["ApplicationLayers", "CANopenObjectList"]);
-        list.into_iter().flat_map(|list| list.children_named("CANopenObject"))
+        let list = self.in_network(&[n::ApplicationLayers, n::CANopenObjectList]);
+        list.into_iter().flat_map(|list| list.children_named(n::CANopenObject))
     }
 }
 
 /// The element that a path of names leads to, each time the first of its name.
-pub(crate) fn below<'a>(element: Element<'a>, path: &[&str]) -> Option<Element<'a>> {
-    path.iter().try_fold(element, |element, name| element.child(name))
+pub(crate) fn below<'a>(element: Element<'a>, path: &[Name]) -> Option<Element<'a>> {
+    path.iter().try_fold(element, |element, name| element.child(*name))
 }
 
 /// The profiles of a container with what they are about, in their order.
@@ -84,21 +101,21 @@ pub(crate) fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile
     let mut add = |header: Option<Element<'a>>, body: Element<'a>| {
         found.push((class_of(header, body), Profile { header, body }));
     };
-    match container.name() {
-        "ISO15745Profile" => {
+    match container.tag() {
+        n::ISO15745Profile => {
             container
-                .children_named("ProfileBody")
-                .for_each(|body| add(container.child("ProfileHeader"), body));
+                .children_named(n::ProfileBody)
+                .for_each(|body| add(container.child(n::ProfileHeader), body));
         }
-        "ProfileBody" => add(None, container),
+        n::ProfileBody => add(None, container),
         _ => {
             for child in container.children() {
-                match child.name() {
-                    "ISO15745Profile" => {
-                        let bodies = child.children_named("ProfileBody");
-                        bodies.for_each(|body| add(child.child("ProfileHeader"), body));
+                match child.tag() {
+                    n::ISO15745Profile => {
+                        let bodies = child.children_named(n::ProfileBody);
+                        bodies.for_each(|body| add(child.child(n::ProfileHeader), body));
                     }
-                    "ProfileBody" => add(None, child),
+                    n::ProfileBody => add(None, child),
                     _ => {}
                 }
             }
@@ -114,12 +131,12 @@ fn class_of(header: Option<Element<'_>>, body: Element<'_>) -> ProfileClass {
         () if word.contains("Device") => Some(ProfileClass::Device),
         () => None,
     };
-    let by_type = body.attribute("type").and_then(|name| of_word(&name.value()));
-    let class = header.and_then(|header| header.child("ProfileClassID"));
+    let by_type = body.attribute(n::r#type).and_then(|name| of_word(&name.value()));
+    let class = header.and_then(|header| header.child(n::ProfileClassID));
     let by_class = || class.and_then(|class| of_word(&class.text()));
     let by_content = || {
-        let parts = ["ApplicationLayers", "TransportLayers", "NetworkManagement"];
-        let is_network = body.children().any(|child| parts.contains(&child.name()));
+        let parts = [n::ApplicationLayers, n::TransportLayers, n::NetworkManagement];
+        let is_network = body.children().any(|child| parts.contains(&child.tag()));
         if is_network { ProfileClass::Network } else { ProfileClass::Device }
     };
     by_type.or_else(by_class).unwrap_or_else(by_content)

@@ -3,10 +3,10 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::model::{Extra, ExtraSection};
-use crate::xml::{Attribute, Element, ElementId};
+use crate::xml::{Attribute, Element, ElementId, n};
 
 /// The key of an element's text.
-pub(crate) const TEXT: &str = "#text";
+const TEXT: &str = n::text.text();
 
 /// Attributes, elements and texts that the model has no place for, or that are no values of their fields.
 ///
@@ -129,7 +129,7 @@ impl<'a> Paths<'a> {
     fn start(&self) -> usize {
         let around = self.open.len().saturating_sub(1);
         let around = &self.open[..around];
-        let body = around.iter().find(|(element, _)| element.name() == "ProfileBody");
+        let body = around.iter().find(|(element, _)| element.tag() == n::ProfileBody);
         body.or(around.first()).map_or(0, |(_, end)| end + 1)
     }
 

@@ -7,11 +7,11 @@ mod facts;
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 
-pub(super) use self::entry::attribute_name;
+pub(super) use self::entry::attribute_of;
 use super::layout::Layout;
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
-use crate::xml::{Attribute, Element, ElementId, Tree};
+use crate::xml::{Attribute, Element, ElementId, Tree, n};
 
 /// Where the objects of a tree stand, and what they may refer to.
 #[derive(Debug)]
@@ -36,10 +36,10 @@ impl Locator {
             }
         }
         for process in
-            layout.device.iter().flat_map(|device| device.body.children_named("ApplicationProcess"))
+            layout.device.iter().flat_map(|device| device.body.children_named(n::ApplicationProcess))
         {
             for element in process.descendants() {
-                if let Some(id) = element.attribute("uniqueID") {
+                if let Some(id) = element.attribute(n::uniqueID) {
                     found.ids.push((found.hash(&id.value()), element.id()));
                 }
             }
@@ -72,7 +72,7 @@ impl Locator {
         let from = self.ids.partition_point(|(other, _)| *other < hash);
         let candidates = self.ids[from..].iter().take_while(|(other, _)| *other == hash);
         let mut elements = candidates.map(|(_, element)| tree.element(*element));
-        elements.find(|element| element.attribute("uniqueID").is_some_and(|other| other.value() == id))
+        elements.find(|element| element.attribute(n::uniqueID).is_some_and(|other| other.value() == id))
     }
 
     fn hash(&self, id: &str) -> u32 {

@@ -1,7 +1,10 @@
 //! Writing elements of CiA 311 in the namespaces of its versions.
 
+use std::borrow::Cow;
+
+use super::schema::{CONTAINER, DEVICE_BODY, Element, NETWORK_BODY};
 use super::version::XddVersion;
-use crate::xml::XmlWriter;
+use crate::xml::{Name, XmlWriter, n};
 
 /// Whose `ProfileBody` it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,71 +27,20 @@ pub(crate) struct Markup {
     body: Option<Body>,
     /// The start tags that are not written yet, each inside the one before.
     pending: Vec<Start>,
-    /// The names of the open elements whose start tags are written.
-    open: Vec<String>,
+    /// The open elements whose start tags are written.
+    open: Vec<&'static Element>,
     /// How many elements are open that the version does not have, or that stand in one of those.
     skipped: usize,
 }
 
 #[derive(Debug)]
 struct Start {
-    name: String,
-    attributes: Vec<(String, String)>,
+    element: &'static Element,
+    name: Cow<'static, str>,
+    attributes: Vec<(Cow<'static, str>, String)>,
     text: Option<String>,
     needs_content: bool,
 }
-
-/// Declared inside other elements by the schema of the device profile, so in no namespace.
-const LOCAL_IN_DEVICE: &[&str] = &[
-    "ExternalProfileHandle",
-    "ProfileIdentification",
-    "ProfileLocation",
-    "ProfileRevision",
-    "LEDstateRef",
-    "category",
-    "connectedModule",
-    "connectedModuleList",
-    "description",
-    "descriptionRef",
-    "label",
-    "labelRef",
-    "maxValue",
-    "minValue",
-    "moduleInterface",
-    "step",
-];
-
-/// What the schema of the communication network profile does not declare inside other elements.
-const GLOBAL_IN_NETWORK: &[&str] = &[
-    "CANopenObjectList",
-    "buildDate",
-    "deviceFamily",
-    "productID",
-    "specificationRevision",
-    "vendorID",
-    "version",
-];
-
-/// What version 1.1 added: elements and attributes, each behind the element that it stands in.
-const SINCE_1_1: &[(&str, &[&str])] = &[
-    ("ApplicationLayers", &["moduleManagement"]),
-    ("CANopenObject", &["rangeSelector"]),
-    ("CANopenSubObject", &["rangeSelector"]),
-    ("DeviceManager", &["moduleManagement"]),
-    (
-        "varDeclaration",
-        &[
-            "start",
-            "signed",
-            "offset",
-            "multiplier",
-            "conditionalSupport",
-            "defaultValue",
-            "allowedValues",
-            "unit",
-        ],
-    ),
-];
 
 impl Body {
     const fn type_name(self) -> &'static str {
@@ -98,20 +50,18 @@ impl Body {
         }
     }
 
+    /// The element in the table.
+    pub(crate) const fn element(self) -> &'static Element {
+        match self {
+            Self::Device => &DEVICE_BODY,
+            Self::Network => &NETWORK_BODY,
+        }
+    }
+
     const fn prefix(self) -> &'static str {
         match self {
             Self::Device => "q1",
             Self::Network => "q2",
-        }
-    }
-
-    /// Whether an element in it is in the namespace.
-    pub(super) fn declares_globally(self, name: &str) -> bool {
-        match self {
-            Self::Device => {
-                !LOCAL_IN_DEVICE.contains(&name) && crate::model::SimpleType::from_name(name).is_none()
-            }
-            Self::Network => GLOBAL_IN_NETWORK.contains(&name),
         }
     }
 }
@@ -136,20 +86,20 @@ impl Markup {
 
     /// Begins the root, `ISO15745ProfileContainer`.
     pub(crate) fn open_container(&mut self) {
-        self.open("ISO15745ProfileContainer");
-        self.attribute("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance");
-        self.attribute("xmlns", self.version.namespace());
+        self.open(&CONTAINER);
+        self.declare("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance");
+        self.declare("xmlns", self.version.namespace());
     }
 
     /// Begins a `ProfileBody`; its own attributes follow. It ends by [`close_body`](Self::close_body).
     pub(crate) fn open_body(&mut self, body: Body) {
-        self.open("ProfileBody");
+        self.open(body.element());
         match self.version {
-            XddVersion::V1_0 => self.attribute("xsi:type", body.type_name()),
+            XddVersion::V1_0 => self.declare("xsi:type", body.type_name()),
             XddVersion::V1_1 => {
-                self.attribute(&format!("xmlns:{}", body.prefix()), self.version.namespace());
-                self.attribute("xsi:type", &format!("{}:{}", body.prefix(), body.type_name()));
-                self.attribute("xmlns", "");
+                self.declare(format!("xmlns:{}", body.prefix()), self.version.namespace());
+                self.declare("xsi:type", &format!("{}:{}", body.prefix(), body.type_name()));
+                self.declare("xmlns", "");
             }
         }
         self.body = Some(body);
@@ -162,22 +112,31 @@ impl Markup {
     }
 
     /// Begins an element. Its attributes and its text or elements follow, until it is closed.
-    pub(crate) fn open(&mut self, name: &str) {
-        self.start(name, false);
+    pub(crate) fn open(&mut self, element: &'static Element) {
+        self.start(element, element.is_global, false);
+    }
+
+    /// Begins an element where the standard does not have it: in no namespace.
+    pub(crate) fn open_local(&mut self, element: &'static Element) {
+        self.start(element, element.is_global && self.body == Some(Body::Device), false);
     }
 
     /// Begins an element that is written only if it gets attributes, a text or elements.
-    pub(crate) fn open_unless_empty(&mut self, name: &str) {
-        self.start(name, true);
+    pub(crate) fn open_unless_empty(&mut self, element: &'static Element) {
+        self.start(element, element.is_global, true);
     }
 
     /// Adds an attribute to the element that was opened last and has no elements yet.
-    pub(crate) fn attribute(&mut self, name: &str, value: &str) {
-        if self.skipped > 0 || self.is_too_new(name) {
-            return;
+    pub(crate) fn attribute(&mut self, name: Name, value: &str) {
+        if !self.is_too_new(name) {
+            self.declare(name.text(), value);
         }
-        if let Some(start) = self.pending.last_mut() {
-            start.attributes.push((name.to_owned(), value.to_owned()));
+    }
+
+    /// Adds an attribute that is none of CiA 311.
+    fn declare(&mut self, name: impl Into<Cow<'static, str>>, value: &str) {
+        if let Some(start) = self.pending.last_mut().filter(|_| self.skipped == 0) {
+            start.attributes.push((name.into(), value.to_owned()));
         }
     }
 
@@ -219,30 +178,27 @@ impl Markup {
     }
 
     /// Whether an element or attribute of the innermost open element is one that the version does not have.
-    fn is_too_new(&self, name: &str) -> bool {
-        let parent = self.pending.last().map(|start| &start.name).or(self.open.last());
-        self.version == XddVersion::V1_0
-            && SINCE_1_1
-                .iter()
-                .any(|(of, names)| parent.is_some_and(|parent| parent == of) && names.contains(&name))
+    fn is_too_new(&self, name: Name) -> bool {
+        let parent = self.pending.last().map(|start| start.element).or(self.open.last().copied());
+        self.version == XddVersion::V1_0 && parent.is_some_and(|parent| parent.newer.contains(&name))
     }
 
-    fn start(&mut self, name: &str, needs_content: bool) {
-        if self.skipped > 0 || self.is_too_new(name) {
+    fn start(&mut self, element: &'static Element, is_global: bool, needs_content: bool) {
+        if self.skipped > 0 || self.is_too_new(element.name) {
             self.skipped += 1;
             return;
         }
-        let is_header = name == "ProfileHeader";
+        let name = element.name.text();
         let name = match self.body {
-            Some(body) if self.version == XddVersion::V1_1 && body.declares_globally(name) => {
-                format!("{}:{name}", body.prefix())
+            Some(body) if self.version == XddVersion::V1_1 && is_global => {
+                Cow::Owned(format!("{}:{name}", body.prefix()))
             }
-            _ => name.to_owned(),
+            _ => Cow::Borrowed(name),
         };
-        self.pending.push(Start { name, attributes: Vec::new(), text: None, needs_content });
+        self.pending.push(Start { element, name, attributes: Vec::new(), text: None, needs_content });
         // the header and all that is in it are in no namespace
-        if is_header && self.version == XddVersion::V1_1 {
-            self.attribute("xmlns", "");
+        if element.name == n::ProfileHeader && self.version == XddVersion::V1_1 {
+            self.declare("xmlns", "");
         }
     }
 
@@ -250,70 +206,13 @@ impl Markup {
     fn write_pending(&mut self) {
         for start in self.pending.drain(..) {
             self.writer.open(&start.name, &start.attributes());
-            self.open.push(start.name);
+            self.open.push(start.element);
         }
     }
 }
 
 impl Start {
     fn attributes(&self) -> Vec<(&str, &str)> {
-        self.attributes.iter().map(|(name, value)| (name.as_str(), value.as_str())).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn document(version: XddVersion) -> String {
-        let mut out = Markup::new(version);
-        out.open_container();
-        for (body, name) in [(Body::Device, "DeviceManager"), (Body::Network, "ApplicationLayers")] {
-            out.open("ISO15745Profile");
-            out.open("ProfileHeader");
-            out.open("ProfileName");
-            out.text("a < b");
-            out.close();
-            out.close();
-            out.open_body(body);
-            out.attribute("fileName", "\"a\".xdd");
-            out.open(name);
-            out.open("moduleManagement");
-            out.open("interface");
-            out.close();
-            out.close();
-            out.open_unless_empty("indicatorList");
-            out.open_unless_empty("LEDList");
-            out.close();
-            out.close();
-            out.open_unless_empty("CANopenObjectList");
-            out.open_unless_empty("CANopenObject");
-            out.attribute("index", "1000");
-            out.close();
-            out.close();
-            out.close();
-            out.close_body();
-            out.close();
-        }
-        out.finish()
-    }
-
-    #[test]
-    fn names_are_in_the_namespaces_of_the_version() {
-        insta::assert_snapshot!("v1_1", document(XddVersion::V1_1));
-        insta::assert_snapshot!("v1_0", document(XddVersion::V1_0));
-    }
-
-    #[test]
-    fn what_is_open_at_the_end_is_closed() {
-        let mut out = Markup::new(XddVersion::V1_0);
-        out.open("a");
-        out.open("b");
-        out.close();
-        out.open("c");
-        out.attribute("d", "e");
-        let text = out.finish();
-        let body = text.split_once("?>").map_or("", |(_, body)| body);
-        assert_eq!(body.split_whitespace().collect::<String>(), "<a><b/><cd=\"e\"/></a>");
+        self.attributes.iter().map(|(name, value)| (&**name, value.as_str())).collect()
     }
 }

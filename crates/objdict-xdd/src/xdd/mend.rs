@@ -1,10 +1,11 @@
 //! Changes of a description to edits of its elements and attributes. Only what has one counterpart in CiA 311 is changed.
 
-use super::locate::{Locator, attribute_name};
+use super::locate::{Locator, attribute_of};
+use super::schema::{self, DEVICE_BODY, GENERAL_FEATURES, OBJECT};
 use crate::diagnostic::Change;
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
-use crate::xml::{Editor, Element, Tree};
+use crate::xml::{Editor, Element, Tree, n};
 
 /// The edits that make the changes, in the order of the text; `None` where it has no place for one of them.
 pub fn edits(tree: &Tree, locator: &Locator, changes: &[Change]) -> Option<Vec<(Span, String)>> {
@@ -41,14 +42,14 @@ impl<'a> Rewriter<'a> {
 
     fn set(&mut self, part: &Part, field: &Field, value: &str) -> Option<()> {
         if let Some(element) = self.entry(part) {
-            let name = attribute_name(field);
-            let value = attribute_text(field, value)?;
-            if element.attribute(&name).is_none()
+            let known = OBJECT.attribute_of(field)?;
+            let value = known.spelled(value)?;
+            if element.attribute(known.name).is_none()
                 && self.locator.in_parameter(self.tree, element, field).is_some()
             {
                 return None;
             }
-            self.editor.set_attribute(element, &name, &value);
+            self.editor.set_attribute(element, known.name.text(), &value);
             return Some(());
         }
         match part {
@@ -60,69 +61,43 @@ impl<'a> Rewriter<'a> {
 
     /// A fact about the file, which both profiles state.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
-        let name = match field {
-            Field::FileName => "fileName",
-            Field::CreatedBy => "fileCreator",
-            Field::ModifiedBy => "fileModifiedBy",
-            _ => return None,
-        };
+        let is_text = matches!(field, Field::FileName | Field::CreatedBy | Field::ModifiedBy);
+        let name = DEVICE_BODY.attribute_of(field).filter(|_| is_text)?.name;
         let layout = self.locator.layout(self.tree)?;
         let mut is_set = None;
         for profile in [layout.device, layout.network].into_iter().flatten() {
-            self.editor.set_attribute(profile.body, name, value);
+            self.editor.set_attribute(profile.body, name.text(), value);
             is_set = Some(());
         }
         is_set
     }
 
     fn set_identity(&mut self, field: &Field, value: &str) -> Option<()> {
-        let name = match field {
-            Field::VendorName => "vendorName",
-            Field::VendorNumber => "vendorID",
-            Field::ProductName => "productName",
-            Field::ProductNumber => "productID",
-            _ => return None,
-        };
-        let element = self.locator.layout(self.tree)?.in_device(&["DeviceIdentity", name])?;
+        let known = schema::identity_element(field).filter(|_| *field != Field::OrderCode)?;
+        let element = self.locator.layout(self.tree)?.in_device(&[n::DeviceIdentity, known.name])?;
         self.editor.set_text(element, value);
         Some(())
     }
 
     /// An attribute of the general features, which are there.
     fn set_feature(&mut self, field: &Field, value: &str) -> Option<()> {
-        let name = match field {
-            Field::NrOfRxPdo => "nrOfRxPDO",
-            Field::NrOfTxPdo => "nrOfTxPDO",
-            Field::Granularity => "granularity",
-            Field::DynamicChannelsSupported => "dynamicChannels",
-            Field::GroupMessaging => "groupMessaging",
-            Field::LssSupported => "layerSettingServiceSlave",
-            Field::SimpleBootUpSlave => "bootUpSlave",
-            _ => return None,
-        };
-        let path = ["NetworkManagement", "CANopenGeneralFeatures"];
+        let known = GENERAL_FEATURES.attribute_of(field).filter(|_| !matches!(field, Field::Named(_)))?;
+        let path = [n::NetworkManagement, n::CANopenGeneralFeatures];
         let element = self.locator.layout(self.tree)?.in_network(&path)?;
-        let is_number = matches!(
-            field,
-            Field::NrOfRxPdo | Field::NrOfTxPdo | Field::Granularity | Field::DynamicChannelsSupported
-        );
-        let text = match value {
-            "0" if !is_number => "false",
-            "1" if !is_number => "true",
-            number if is_number && number.bytes().all(|byte| byte.is_ascii_digit()) => number,
-            _ => return None,
-        };
-        self.editor.set_attribute(element, name, text);
+        let is_decimal = value.bytes().all(|byte| byte.is_ascii_digit());
+        let text = known.spelled(value).filter(|_| is_decimal)?;
+        self.editor.set_attribute(element, known.name.text(), &text);
         Some(())
     }
 
     fn remove_field(&mut self, part: &Part, field: &Field) -> Option<()> {
         let element = self.entry(part)?;
-        let name = attribute_name(field);
+        let attribute = attribute_of(element, field)?;
         // what CiA 311 demands stays
-        let is_demanded = matches!(field, Field::ParameterName | Field::ObjectType);
-        element.attribute(&name).filter(|_| !is_demanded)?;
-        self.editor.remove_attribute(element, &name);
+        if matches!(field, Field::ParameterName | Field::ObjectType) {
+            return None;
+        }
+        self.editor.remove_attribute(element, attribute.name());
         Some(())
     }
 
@@ -134,38 +109,6 @@ impl<'a> Rewriter<'a> {
             _ => None,
         }
     }
-}
-
-/// The text of an attribute for a value as an EDS has it; `None` for what CiA 311 says elsewhere or not at all.
-fn attribute_text(field: &Field, value: &str) -> Option<String> {
-    let number = || match value.strip_prefix("0x") {
-        Some(digits) => u32::from_str_radix(digits, 16).ok(),
-        None => value.parse().ok(),
-    };
-    Some(match (field, value) {
-        (Field::ObjectType | Field::SubNumber, _) => number()?.to_string(),
-        (Field::DataType, _) => format!("{:04X}", number()?),
-        (Field::ObjFlags, _) => match number()? {
-            flags @ 0..=0xFFFF => format!("{flags:04X}"),
-            flags => format!("{flags:08X}"),
-        },
-        // the parameter says what is input and what is output
-        (Field::AccessType, "rwr" | "rww") => return None,
-        (Field::PdoMapping, "0") => "no".to_owned(),
-        (Field::PdoMapping, "1") => "optional".to_owned(),
-        (Field::PdoMapping, _) => return None,
-        (
-            Field::ParameterName
-            | Field::AccessType
-            | Field::LowLimit
-            | Field::HighLimit
-            | Field::DefaultValue
-            | Field::ParameterValue
-            | Field::Denotation,
-            _,
-        ) => value.to_owned(),
-        _ => return None,
-    })
 }
 
 #[cfg(test)]
@@ -184,7 +127,8 @@ mod tests {
             (Field::DefaultValue, "$NODEID+0x180", Some("$NODEID+0x180")),
             (Field::CompactSubObj, "3", None),
         ] {
-            assert_eq!(attribute_text(&field, eds).as_deref(), xdd, "{field}");
+            let spelled = OBJECT.attribute_of(&field).and_then(|known| known.spelled(eds));
+            assert_eq!(spelled.as_deref(), xdd, "{field}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod configure;
 mod defaults;
+mod fact;
 pub mod findings;
 mod layout;
 mod leftovers;
@@ -10,7 +11,6 @@ mod markup;
 mod mend;
 mod read;
 pub(crate) mod schema;
-#[macro_use]
 mod shape;
 mod types;
 mod version;

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::build::{Builder, MAX_NAME};
 use super::chars::prefix_length;
 use super::findings::{self as rules, shown};
+use super::names::Name;
 use super::namespaces::{XML, XMLNS};
 use super::tag::{Flaw, RawAttribute, Step, Steps};
 use super::tree::{AttributeRecord, DECLARES, NONE};
@@ -99,14 +100,14 @@ impl<'a> Builder<'a, '_> {
     pub(super) fn attributes(&mut self, name: Range<usize>) {
         let text = self.text;
         let first = self.parts.attributes.len();
-        let mut names = HashMap::new();
         let is_many = self.raw.len() > FEW;
+        let mut names = is_many.then(HashMap::new);
         let raw = std::mem::take(&mut self.raw);
         for (number, attribute) in raw.iter().enumerate() {
             let name = attribute.name.of(text);
-            let known = match is_many {
-                true => names.insert(name, attribute.name),
-                false => raw[..number].iter().map(|other| other.name).find(|other| {
+            let known = match &mut names {
+                Some(names) => names.insert(name, attribute.name),
+                None => raw[..number].iter().map(|other| other.name).find(|other| {
                     // most names differ in length, which costs nothing to see
                     other.len() == attribute.name.len() && other.of(text) == name
                 }),
@@ -120,11 +121,12 @@ impl<'a> Builder<'a, '_> {
             }
         }
         self.raw = raw;
-        let element_prefix = self.prefix_of(Self::span(name.start, name.end));
+        let (element_prefix, tag) = self.prefix_of(Self::span(name.start, name.end));
         let namespace = self.namespace_of(Self::span(name.start, name.end), element_prefix);
         if let Some(record) = self.parts.elements.last_mut() {
             record.prefix_length = element_prefix as u16;
             record.namespace = namespace;
+            record.tag = tag;
         }
         self.check_prefixes(first);
     }
@@ -146,8 +148,9 @@ impl<'a> Builder<'a, '_> {
                 self.check_reference(attribute.value.start as usize + at);
             }
         }
-        let length = self.prefix_of(attribute.name);
-        let declares = name == "xmlns" || name.starts_with("xmlns:") && length > 0;
+        let (length, tag) = self.prefix_of(attribute.name);
+        let is_known = tag != Name::OTHER && length == 0;
+        let declares = !is_known && (name == "xmlns" || name.starts_with("xmlns:") && length > 0);
         if declares {
             self.declare(attribute);
         }
@@ -157,15 +160,26 @@ impl<'a> Builder<'a, '_> {
             value_end: attribute.value.end,
             name_length: name.len() as u16,
             prefix_length: length as u16 | if declares { DECLARES } else { 0 },
+            tag,
+            is_plain: value.bytes().all(|byte| !matches!(byte, b'&' | b'\t' | b'\n' | b'\r')),
         });
     }
 
-    fn prefix_of(&mut self, name: Span) -> usize {
-        let length = prefix_length(name.of(self.text));
+    /// Length of the prefix with its colon, and the name behind it.
+    fn prefix_of(&mut self, name: Span) -> (usize, Name) {
+        let text = name.of(self.text);
+        let tag = Name::of(text);
+        if tag != Name::OTHER {
+            return (0, tag);
+        }
+        let length = prefix_length(text);
         if length.is_none() {
             self.defect(&rules::BAD_NAME, name, |name| format!("`{name}` is no name of XML"));
         }
-        length.unwrap_or(0)
+        match length {
+            None | Some(0) => (0, Name::OTHER),
+            Some(length) => (length, Name::of(&text[length..])),
+        }
     }
 
     /// Takes a declaration, unless it is one that Namespaces in XML does not allow.
@@ -210,7 +224,7 @@ impl<'a> Builder<'a, '_> {
 
     /// Looks up the prefixes of the attributes from the `first` on, and finds those that mean the same name.
     fn check_prefixes(&mut self, first: usize) {
-        let mut seen = HashMap::new();
+        let mut seen = None;
         for number in first..self.parts.attributes.len() {
             let record = self.parts.attributes[number];
             let length = record.prefix_length;
@@ -223,7 +237,7 @@ impl<'a> Builder<'a, '_> {
             if namespace == NONE {
                 continue;
             }
-            if let Some(known) = seen.insert((namespace, local), name) {
+            if let Some(known) = seen.get_or_insert_with(HashMap::new).insert((namespace, local), name) {
                 self.duplicate(name, known);
             }
         }

@@ -8,6 +8,7 @@ use quick_xml::events::Event;
 
 use super::chars::{is_blank, is_forbidden, is_name};
 use super::findings::{self as rules, shown};
+use super::names::Name;
 use super::namespaces::Namespaces;
 use super::prolog;
 use super::tag::{RawAttribute, name_length};
@@ -168,34 +169,79 @@ impl<'a, 'f> Builder<'a, 'f> {
     }
 
     fn read(&mut self) {
-        let (mut at, mut reader) = self.reader(0);
+        let bytes = self.text.as_bytes();
+        let mut at = if self.text.starts_with('\u{FEFF}') { 3 } else { 0 };
         while !self.is_stopped {
-            if let Some(resume) = self.without_reader(at) {
-                (at, reader) = self.reader(resume);
-                continue;
-            }
-            let event = reader.read_event();
-            let is_damaged = event.is_err();
-            // where there is no end, the reader has looked for it in all the rest, and stands where it stood
-            let end = match self.text.len() - reader.get_ref().len() {
-                end if is_damaged && end == at => self.text.len(),
-                end => end,
+            at = match (bytes.get(at), bytes.get(at + 1)) {
+                (None, _) => break,
+                (Some(b'<'), Some(b'!' | b'?')) => self.by_reader(at),
+                (Some(b'<'), Some(b'/')) => self.end_tag(at),
+                (Some(b'<'), _) => self.start_tag(at),
+                _ => self.run(at),
             };
-            let resume = match event {
-                Ok(Event::Eof) => break,
-                Ok(event) => self.event(&event, at, end),
-                Err(_) => self.damaged(at, end),
-            };
-            if is_damaged || resume != end {
-                self.wasted += end.saturating_sub(resume);
-                (at, reader) = self.reader(resume);
-            } else {
-                at = end;
-            }
         }
         if !self.is_stopped {
             self.close_all();
         }
+    }
+
+    /// Reads the text from `start` up to the next tag; says where to go on.
+    fn run(&mut self, start: usize) -> usize {
+        let rest = &self.text.as_bytes()[start..];
+        let length = memchr::memchr(b'<', rest).unwrap_or(rest.len());
+        if self.open.is_empty() || self.is_skipping() {
+            if rest[..length].iter().all(|&byte| is_blank(byte)) {
+                return start + length;
+            }
+            return self.by_reader(start);
+        }
+        if rest[..length].iter().all(|&byte| is_blank(byte)) {
+            return start + length;
+        }
+        self.mark_text();
+        self.text_event(start, start + length);
+        if self.has_references {
+            // the first byte is looked at as text
+            for at in memchr::memchr_iter(b'&', &rest[..length]).filter(|at| *at > 0) {
+                self.check_reference(start + at);
+            }
+        }
+        start + length
+    }
+
+    /// Notes that there may be a text in the innermost element.
+    fn mark_text(&mut self) {
+        if let Some(record) = self.open.last().and_then(|open| self.parts.elements.get_mut(open.id as usize))
+        {
+            record.has_text = true;
+        }
+    }
+
+    /// Reads what quick-xml finds at `at`; says where to go on.
+    fn by_reader(&mut self, at: usize) -> usize {
+        if let Some(resume) = self.without_reader(at) {
+            return resume;
+        }
+        let (at, mut reader) = self.reader(at);
+        let event = reader.read_event();
+        let is_damaged = event.is_err();
+        // where there is no end, the reader has looked for it in all the rest, and stands where it stood
+        let end = match self.text.len() - reader.get_ref().len() {
+            end if is_damaged && end == at => self.text.len(),
+            end => end,
+        };
+        if !matches!(event, Ok(Event::Comment(_))) {
+            self.mark_text();
+        }
+        let resume = match event {
+            Ok(Event::Eof) => return self.text.len(),
+            Ok(event) => self.event(&event, at, end),
+            Err(_) => self.damaged(at, end),
+        };
+        if is_damaged || resume != end {
+            self.wasted += end.saturating_sub(resume);
+        }
+        resume
     }
 
     /// A reader of the text from `at` on. It would pass over a byte order mark unseen, which is fine only at the start.
@@ -296,6 +342,7 @@ impl<'a, 'f> Builder<'a, 'f> {
     /// Remembers that the text from `start` to `end` is neither markup nor character data.
     pub(super) fn pass_over(&mut self, start: usize, end: usize) -> usize {
         if !self.is_skipping() && !self.open.is_empty() {
+            self.mark_text();
             self.parts.damage.push(Self::span(start, end));
         }
         end
@@ -357,6 +404,8 @@ impl<'a, 'f> Builder<'a, 'f> {
             namespace: NONE,
             name_length: name.len() as u16,
             prefix_length: 0,
+            tag: Name::OTHER,
+            has_text: false,
         });
         self.attributes(name.clone());
         if is_empty {
@@ -377,6 +426,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         if self.open.is_empty() {
             self.outside_root(start, start + 1);
         } else if !self.is_skipping() {
+            self.mark_text();
             let span = Self::span(start, start + 1);
             self.report(&rules::LONE_LESS_THAN, || {
                 Diagnostic::new(&rules::LONE_LESS_THAN, span, "the `<` starts no tag").help("write `&lt;`")

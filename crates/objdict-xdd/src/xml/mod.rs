@@ -8,6 +8,7 @@ mod content;
 mod edit;
 mod expand;
 pub mod findings;
+mod names;
 mod namespaces;
 mod prolog;
 mod tag;
@@ -16,6 +17,7 @@ mod write;
 
 pub use comments::comments;
 pub use edit::Editor;
+pub use names::{Called, Name, n};
 pub use tree::{Attribute, Element, ElementId, Tree};
 pub(crate) use write::escaped_value;
 pub use write::{Replaced, XmlWriter};

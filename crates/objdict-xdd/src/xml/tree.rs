@@ -6,12 +6,13 @@ use std::fmt;
 use super::build::build;
 use super::chars::is_blank;
 use super::expand::Entities;
+use super::names::{Called, Name};
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
 
 /// An XML document, healthy or not: its text, and where elements and attributes are in it.
 ///
-/// An element costs 36 bytes and an attribute 16; texts and values are read from the source when they are asked for.
+/// An element costs 40 bytes and an attribute 20; texts and values are read from the source when they are asked for.
 pub struct Tree {
     source: SourceFile,
     parts: Parts,
@@ -51,6 +52,9 @@ pub(super) struct Record {
     pub(super) name_length: u16,
     /// Length of the prefix with its colon.
     pub(super) prefix_length: u16,
+    pub(super) tag: Name,
+    /// Whether more than blanks may stand in it beside elements, comments and processing instructions.
+    pub(super) has_text: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +65,9 @@ pub(super) struct AttributeRecord {
     pub(super) name_length: u16,
     /// Length of the prefix with its colon, and [`DECLARES`].
     pub(super) prefix_length: u16,
+    pub(super) tag: Name,
+    /// Whether the value means what it says: no reference, no line end, no tab.
+    pub(super) is_plain: bool,
 }
 
 /// Marks an attribute that declares a namespace.
@@ -194,6 +201,11 @@ impl<'a> Element<'a> {
         self.at(name.start + u32::from(self.record().prefix_length), name.end)
     }
 
+    /// The local name, if it is one of CiA 311.
+    pub fn tag(self) -> Name {
+        self.record().tag
+    }
+
     /// The prefix; empty where there is none.
     pub fn prefix(self) -> &'a str {
         let start = self.record().start + 1;
@@ -248,8 +260,8 @@ impl<'a> Element<'a> {
     }
 
     /// The first attribute of this local name, whatever its prefix.
-    pub fn attribute(self, name: &str) -> Option<Attribute<'a>> {
-        self.attributes().find(|attribute| attribute.name() == name)
+    pub fn attribute(self, name: impl Called) -> Option<Attribute<'a>> {
+        self.attributes().find(|attribute| name.is_attribute(*attribute))
     }
 
     /// The element that it stands in.
@@ -264,13 +276,13 @@ impl<'a> Element<'a> {
     }
 
     /// The first child of this local name.
-    pub fn child(self, name: &str) -> Option<Element<'a>> {
-        self.children().find(|child| child.name() == name)
+    pub fn child(self, name: impl Called) -> Option<Element<'a>> {
+        self.children().find(|child| name.is_element(*child))
     }
 
     /// The children of this local name, in their order.
-    pub fn children_named(self, name: &str) -> impl Iterator<Item = Element<'a>> {
-        self.children().filter(move |child| child.name() == name)
+    pub fn children_named<N: Called>(self, name: N) -> impl Iterator<Item = Element<'a>> + use<'a, N> {
+        self.children().filter(move |child| name.is_element(*child))
     }
 
     /// All elements in it, at any depth, in the order of their start tags; not itself.
@@ -283,6 +295,11 @@ impl<'a> Element<'a> {
     /// The character data directly in it, that of its children left out: CDATA sections and references resolved, each line
     /// end one LF, blanks as they are.
     pub fn text(self) -> Cow<'a, str> {
+        // most elements with a text have nothing else in them
+        let inner = self.inner_span().of(self.tree.text());
+        if memchr::memchr3(b'&', b'<', b'\r', inner.as_bytes()).is_none() {
+            return Cow::Borrowed(inner);
+        }
         let mut text = Cow::Borrowed("");
         for gap in self.gaps() {
             self.tree.add_text(gap, &mut text);
@@ -292,6 +309,9 @@ impl<'a> Element<'a> {
 
     /// Whether [`text`](Self::text) has anything but blanks, which is known without putting it together.
     pub fn has_text(self) -> bool {
+        if !self.record().has_text {
+            return false;
+        }
         let bytes = self.tree.text().as_bytes();
         let is_blank_span = |span: Span| {
             let range = span.start as usize..span.end as usize;
@@ -305,6 +325,9 @@ impl<'a> Element<'a> {
     /// From the first to the last character of [`text`](Self::text) that is no blank, as they stand in the source; where
     /// there is none, the empty span behind the start tag.
     pub fn text_span(self) -> Span {
+        if !self.record().has_text {
+            return Span::empty(self.record().tag_end);
+        }
         let bytes = self.tree.text().as_bytes();
         let mut span: Option<Span> = None;
         for gap in self.gaps() {
@@ -366,6 +389,11 @@ impl<'a> Attribute<'a> {
         Span::new(name.start + u32::from(self.record.prefix_length), name.end).of(self.tree.text())
     }
 
+    /// The local name, if it is one of CiA 311.
+    pub fn tag(self) -> Name {
+        self.record.tag
+    }
+
     /// The prefix; empty where there is none.
     pub fn prefix(self) -> &'a str {
         let start = self.record.name;
@@ -388,6 +416,9 @@ impl<'a> Attribute<'a> {
 
     /// The value: references resolved, literal line ends and tabs made blanks.
     pub fn value(self) -> Cow<'a, str> {
+        if self.record.is_plain {
+            return Cow::Borrowed(self.value_span().of(self.tree.text()));
+        }
         self.tree.parts.entities.value(self.value_span().of(self.tree.text()))
     }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
 use crate::xdd::schema::Target;
-use crate::xml::{Attribute, Element, ElementId};
+use crate::xml::{Attribute, Element, ElementId, Name, n};
 
 use super::walk::Walk;
 
@@ -313,7 +313,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
                 if reference.target == Target::Application {
                     *walk.ids.uses.entry(element.id()).or_default() += 1;
                 }
-                if !accepts(&reference, element.name()) {
+                if !accepts(&reference, element.tag()) {
                     walk.findings.push(wrong_kind(&reference, element, at));
                 }
             }
@@ -354,33 +354,33 @@ fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
 }
 
 /// Whether a reference may lead to an element of this name.
-fn accepts(reference: &Reference<'_>, name: &str) -> bool {
+fn accepts(reference: &Reference<'_>, name: Name) -> bool {
     match reference.target {
         // what describes no value
         Target::Application => !matches!(
             name,
-            "LEDstate" | "interface" | "functionType" | "parameterGroup" | "allowedValuesTemplate"
+            n::LEDstate | n::interface | n::functionType | n::parameterGroup | n::allowedValuesTemplate
         ),
-        Target::Parameter if reference.element.name() == "conditionalSupport" => {
-            matches!(name, "parameter" | "parameterTemplate" | "varDeclaration")
+        Target::Parameter if reference.element.tag() == n::conditionalSupport => {
+            matches!(name, n::parameter | n::parameterTemplate | n::varDeclaration)
         }
         _ => names(reference.target).contains(&name),
     }
 }
 
 /// The elements that a reference may lead to.
-fn names(target: Target) -> &'static [&'static str] {
+fn names(target: Target) -> &'static [Name] {
     match target {
-        Target::Application => &["parameter", "varDeclaration"],
-        Target::Parameter => &["parameter"],
-        Target::DataType => &["array", "struct", "enum", "derived"],
-        Target::ParameterTemplate => &["parameterTemplate"],
-        Target::AllowedValuesTemplate => &["allowedValuesTemplate"],
-        Target::LedState => &["LEDstate"],
-        Target::FunctionType => &["functionType"],
-        Target::FunctionInstance => &["functionInstance"],
-        Target::Variable => &["varDeclaration"],
-        Target::ModuleInterface => &["interface"],
+        Target::Application => &[n::parameter, n::varDeclaration],
+        Target::Parameter => &[n::parameter],
+        Target::DataType => &[n::array, n::r#struct, n::r#enum, n::derived],
+        Target::ParameterTemplate => &[n::parameterTemplate],
+        Target::AllowedValuesTemplate => &[n::allowedValuesTemplate],
+        Target::LedState => &[n::LEDstate],
+        Target::FunctionType => &[n::functionType],
+        Target::FunctionInstance => &[n::functionInstance],
+        Target::Variable => &[n::varDeclaration],
+        Target::ModuleInterface => &[n::interface],
     }
 }
 
@@ -393,12 +393,12 @@ fn wrong_kind(reference: &Reference<'_>, element: Element<'_>, at: Attribute<'_>
 }
 
 /// "a `x`", or "a `x` or `y`".
-fn listing_or(names: &[&str]) -> String {
+fn listing_or(names: &[Name]) -> String {
     match names {
-        [name] => format!("a `{name}`"),
+        [name] => format!("a `{}`", name.text()),
         [names @ .., last] => {
-            let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-            format!("a {} or `{last}`", names.join(", "))
+            let names: Vec<String> = names.iter().map(|name| format!("`{}`", name.text())).collect();
+            format!("a {} or `{}`", names.join(", "), last.text())
         }
         [] => String::new(),
     }
@@ -425,18 +425,18 @@ fn check_cycles(walk: &mut Walk<'_, '_>) {
 }
 
 fn type_references(element: Element<'_>) -> Vec<Attribute<'_>> {
-    match element.name() {
-        "struct" => element.children_named("varDeclaration").filter_map(type_reference).collect(),
+    match element.tag() {
+        n::r#struct => element.children_named(n::varDeclaration).filter_map(type_reference).collect(),
         _ => type_reference(element).into_iter().collect(),
     }
 }
 
 fn template_references(element: Element<'_>) -> Vec<Attribute<'_>> {
-    element.attribute("templateIDRef").into_iter().collect()
+    element.attribute(n::templateIDRef).into_iter().collect()
 }
 
 fn type_reference(element: Element<'_>) -> Option<Attribute<'_>> {
-    element.child("dataTypeIDRef")?.attribute("uniqueIDRef")
+    element.child(n::dataTypeIDRef)?.attribute(n::uniqueIDRef)
 }
 
 /// The references that lead back to where they came from, one of each cycle. Without recursion: a hostile file may have

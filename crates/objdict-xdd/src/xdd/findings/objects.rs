@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
 use crate::model::{DataType, SimpleType};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, Name, n};
 
 use super::ids::Ids;
 use super::number::Number;
@@ -166,11 +166,11 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
     let lists = std::mem::take(&mut walk.seen.object_lists);
     for list in lists {
         let mut first = HashMap::new();
-        for object in list.children_named("CANopenObject") {
-            twice(object, "index", &DUPLICATE_OBJECT, &mut first, walk.findings);
+        for object in list.children_named(n::CANopenObject) {
+            twice(object, n::index, &DUPLICATE_OBJECT, &mut first, walk.findings);
             let mut first = HashMap::new();
-            for sub in object.children_named("CANopenSubObject") {
-                twice(sub, "subIndex", &DUPLICATE_SUB_OBJECT, &mut first, walk.findings);
+            for sub in object.children_named(n::CANopenSubObject) {
+                twice(sub, n::subIndex, &DUPLICATE_SUB_OBJECT, &mut first, walk.findings);
                 against_parameter(sub, &walk.ids, walk.findings);
             }
             against_parameter(object, &walk.ids, walk.findings);
@@ -189,7 +189,7 @@ fn hex(attribute: Attribute<'_>) -> Option<u16> {
 
 fn twice<'a>(
     element: Element<'a>,
-    name: &str,
+    name: Name,
     rule: &'static RuleInfo,
     first: &mut HashMap<u16, Attribute<'a>>,
     findings: &mut Findings,
@@ -197,7 +197,7 @@ fn twice<'a>(
     let Some(attribute) = element.attribute(name) else { return };
     let Some(number) = hex(attribute) else { return };
     if let Some(first) = first.get(&number) {
-        let what = if name == "index" { "object" } else { "sub-index" };
+        let what = if name == n::index { "object" } else { "sub-index" };
         let message =
             format!("{what} `{}` stands twice; the first one is read", attribute.value().trim_ascii());
         let finding = Diagnostic::new(rule, attribute.value_span(), message);
@@ -209,18 +209,18 @@ fn twice<'a>(
 
 /// Compares an object with the parameter that it refers to.
 fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings) {
-    let Some(reference) = object.attribute("uniqueIDRef") else { return };
+    let Some(reference) = object.attribute(n::uniqueIDRef) else { return };
     let parameter =
-        ids.element(reference).filter(|element| matches!(element.name(), "parameter" | "varDeclaration"));
+        ids.element(reference).filter(|element| matches!(element.tag(), n::parameter | n::varDeclaration));
     let Some(parameter) = parameter else { return };
     for attribute in object.attributes() {
-        match attribute.name() {
-            "dataType" => data_type(object, attribute, parameter, findings),
-            "accessType" => access(attribute, parameter, findings),
-            "defaultValue" => value(attribute, parameter, parameter.child("defaultValue"), findings),
-            "actualValue" => value(attribute, parameter, parameter.child("actualValue"), findings),
-            "lowLimit" => value(attribute, parameter, single_range(parameter, "minValue"), findings),
-            "highLimit" => value(attribute, parameter, single_range(parameter, "maxValue"), findings),
+        match attribute.tag() {
+            n::dataType => data_type(object, attribute, parameter, findings),
+            n::accessType => access(attribute, parameter, findings),
+            n::defaultValue => value(attribute, parameter, parameter.child(n::defaultValue), findings),
+            n::actualValue => value(attribute, parameter, parameter.child(n::actualValue), findings),
+            n::lowLimit => value(attribute, parameter, single_range(parameter, n::minValue), findings),
+            n::highLimit => value(attribute, parameter, single_range(parameter, n::maxValue), findings),
             _ => {}
         }
     }
@@ -228,10 +228,11 @@ fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings
 
 fn data_type(object: Element<'_>, attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {
     // what the type of an ARRAY or RECORD is that of, tools do not agree about
-    if object.child("CANopenSubObject").is_some() {
+    if object.child(n::CANopenSubObject).is_some() {
         return;
     }
-    let simple = parameter.children().find_map(|child| Some((child, SimpleType::from_name(child.name())?)));
+    let simple =
+        parameter.children().find_map(|child| Some((child, SimpleType::from_name(child.tag().text())?)));
     let (Some(data_type), Some((element, simple))) = (hex(attribute).map(DataType), simple) else { return };
     if agree(data_type, simple) {
         return;
@@ -268,7 +269,7 @@ fn agree(data_type: DataType, simple: SimpleType) -> bool {
 }
 
 fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {
-    let Some(other) = parameter.attribute("access") else { return };
+    let Some(other) = parameter.attribute(n::access) else { return };
     let (stated, of_parameter) = (attribute.value(), other.value());
     let (stated, of_parameter) = (stated.trim_ascii(), of_parameter.trim_ascii());
     let right: &[&str] = match of_parameter {
@@ -291,9 +292,9 @@ fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findi
 }
 
 /// An end of the range of a parameter that has one range and nothing else.
-fn single_range<'a>(parameter: Element<'a>, end: &str) -> Option<Element<'a>> {
-    let mut allowed = parameter.child("allowedValues")?.children();
-    let range = allowed.next().filter(|range| range.name() == "range")?;
+fn single_range<'a>(parameter: Element<'a>, end: Name) -> Option<Element<'a>> {
+    let mut allowed = parameter.child(n::allowedValues)?.children();
+    let range = allowed.next().filter(|range| range.tag() == n::range)?;
     if allowed.next().is_some() {
         return None;
     }
@@ -306,7 +307,7 @@ fn value(
     of_parameter: Option<Element<'_>>,
     findings: &mut Findings,
 ) {
-    let Some(other) = of_parameter.and_then(|element| element.attribute("value")) else { return };
+    let Some(other) = of_parameter.and_then(|element| element.attribute(n::value)) else { return };
     let (stated, text) = (attribute.value(), other.value());
     let (stated, text) = (stated.trim_ascii(), text.trim_ascii());
     let is_same = match (Number::parse(stated), Number::parse(text)) {
@@ -331,16 +332,16 @@ fn spelling(text: &str) -> String {
 }
 
 fn counts(list: Element<'_>, findings: &mut Findings) {
-    let indexes = list.children_named("CANopenObject").filter_map(|object| hex(object.attribute("index")?));
+    let indexes = list.children_named(n::CANopenObject).filter_map(|object| hex(object.attribute(n::index)?));
     let (ours, others): (Vec<u16>, Vec<u16>) = indexes.partition(|index| (0x2000..0x6000).contains(index));
     // an EDS has the definitions of data types in no list, so some do not count them
     let definitions = others.iter().filter(|&&index| index < 0x1000).count();
-    let number = |name: &str| {
+    let number = |name: Name| {
         let attribute = list.attribute(name)?;
         Some((attribute, attribute.value().trim_ascii().parse::<usize>().ok()?))
     };
     if let Some((attribute, stated)) =
-        number("manufacturerObjects").filter(|&(_, stated)| stated != ours.len())
+        number(n::manufacturerObjects).filter(|&(_, stated)| stated != ours.len())
     {
         let there = counted(ours.len(), "object", "objects");
         let message =
@@ -349,7 +350,7 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
         findings.push(finding.help(format!("write `{}`", ours.len())));
     }
     let (Some((attribute, mandatory)), Some((second, optional))) =
-        (number("mandatoryObjects"), number("optionalObjects"))
+        (number(n::mandatoryObjects), number(n::optionalObjects))
     else {
         return;
     };
@@ -369,9 +370,9 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
 }
 
 fn default_baud_rate(baud_rate: Element<'_>, findings: &mut Findings) {
-    let Some(default) = baud_rate.attribute("defaultValue") else { return };
+    let Some(default) = baud_rate.attribute(n::defaultValue) else { return };
     let mut supported =
-        baud_rate.children_named("supportedBaudRate").filter_map(|rate| rate.attribute("value")).peekable();
+        baud_rate.children_named(n::supportedBaudRate).filter_map(|rate| rate.attribute(n::value)).peekable();
     let value = default.value();
     if supported.peek().is_some() && !supported.any(|rate| rate.value().trim_ascii() == value.trim_ascii()) {
         let message = format!("the default `{value}` is not among the supported bit rates");

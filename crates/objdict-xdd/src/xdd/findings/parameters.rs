@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, n};
 
 use super::number::Number;
 use super::walk::Walk;
@@ -117,7 +117,7 @@ text_rule! {
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
     for &parameter in &walk.seen.parameters {
         condition(parameter, walk.findings);
-        let allowed = parameter.child("allowedValues");
+        let allowed = parameter.child(n::allowedValues);
         if let Some(allowed) = allowed {
             let are_limits = is_single_range(allowed) && walk.ids.belongs_to_entry(parameter);
             if !are_limits {
@@ -128,7 +128,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         properties(parameter, walk.findings);
     }
     for &element in walk.seen.templates.iter().chain(&walk.seen.variables) {
-        if let Some(allowed) = element.child("allowedValues") {
+        if let Some(allowed) = element.child(n::allowedValues) {
             ranges(allowed, walk.findings);
             values(element, allowed, walk.findings);
         }
@@ -144,14 +144,14 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 
 fn is_single_range(allowed: Element<'_>) -> bool {
     let mut children = allowed.children();
-    children.next().is_some_and(|child| child.name() == "range") && children.next().is_none()
+    children.next().is_some_and(|child| child.tag() == n::range) && children.next().is_none()
 }
 
 fn condition(parameter: Element<'_>, findings: &mut Findings) {
-    let Some(support) = parameter.attribute("support") else { return };
+    let Some(support) = parameter.attribute(n::support) else { return };
     // a template may name the condition
     let has_condition =
-        parameter.child("conditionalSupport").is_some() || parameter.attribute("templateIDRef").is_some();
+        parameter.child(n::conditionalSupport).is_some() || parameter.attribute(n::templateIDRef).is_some();
     if support.value().trim_ascii() == "conditional" && !has_condition {
         let message = "the parameter is supported under a condition, but names none";
         let finding = Diagnostic::new(&MISSING_CONDITION, support.value_span(), message);
@@ -162,7 +162,7 @@ fn condition(parameter: Element<'_>, findings: &mut Findings) {
 
 fn properties(parameter: Element<'_>, findings: &mut Findings) {
     let mut properties =
-        parameter.children_named("property").filter_map(|property| property.attribute("name")).peekable();
+        parameter.children_named(n::property).filter_map(|property| property.attribute(n::name)).peekable();
     let Some(first) = properties.next() else { return };
     if properties.peek().is_none() {
         return;
@@ -181,17 +181,17 @@ fn properties(parameter: Element<'_>, findings: &mut Findings) {
 
 /// The value of a child without a scaling of its own.
 fn number(element: Element<'_>) -> Option<(Attribute<'_>, Number)> {
-    let is_scaled = element.attribute("offset").is_some() || element.attribute("multiplier").is_some();
-    let attribute = element.attribute("value").filter(|_| !is_scaled)?;
+    let is_scaled = element.attribute(n::offset).is_some() || element.attribute(n::multiplier).is_some();
+    let attribute = element.attribute(n::value).filter(|_| !is_scaled)?;
     Some((attribute, Number::parse(&attribute.value())?))
 }
 
 fn ends(range: Element<'_>) -> Option<[(Attribute<'_>, Number); 2]> {
-    Some([number(range.child("minValue")?)?, number(range.child("maxValue")?)?])
+    Some([number(range.child(n::minValue)?)?, number(range.child(n::maxValue)?)?])
 }
 
 fn ranges(allowed: Element<'_>, findings: &mut Findings) {
-    for range in allowed.children_named("range") {
+    for range in allowed.children_named(n::range) {
         let Some([(low_at, low), (high_at, high)]) = ends(range) else { continue };
         if low.compare(&high) == Some(Ordering::Greater) {
             let message =
@@ -203,13 +203,13 @@ fn ranges(allowed: Element<'_>, findings: &mut Findings) {
 }
 
 fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings) {
-    if is_single_range(allowed) || allowed.attribute("templateIDRef").is_some() {
+    if is_single_range(allowed) || allowed.attribute(n::templateIDRef).is_some() {
         return;
     }
     let singles: Option<Vec<Number>> =
-        allowed.children_named("value").map(|value| number(value).map(|(_, number)| number)).collect();
+        allowed.children_named(n::value).map(|value| number(value).map(|(_, number)| number)).collect();
     let ranges: Option<Vec<_>> = allowed
-        .children_named("range")
+        .children_named(n::range)
         .map(|range| ends(range).map(|[(_, low), (_, high)]| (low, high)))
         .collect();
     // one that cannot be told may be the value
@@ -217,7 +217,7 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
     if singles.is_empty() && ranges.is_empty() {
         return;
     }
-    for name in ["defaultValue", "actualValue"] {
+    for name in [n::defaultValue, n::actualValue] {
         let Some((attribute, value)) = parameter.child(name).and_then(number) else { continue };
         let orders = singles.iter().chain(ranges.iter().flat_map(|(low, high)| [low, high]));
         let mut orders = orders.map(|other| value.compare(other));
@@ -229,8 +229,11 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
             value.compare(low) != Some(Ordering::Less) && value.compare(high) != Some(Ordering::Greater)
         };
         if !singles.iter().any(|single| single.is_same(&value)) && !ranges.iter().any(is_within) {
-            let message =
-                format!("`{}` is `{}`, which is not among the allowed values", name, attribute.value());
+            let message = format!(
+                "`{}` is `{}`, which is not among the allowed values",
+                name.text(),
+                attribute.value()
+            );
             let finding = Diagnostic::new(&VALUE_NOT_ALLOWED, attribute.value_span(), message);
             let finding = finding.label(allowed.name_span(), "the allowed values");
             findings.push(finding.help("add the value to the allowed ones, or choose another one"));
@@ -246,7 +249,7 @@ fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number)]) -> bool 
 }
 
 fn member_ref(member: Element<'_>, findings: &mut Findings) {
-    let (id, index) = (member.attribute("uniqueIDRef"), member.attribute("index"));
+    let (id, index) = (member.attribute(n::uniqueIDRef), member.attribute(n::index));
     let message = match (id, index) {
         (Some(_), Some(_)) => "the member is named by its id and by an index",
         (None, None) => "the member is named neither by its id nor by an index",

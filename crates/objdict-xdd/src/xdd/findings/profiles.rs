@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
 use crate::xdd::schema::{self, DEVICE_BODY, EXTERNAL_NETWORK_BODY, NETWORK_BODY};
-use crate::xml::Element;
+use crate::xml::{Element, Name, n};
 
 use super::walk::Walk;
 
@@ -188,31 +188,31 @@ pub(super) struct Body {
 
 /// What a body is; `None` for any other element.
 pub(super) fn body(element: Element<'_>) -> Option<Body> {
-    if element.name() != DEVICE_BODY.name {
+    if element.tag() != n::ProfileBody {
         return None;
     }
-    let stated = element.attribute("type").and_then(|attribute| {
+    let stated = element.attribute(n::r#type).and_then(|attribute| {
         let value = attribute.value();
         let name = value.trim_ascii();
         match name.rsplit_once(':').map_or(name, |(_, local)| local) {
-            "ProfileBody_Device_CANopen" => Some(DEVICE_BODY),
-            "ProfileBody_CommunicationNetwork_CANopen" => Some(NETWORK_BODY),
+            "ProfileBody_Device_CANopen" => Some(&DEVICE_BODY),
+            "ProfileBody_CommunicationNetwork_CANopen" => Some(&NETWORK_BODY),
             _ => None,
         }
     });
-    let has = |names: &[&str]| element.children().any(|child| names.contains(&child.name()));
+    let has = |names: &[Name]| element.children().any(|child| names.contains(&child.tag()));
     let is_network = match stated {
-        Some(schema) => std::ptr::eq(schema, NETWORK_BODY),
-        None => has(&["ApplicationLayers", "TransportLayers", "NetworkManagement"]),
+        Some(schema) => std::ptr::eq(schema, &NETWORK_BODY),
+        None => has(&[n::ApplicationLayers, n::TransportLayers, n::NetworkManagement]),
     };
-    let schema = if is_network && has(&["ExternalProfileHandle"]) && !has(&["ApplicationLayers"]) {
-        Some(EXTERNAL_NETWORK_BODY)
+    let schema = if is_network && has(&[n::ExternalProfileHandle]) && !has(&[n::ApplicationLayers]) {
+        Some(&EXTERNAL_NETWORK_BODY)
     } else if is_network {
-        Some(NETWORK_BODY)
+        Some(&NETWORK_BODY)
     } else if stated.is_some()
-        || has(&["DeviceIdentity", "DeviceManager", "DeviceFunction", "ApplicationProcess"])
+        || has(&[n::DeviceIdentity, n::DeviceManager, n::DeviceFunction, n::ApplicationProcess])
     {
-        Some(DEVICE_BODY)
+        Some(&DEVICE_BODY)
     } else {
         None
     };
@@ -225,13 +225,13 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
         return;
     }
     let help = match body.schema {
-        Some(schema) if std::ptr::eq(schema, DEVICE_BODY) => {
+        Some(schema) if std::ptr::eq(schema, &DEVICE_BODY) => {
             "write `xsi:type=\"ProfileBody_Device_CANopen\"`"
         }
         Some(_) => "write `xsi:type=\"ProfileBody_CommunicationNetwork_CANopen\"`",
         None => "the types are `ProfileBody_Device_CANopen` and `ProfileBody_CommunicationNetwork_CANopen`",
     };
-    let finding = match element.attribute("type") {
+    let finding = match element.attribute(n::r#type) {
         Some(attribute) => {
             let message = format!("CiA 311 has no profile body of type `{}`", attribute.value());
             Diagnostic::new(&UNKNOWN_BODY_TYPE, attribute.value_span(), message)
@@ -248,7 +248,7 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
 pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
     let bodies: Vec<_> =
         walk.seen.bodies.iter().filter_map(|&element| Some((element, body(element)?.schema?))).collect();
-    let is_device = |schema: &schema::Element| std::ptr::eq(schema, DEVICE_BODY);
+    let is_device = |schema: &schema::Element| std::ptr::eq(schema, &DEVICE_BODY);
     let device = bodies.iter().find(|(_, schema)| is_device(schema)).map(|(element, _)| *element);
     let network = bodies.iter().find(|(_, schema)| !is_device(schema)).map(|(element, _)| *element);
     let findings = &mut *walk.findings;
@@ -266,7 +266,7 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
     if let (Some(device), Some(network)) = (device, network) {
         check_file_attributes(device, network, findings);
     }
-    if let Some(attribute) = device.or(network).and_then(|body| body.attribute("fileName")) {
+    if let Some(attribute) = device.or(network).and_then(|body| body.attribute(n::fileName)) {
         let value = attribute.value();
         if let Some((_, name)) = value.rsplit_once(['/', '\\']).filter(|(_, name)| !name.is_empty()) {
             let finding = Diagnostic::new(
@@ -291,7 +291,7 @@ fn duplicate(element: Element<'_>, first: Element<'_>, is_device: bool) -> Diagn
 }
 
 fn check_class(body: Element<'_>, is_device: bool, findings: &mut Findings) {
-    let class = body.parent().and_then(|profile| profile.child("ProfileHeader")?.child("ProfileClassID"));
+    let class = body.parent().and_then(|profile| profile.child(n::ProfileHeader)?.child(n::ProfileClassID));
     let Some(class) = class else { return };
     let text = class.text();
     let right = if is_device { "Device" } else { "CommunicationNetwork" };
@@ -328,12 +328,14 @@ fn check_missing(
 }
 
 fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &mut Findings) {
-    for name in ["fileName", "fileVersion", "fileCreator", "fileCreationDate", "fileCreationTime"] {
+    for name in [n::fileName, n::fileVersion, n::fileCreator, n::fileCreationDate, n::fileCreationTime] {
         let (Some(first), Some(second)) = (device.attribute(name), network.attribute(name)) else { continue };
         let (first_value, second_value) = (first.value(), second.value());
         if first_value.trim_ascii() != second_value.trim_ascii() {
-            let message =
-                format!("`{name}` is `{second_value}` here and `{first_value}` in the device profile");
+            let message = format!(
+                "`{}` is `{second_value}` here and `{first_value}` in the device profile",
+                name.text()
+            );
             let finding = Diagnostic::new(&CONTRADICTING_FILE_ATTRIBUTE, second.value_span(), message);
             findings.push(finding.label(first.value_span(), "there").help("write the same into both"));
         }
@@ -342,16 +344,16 @@ fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &m
 
 /// Whether both identities are of one device.
 pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
-    let find = |name: &str| walk.seen.identities.iter().copied().find(|element| element.name() == name);
-    let (Some(device), Some(network)) = (find("DeviceIdentity"), find("identity")) else { return };
-    for name in ["vendorID", "productID"] {
+    let find = |name: Name| walk.seen.identities.iter().copied().find(|element| element.tag() == name);
+    let (Some(device), Some(network)) = (find(n::DeviceIdentity), find(n::identity)) else { return };
+    for name in [n::vendorID, n::productID] {
         let (Some(first), Some(second)) = (device.child(name), network.child(name)) else { continue };
         let (first_text, second_text) = (first.text(), second.text());
         let (Some(a), Some(b)) = (id_number(&first_text), id_number(&second_text)) else { continue };
         if a != b {
             let (first_text, second_text) = (first_text.trim_ascii(), second_text.trim_ascii());
             let message =
-                format!("`{name}` is `{second_text}` here and `{first_text}` in the device profile");
+                format!("`{}` is `{second_text}` here and `{first_text}` in the device profile", name.text());
             let finding = Diagnostic::new(&CONTRADICTING_IDENTITY, second.text_span(), message);
             walk.findings
                 .push(finding.label(first.text_span(), "there").help("write the same number into both"));

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, RuleInfo, Severity, listing, text_rule};
 use crate::source::Span;
 use crate::xdd::schema::{self, Need, Slot};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, n};
 
 /// Every rule of this module.
 pub(crate) static RULES: &[&RuleInfo] = &[
@@ -204,7 +204,9 @@ pub(super) fn meant_attribute(
     schema: &'static schema::Element,
     attribute: Attribute<'_>,
 ) -> Option<(usize, &'static schema::Attribute)> {
-    let is_meant = |known: &schema::Attribute| known.name.eq_ignore_ascii_case(attribute.name());
+    let is_meant = |known: &schema::Attribute| {
+        known.need != Need::Stray && known.name.text().eq_ignore_ascii_case(attribute.name())
+    };
     let (number, known) = schema.attributes.iter().enumerate().find(|(_, known)| is_meant(known))?;
     element.attribute(known.name).is_none().then_some((number, known))
 }
@@ -215,7 +217,7 @@ pub(super) fn unknown_attribute(
     meant: Option<(usize, &schema::Attribute)>,
 ) -> Diagnostic {
     if let Some((_, meant)) = meant {
-        return misspelt(attribute.name_span(), attribute.name(), meant.name);
+        return misspelt(attribute.name_span(), attribute.name(), meant.name.text());
     }
     let message = format!("`{}` has no attribute `{}`; it is kept", element.name(), attribute.name());
     Diagnostic::new(&UNKNOWN_ATTRIBUTE, attribute.name_span(), message)
@@ -229,7 +231,10 @@ pub(super) fn meant_element(
 ) -> Option<(usize, &'static schema::Element)> {
     let name = child.name();
     schema.content.iter().enumerate().find_map(|(number, slot)| {
-        let meant = slot.of.iter().find(|element| element.name.eq_ignore_ascii_case(name))?;
+        let meant = slot
+            .of
+            .iter()
+            .find(|element| element.name.text().eq_ignore_ascii_case(name) && slot.need != Need::Stray)?;
         Some((number, *meant))
     })
 }
@@ -241,7 +246,7 @@ pub(super) fn unknown_element(
     is_ours: bool,
 ) -> Diagnostic {
     if let Some((_, meant)) = meant {
-        return misspelt(child.name_span(), child.name(), meant.name);
+        return misspelt(child.name_span(), child.name(), meant.name.text());
     }
     let message = format!("`{}` has no element `{}` in it; it is kept", parent.name(), child.name());
     Diagnostic::new(&UNKNOWN_ELEMENT, child.name_span(), message)
@@ -255,10 +260,10 @@ fn misspelt(at: Span, name: &str, meant: &str) -> Diagnostic {
 }
 
 pub(super) fn missing_attribute(element: Element<'_>, attribute: &schema::Attribute) -> Diagnostic {
-    let message = format!("`{}` lacks the attribute `{}`", element.name(), attribute.name);
+    let message = format!("`{}` lacks the attribute `{}`", element.name(), attribute.name.text());
     Diagnostic::new(&MISSING_ATTRIBUTE, element.name_span(), message)
         .severity(severity(attribute.need))
-        .help(format!("add `{}=\"…\"`", attribute.name))
+        .help(format!("add `{}=\"…\"`", attribute.name.text()))
 }
 
 fn severity(need: Need) -> Severity {
@@ -267,14 +272,17 @@ fn severity(need: Need) -> Severity {
 
 pub(super) fn missing_element(element: Element<'_>, slot: &Slot, count: u32) -> Diagnostic {
     let parent = element.name();
-    let names = slot.of.iter().map(|element| element.name);
+    let names = slot.of.iter().map(|element| element.name.text());
     let (message, help) = match (slot.of, count) {
-        ([one], 0) => (format!("`{parent}` lacks `{}`", one.name), format!("add `{}`", one.name)),
-        ([one], _) => {
-            let message = format!("`{parent}` has {count} `{}`; it takes {} at least", one.name, slot.least);
-            (message, format!("add another `{}`", one.name))
+        ([one], 0) => {
+            (format!("`{parent}` lacks `{}`", one.name.text()), format!("add `{}`", one.name.text()))
         }
-        ([first, ..], _) if first.name == "label" => {
+        ([one], _) => {
+            let message =
+                format!("`{parent}` has {count} `{}`; it takes {} at least", one.name.text(), slot.least);
+            (message, format!("add another `{}`", one.name.text()))
+        }
+        ([first, ..], _) if first.name == n::label => {
             (format!("`{parent}` has neither a name nor a description"), "add a `label`".to_owned())
         }
         ([_, _, _, _, _, ..], _) => (

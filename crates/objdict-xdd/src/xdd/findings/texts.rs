@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, n};
 
 use super::walk::Walk;
 
@@ -83,14 +83,14 @@ pub(super) fn check<'a>(
     languages: &mut Languages<'a>,
     findings: &mut Findings,
 ) {
-    let is_text = |child: &Element<'_>| matches!(child.name(), "label" | "description");
+    let is_text = |child: &Element<'_>| matches!(child.tag(), n::label | n::description);
     let mut before: Vec<Element<'a>> = Vec::new();
     for child in element.children().filter(is_text) {
-        let Some(language) = child.attribute("lang") else { continue };
+        let Some(language) = child.attribute(n::lang) else { continue };
         let text = language.value();
         let first = before.iter().find(|first| {
-            let other = first.attribute("lang").map(Attribute::value);
-            first.name() == child.name()
+            let other = first.attribute(n::lang).map(Attribute::value);
+            first.tag() == child.tag()
                 && other.is_some_and(|other| other.trim_ascii().eq_ignore_ascii_case(text.trim_ascii()))
         });
         if let Some(first) = first {
@@ -116,7 +116,7 @@ fn check_language<'a>(
     languages: &mut Languages<'a>,
     findings: &mut Findings,
 ) {
-    let Some(listed) = body.attribute("supportedLanguages") else { return };
+    let Some(listed) = body.attribute(n::supportedLanguages) else { return };
     let value = listed.value();
     let is_same = |one: &str| {
         let primary = |tag: &str| tag.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase();
@@ -128,7 +128,7 @@ fn check_language<'a>(
     let is_known = |(known, text): &(Element<'_>, String)| known.id() == body.id() && text == language;
     if languages.unlisted.len() < 64 && !languages.unlisted.iter().any(is_known) {
         languages.unlisted.push((body, language.to_owned()));
-        let at = child.attribute("lang").map_or(child.name_span(), Attribute::value_span);
+        let at = child.attribute(n::lang).map_or(child.name_span(), Attribute::value_span);
         let message = format!("the language `{language}` is not among `supportedLanguages`");
         let finding = Diagnostic::new(&UNLISTED_LANGUAGE, at, message);
         let help = format!("add `{language}` to `supportedLanguages`");
@@ -140,9 +140,9 @@ fn check_language<'a>(
 pub(super) fn check_dictionaries(walk: &mut Walk<'_, '_>) {
     let dictionaries = walk.seen.dictionaries.iter();
     let ids: HashSet<_> =
-        dictionaries.filter_map(|dictionary| Some(dictionary.attribute("dictID")?.value())).collect();
+        dictionaries.filter_map(|dictionary| Some(dictionary.attribute(n::dictID)?.value())).collect();
     for text in &walk.seen.text_refs {
-        let Some(id) = text.attribute("dictID") else { continue };
+        let Some(id) = text.attribute(n::dictID) else { continue };
         let value = id.value();
         if !ids.contains(&value) {
             let message = format!("there is no dictionary `{value}`");

@@ -1,7 +1,7 @@
 //! The rules about the data types that a description defines.
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, Name, n};
 
 use super::number::Number;
 use super::walk::Walk;
@@ -72,9 +72,9 @@ text_rule! {
 /// All rules of this module.
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
     for &data_type in &walk.seen.data_types {
-        match data_type.name() {
-            "enum" => enumeration(data_type, walk.findings),
-            "array" => array(data_type, walk.findings),
+        match data_type.tag() {
+            n::r#enum => enumeration(data_type, walk.findings),
+            n::array => array(data_type, walk.findings),
             _ => {}
         }
     }
@@ -83,9 +83,9 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
     let mut count = 0;
     let mut values: Vec<(Attribute<'_>, Number)> = Vec::new();
-    for value in data_type.children_named("enumValue") {
+    for value in data_type.children_named(n::enumValue) {
         count += 1;
-        let Some(attribute) = value.attribute("value") else { continue };
+        let Some(attribute) = value.attribute(n::value) else { continue };
         let Some(Number::Integer(number)) = Number::parse(&attribute.value()) else { continue };
         values.push((attribute, Number::Integer(number)));
     }
@@ -99,7 +99,7 @@ fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
             findings.push(finding.label(first.value_span(), "also here").help("correct one of the two"));
         }
     }
-    let Some(size) = data_type.attribute("size") else { return };
+    let Some(size) = data_type.attribute(n::size) else { return };
     let Some(Number::Integer(stated)) = Number::parse(&size.value()) else { return };
     if stated != count {
         let there = counted(usize::try_from(count).unwrap_or_default(), "value", "values");
@@ -110,12 +110,12 @@ fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
 }
 
 fn array(data_type: Element<'_>, findings: &mut Findings) {
-    for range in data_type.children_named("subrange") {
-        let number = |name: &str| {
+    for range in data_type.children_named(n::subrange) {
+        let number = |name: Name| {
             let attribute = range.attribute(name)?;
             Some((attribute, attribute.value().trim_ascii().parse::<i64>().ok()?))
         };
-        let (Some((low_at, low)), Some((high_at, high))) = (number("lowerLimit"), number("upperLimit"))
+        let (Some((low_at, low)), Some((high_at, high))) = (number(n::lowerLimit), number(n::upperLimit))
         else {
             continue;
         };

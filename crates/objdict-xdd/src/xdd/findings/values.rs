@@ -243,7 +243,7 @@ text_rule! {
 pub(super) fn check(text: &str, kind: Kind, at: Span, name: &str, findings: &mut Findings) -> bool {
     let trimmed = text.trim_ascii();
     let is_valid = match kind {
-        Kind::Text | Kind::Reference(_) => true,
+        Kind::Text | Kind::Rate | Kind::Reference(_) => true,
         Kind::Boolean => matches!(trimmed, "true" | "false" | "1" | "0"),
         Kind::Number(low, high) => whole_number(trimmed).is_some_and(|number| (low..=high).contains(&number)),
         Kind::Decimal => decimal(trimmed).is_some_and(|number| number != 0.0 || name != "multiplier"),
@@ -303,7 +303,7 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
         Kind::Language | Kind::Languages => {
             new(&INVALID_LANGUAGE, "no language code").help(language_help(text))
         }
-        Kind::Id | Kind::Name | Kind::Names | Kind::Text | Kind::Reference(_) => {
+        Kind::Id | Kind::Name | Kind::Names | Kind::Text | Kind::Rate | Kind::Reference(_) => {
             new(&INVALID_ID, &format!("no name, as `{name}` takes it"))
                 .help("start with a letter or `_`, and use letters, digits, `.`, `-` and `_`")
         }

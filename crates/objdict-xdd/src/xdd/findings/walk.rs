@@ -6,7 +6,7 @@ use super::texts::Languages;
 use super::{profiles, structure, texts, values};
 use crate::diagnostic::Findings;
 use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, n};
 
 /// What the walk finds and what it remembers for the rules that look at several elements at once.
 pub(super) struct Walk<'a, 'f> {
@@ -37,19 +37,19 @@ pub(super) struct Seen<'a> {
 
 impl<'a> Seen<'a> {
     fn remember(&mut self, element: Element<'a>) {
-        let list = match element.name() {
-            "parameter" => &mut self.parameters,
-            "varDeclaration" => &mut self.variables,
-            "array" | "struct" | "enum" | "derived" => &mut self.data_types,
-            "parameterTemplate" => &mut self.templates,
-            "allowedValuesTemplate" => &mut self.values_templates,
-            "labelRef" | "descriptionRef" => &mut self.text_refs,
-            "memberRef" => &mut self.member_refs,
-            "dictionary" => &mut self.dictionaries,
-            "CANopenObjectList" => &mut self.object_lists,
-            "DeviceIdentity" | "identity" => &mut self.identities,
-            "baudRate" => &mut self.baud_rates,
-            "ProfileBody" => &mut self.bodies,
+        let list = match element.tag() {
+            n::parameter => &mut self.parameters,
+            n::varDeclaration => &mut self.variables,
+            n::array | n::r#struct | n::r#enum | n::derived => &mut self.data_types,
+            n::parameterTemplate => &mut self.templates,
+            n::allowedValuesTemplate => &mut self.values_templates,
+            n::labelRef | n::descriptionRef => &mut self.text_refs,
+            n::memberRef => &mut self.member_refs,
+            n::dictionary => &mut self.dictionaries,
+            n::CANopenObjectList => &mut self.object_lists,
+            n::DeviceIdentity | n::identity => &mut self.identities,
+            n::baudRate => &mut self.baud_rates,
+            n::ProfileBody => &mut self.bodies,
             _ => return,
         };
         list.push(element);
@@ -76,11 +76,14 @@ impl<'a> Walk<'a, '_> {
             if !attribute.prefix().is_empty() {
                 continue;
             }
-            let found = schema.attribute(attribute.name()).or_else(|| {
-                let meant = structure::meant_attribute(element, schema, attribute);
-                self.findings.push(structure::unknown_attribute(element, attribute, meant));
-                meant
-            });
+            let found = schema
+                .attribute(attribute.tag())
+                .filter(|(_, known)| known.need != Need::Stray)
+                .or_else(|| {
+                    let meant = structure::meant_attribute(element, schema, attribute);
+                    self.findings.push(structure::unknown_attribute(element, attribute, meant));
+                    meant
+                });
             let Some((number, known)) = found else { continue };
             present |= 1 << number;
             if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
@@ -89,7 +92,7 @@ impl<'a> Walk<'a, '_> {
             self.value(element, attribute, known.kind);
         }
         for (number, attribute) in schema.attributes.iter().enumerate() {
-            if attribute.need != Need::Optional && present & (1 << number) == 0 {
+            if matches!(attribute.need, Need::Required | Need::Key) && present & (1 << number) == 0 {
                 self.findings.push(structure::missing_attribute(element, attribute));
             }
         }
@@ -112,7 +115,7 @@ impl<'a> Walk<'a, '_> {
     }
 
     fn text(&mut self, element: Element<'a>, schema: &'static schema::Element) {
-        match schema.text {
+        match schema.text.map(|text| text.kind) {
             Some(Kind::Text) => {}
             Some(kind) => {
                 let text = element.text();
@@ -138,16 +141,19 @@ impl<'a> Walk<'a, '_> {
         let (mut at, mut last) = (0, None);
         let mut is_in_order = true;
         for child in element.children() {
-            let found = schema.slot(child.name(), at).or_else(|| {
-                let meant = structure::meant_element(schema, child);
-                self.findings.push(structure::unknown_element(
-                    element,
-                    child,
-                    meant,
-                    self.forms.is_ours(child),
-                ));
-                meant
-            });
+            let found = schema
+                .slot(child.tag(), at)
+                .filter(|(number, _)| schema.content[*number].need != Need::Stray)
+                .or_else(|| {
+                    let meant = structure::meant_element(schema, child);
+                    self.findings.push(structure::unknown_element(
+                        element,
+                        child,
+                        meant,
+                        self.forms.is_ours(child),
+                    ));
+                    meant
+                });
             let Some((number, known)) = found else { continue };
             if number < at && is_in_order {
                 self.findings.push(structure::wrong_order(element, child, last));

@@ -1,13 +1,12 @@
 //! Places of objects and sub-objects: an attribute of theirs, or what their parameter says instead.
 
-use std::borrow::Cow;
-
 use super::{Locator, text_of, value_of};
 use crate::model::{Field, SimpleType};
 use crate::source::Span;
 use crate::xdd::layout::below;
-use crate::xdd::read::{EntryAttributes, SUB};
-use crate::xml::{Element, Tree};
+use crate::xdd::read::EntryAttributes;
+use crate::xdd::schema::OBJECT;
+use crate::xml::{Attribute, Element, Name, Tree, n};
 
 impl Locator {
     /// The span of a field of an object or sub-object; a sub-object that is not there stands in its object.
@@ -22,7 +21,7 @@ impl Locator {
             return self.element(tree, index, None).map(Element::tag_span);
         };
         let Some(field) = field else { return Some(element.tag_span()) };
-        let attribute = element.attribute(&attribute_name(field)).map(value_of);
+        let attribute = attribute_of(element, field).map(value_of);
         let parameter = || self.in_parameter(tree, element, field);
         attribute.or_else(parameter).or(Some(element.tag_span()))
     }
@@ -36,7 +35,7 @@ impl Locator {
     ) -> Option<Element<'a>> {
         let object = tree.element(*self.objects.get(&index)?);
         let is_sub = |child: &Element<'_>| EntryAttributes::of(*child).sub_index() == sub;
-        if sub.is_none() { Some(object) } else { object.children_named(SUB).find(is_sub) }
+        if sub.is_none() { Some(object) } else { object.children_named(n::CANopenSubObject).find(is_sub) }
     }
 
     /// Where the parameter of an element says a field.
@@ -46,42 +45,31 @@ impl Locator {
         element: Element<'_>,
         field: &Field,
     ) -> Option<Span> {
-        let id = element.attribute("uniqueIDRef")?;
+        let id = element.attribute(n::uniqueIDRef)?;
         let parameter = self.by_id(tree, id.value().trim_ascii())?;
-        let value = |path: &[&str]| below(parameter, path)?.attribute("value").map(value_of);
+        let value = |path: &[Name]| below(parameter, path)?.attribute(n::value).map(value_of);
         match field {
-            Field::ParameterName => parameter.child("label").map(text_of),
+            Field::ParameterName => parameter.child(n::label).map(text_of),
             Field::DataType => parameter.children().find(is_type).map(Element::tag_span),
-            Field::AccessType => parameter.attribute("access").map(value_of),
-            Field::DefaultValue => value(&["defaultValue"]),
-            Field::ParameterValue => value(&["actualValue"]),
-            Field::LowLimit => value(&["allowedValues", "range", "minValue"]),
-            Field::HighLimit => value(&["allowedValues", "range", "maxValue"]),
-            Field::Denotation => below(parameter, &["denotation", "label"]).map(text_of),
+            Field::AccessType => parameter.attribute(n::access).map(value_of),
+            Field::DefaultValue => value(&[n::defaultValue]),
+            Field::ParameterValue => value(&[n::actualValue]),
+            Field::LowLimit => value(&[n::allowedValues, n::range, n::minValue]),
+            Field::HighLimit => value(&[n::allowedValues, n::range, n::maxValue]),
+            Field::Denotation => below(parameter, &[n::denotation, n::label]).map(text_of),
             _ => None,
         }
     }
 }
 
 fn is_type(element: &Element<'_>) -> bool {
-    SimpleType::from_name(element.name()).is_some() || element.name() == "dataTypeIDRef"
+    SimpleType::from_name(element.tag().text()).is_some() || element.tag() == n::dataTypeIDRef
 }
 
-/// The attribute of a field.
-pub(in crate::xdd) fn attribute_name(field: &Field) -> Cow<'_, str> {
-    Cow::Borrowed(match field {
-        Field::ParameterName => "name",
-        Field::ObjectType => "objectType",
-        Field::DataType => "dataType",
-        Field::LowLimit => "lowLimit",
-        Field::HighLimit => "highLimit",
-        Field::AccessType => "accessType",
-        Field::DefaultValue => "defaultValue",
-        Field::ParameterValue => "actualValue",
-        Field::Denotation => "denotation",
-        Field::PdoMapping => "PDOmapping",
-        Field::ObjFlags => "objFlags",
-        Field::SubNumber => "subNumber",
-        other => return other.name(),
-    })
+/// The attribute of an element that a field is, by the table; else the one that is called like the field.
+pub(in crate::xdd) fn attribute_of<'a>(element: Element<'a>, field: &Field) -> Option<Attribute<'a>> {
+    match OBJECT.attribute_of(field) {
+        Some(known) => element.attribute(known.name),
+        None => element.attribute(&*field.name()),
+    }
 }

@@ -3,9 +3,11 @@
 use super::{text_of, value_of};
 use crate::model::{Field, ObjectList, Part};
 use crate::source::Span;
+use crate::xdd::fact::bit_rate;
 use crate::xdd::layout::{Layout, Profile, below};
-use crate::xdd::read::{bit_rate, count_attribute};
-use crate::xml::Element;
+use crate::xdd::read::{EntryAttributes, channel_attribute, count_attribute};
+use crate::xdd::schema::{self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
+use crate::xml::{Attribute, Element, n};
 
 /// The span of a field of a part, else the tag of the part.
 pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) -> Option<Span> {
@@ -14,22 +16,22 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
         Part::FileInfo => file_info(layout, field),
         Part::DeviceInfo => device_info(layout, field),
         Part::Commissioning => {
-            let node = layout.in_network(&["NetworkManagement", "deviceCommissioning"])?;
+            let node = layout.in_network(&[n::NetworkManagement, n::deviceCommissioning])?;
             let value = field.and_then(|field| commissioning(node, field));
             Some(value.unwrap_or(node.tag_span()))
         }
         Part::DummyUsage => {
-            let usage = layout.in_network(&["ApplicationLayers", "dummyUsage"])?;
+            let usage = layout.in_network(&[n::ApplicationLayers, n::dummyUsage])?;
             let value = field.and_then(|field| dummy(usage, &field.name()));
             Some(value.unwrap_or(usage.tag_span()))
         }
         Part::List(list) => {
-            let element = layout.in_network(&["ApplicationLayers", "CANopenObjectList"])?;
+            let element = layout.in_network(&[n::ApplicationLayers, n::CANopenObjectList])?;
             let count = element.attribute(count_attribute(*list)).map(value_of);
             let item = || match field? {
                 Field::Item(number) => {
                     let of_list = |object: &Element<'_>| {
-                        let index = super::super::read::EntryAttributes::of(*object).index();
+                        let index = EntryAttributes::of(*object).index();
                         index.and_then(ObjectList::of) == Some(*list)
                     };
                     let position = usize::try_from(*number).ok()?.checked_sub(1)?;
@@ -40,7 +42,7 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
             item().or(count).or(Some(element.tag_span()))
         }
         Part::DynamicChannels => {
-            let channels = layout.in_network(&["ApplicationLayers", "dynamicChannels"])?;
+            let channels = layout.in_network(&[n::ApplicationLayers, n::dynamicChannels])?;
             let value = field.and_then(|field| channel(channels, &field.name()));
             Some(value.unwrap_or(channels.tag_span()))
         }
@@ -48,89 +50,73 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
             let profile = layout.device.or(layout.network)?;
             tag(profile.header)
         }
-        Part::Identity => tag(layout.in_device(&["DeviceIdentity"])),
-        Part::NetworkIdentity => tag(layout.in_network(&["ApplicationLayers", "identity"])),
-        Part::Manager => tag(layout.in_device(&["DeviceManager"])),
-        Part::Functions => tag(layout.in_device(&["DeviceFunction"])),
-        Part::Application => tag(layout.in_device(&["ApplicationProcess"])),
-        Part::ModuleObjects => tag(layout.in_network(&["ApplicationLayers", "moduleManagement"])),
+        Part::Identity => tag(layout.in_device(&[n::DeviceIdentity])),
+        Part::NetworkIdentity => tag(layout.in_network(&[n::ApplicationLayers, n::identity])),
+        Part::Manager => tag(layout.in_device(&[n::DeviceManager])),
+        Part::Functions => tag(layout.in_device(&[n::DeviceFunction])),
+        Part::Application => tag(layout.in_device(&[n::ApplicationProcess])),
+        Part::ModuleObjects => tag(layout.in_network(&[n::ApplicationLayers, n::moduleManagement])),
         _ => None,
     }
 }
 
 /// The characteristics that carry what CiA 311 has no place for, by their category.
 pub(super) fn carried(layout: &Layout<'_>, name: &str) -> Option<Span> {
-    let capabilities = layout.in_device(&["DeviceFunction", "capabilities"])?;
+    let capabilities = layout.in_device(&[n::DeviceFunction, n::capabilities])?;
     let is_it = |list: &Element<'_>| {
-        let label = below(*list, &["category", "label"]);
+        let label = below(*list, &[n::category, n::label]);
         label.is_some_and(|label| label.text().trim_ascii().eq_ignore_ascii_case(name))
     };
-    capabilities.children_named("characteristicsList").find(is_it).map(Element::tag_span)
+    capabilities.children_named(n::characteristicsList).find(is_it).map(Element::tag_span)
+}
+
+/// The attribute that a field is by the table, else the one that is called like the field.
+fn named<'a>(element: Element<'a>, schema: &schema::Element, field: &Field) -> Option<Attribute<'a>> {
+    match schema.attribute_of(field) {
+        Some(known) => element.attribute(known.name),
+        None => element.attribute(&*field.name()),
+    }
 }
 
 fn file_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
     let Profile { body, .. } = layout.device.or(layout.network)?;
-    let name = match field? {
-        Field::FileName => "fileName",
-        Field::FileVersion | Field::FileRevision => "fileVersion",
-        Field::CreationTime => "fileCreationTime",
-        Field::CreationDate => "fileCreationDate",
-        Field::CreatedBy => "fileCreator",
-        Field::ModificationTime => "fileModificationTime",
-        Field::ModificationDate => "fileModificationDate",
-        Field::ModifiedBy => "fileModifiedBy",
+    let found = match field? {
         Field::Description => {
-            let description = layout.in_device(&["DeviceIdentity", "productText", "description"]);
-            return description.map(text_of).or(Some(body.tag_span()));
+            layout.in_device(&[n::DeviceIdentity, n::productText, n::description]).map(text_of)
         }
-        other => return Some(body.attribute(&other.name()).map_or(body.tag_span(), value_of)),
+        Field::FileRevision => body.attribute(n::fileVersion).map(value_of),
+        field => named(body, &DEVICE_BODY, field).map(value_of),
     };
-    Some(body.attribute(name).map_or(body.tag_span(), value_of))
+    found.or(Some(body.tag_span()))
 }
 
 fn device_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
-    let identity = layout.in_device(&["DeviceIdentity"]);
+    let identity = layout.in_device(&[n::DeviceIdentity]);
     let whole = || {
-        let element = identity.or(layout.in_network(&["NetworkManagement"]));
+        let element = identity.or(layout.in_network(&[n::NetworkManagement]));
         let body = layout.device.or(layout.network).map(|profile| profile.body);
         element.or(body).map(Element::tag_span)
     };
     let Some(field) = field else { return whole() };
-    let in_identity = |name: &str| identity?.child(name).map(text_of);
-    let found = match field {
-        Field::VendorName => in_identity("vendorName"),
-        Field::VendorNumber => in_identity("vendorID"),
-        Field::ProductName => in_identity("productName"),
-        Field::ProductNumber => in_identity("productID"),
-        Field::OrderCode => in_identity("orderNumber"),
-        _ => match rate_of(field) {
-            Some(rate) => bit_rates(layout, rate),
-            None => feature(layout, field),
-        },
+    let found = match (schema::identity_element(field), rate_of(field)) {
+        (Some(element), _) => identity.and_then(|identity| identity.child(element.name)).map(text_of),
+        (None, Some(rate)) => bit_rates(layout, rate),
+        (None, None) => feature(layout, field),
     };
     found.or_else(whole)
 }
 
 /// An attribute of the features or of `ApplicationLayers`; else the features.
 fn feature(layout: &Layout<'_>, field: &Field) -> Option<Span> {
-    let name = field.name();
-    let (is_master, name) = match field {
-        Field::SimpleBootUpMaster => (true, "bootUpMaster"),
-        Field::SimpleBootUpSlave => (false, "bootUpSlave"),
-        Field::Granularity => (false, "granularity"),
-        Field::DynamicChannelsSupported => (false, "dynamicChannels"),
-        Field::GroupMessaging => (false, "groupMessaging"),
-        Field::NrOfRxPdo => (false, "nrOfRxPDO"),
-        Field::NrOfTxPdo => (false, "nrOfTxPDO"),
-        Field::LssSupported => (false, "layerSettingServiceSlave"),
-        _ => (false, name.as_ref()),
-    };
-    let general = layout.in_network(&["NetworkManagement", "CANopenGeneralFeatures"]);
-    let master = layout.in_network(&["NetworkManagement", "CANopenMasterFeatures"]);
-    let layers = layout.in_network(&["ApplicationLayers"]);
-    let attribute =
-        [general, master, layers].into_iter().flatten().find_map(|element| element.attribute(name));
-    let part = if is_master { master } else { general };
+    let general = layout.in_network(&[n::NetworkManagement, n::CANopenGeneralFeatures]);
+    let master = layout.in_network(&[n::NetworkManagement, n::CANopenMasterFeatures]);
+    let layers = layout.in_network(&[n::ApplicationLayers]);
+    let known = GENERAL_FEATURES.attribute_of(field).or_else(|| MASTER_FEATURES.attribute_of(field));
+    let attribute = [general, master, layers].into_iter().flatten().find_map(|element| match known {
+        Some(known) => element.attribute(known.name),
+        None => element.attribute(&*field.name()),
+    });
+    let part = if *field == Field::SimpleBootUpMaster { master } else { general };
     let is_feature = !matches!(field, Field::Named(_) | Field::RevisionNumber | Field::CompactPdo);
     attribute.map(value_of).or(part.filter(|_| is_feature).map(Element::tag_span))
 }
@@ -164,11 +150,11 @@ fn rate_of(field: &Field) -> Option<Rate> {
 
 /// The element of a bit rate, else that around all of them.
 fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
-    let list = layout.in_network(&["TransportLayers", "PhysicalLayer", "baudRate"])?;
+    let list = layout.in_network(&[n::TransportLayers, n::PhysicalLayer, n::baudRate])?;
     let mut values =
-        list.children_named("supportedBaudRate").filter_map(|element| element.attribute("value"));
+        list.children_named(n::supportedBaudRate).filter_map(|element| element.attribute(n::value));
     let found = match rate {
-        Rate::Default => list.attribute("defaultValue"),
+        Rate::Default => list.attribute(n::defaultValue),
         Rate::Kbit(kbit) => values.find(|value| bit_rate(value.value().trim_ascii()) == Some(kbit)),
         Rate::Auto => values.find(|value| value.value().to_ascii_lowercase().contains("auto")),
         Rate::Wrong => values.find(|value| {
@@ -184,22 +170,15 @@ fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
 const KNOWN: [u16; 9] = [10, 20, 50, 100, 125, 250, 500, 800, 1000];
 
 fn commissioning(node: Element<'_>, field: &Field) -> Option<Span> {
-    let name = field.name();
-    let names: &[&str] = match field {
-        Field::NodeId => &["nodeID", "NodeID"],
-        Field::NodeName => &["nodeName"],
-        Field::Baudrate => &["actualBaudRate"],
-        Field::NetNumber => &["networkNumber"],
-        Field::NetworkName => &["networkName"],
-        Field::CanOpenManager => &["CANopenManager"],
-        _ => &[&name],
-    };
-    names.iter().find_map(|name| node.attribute(name)).map(value_of)
+    let found = named(node, &DEVICE_COMMISSIONING, field);
+    // CANopenEditor writes the second
+    let other = || node.attribute(n::NodeID).filter(|_| *field == Field::NodeId);
+    found.or_else(other).map(value_of)
 }
 
 /// The entry of `Dummy0005`.
 fn dummy(usage: Element<'_>, name: &str) -> Option<Span> {
-    let entries = usage.children_named("dummy").filter_map(|dummy| dummy.attribute("entry"));
+    let entries = usage.children_named(n::dummy).filter_map(|dummy| dummy.attribute(n::entry));
     let mut entries = entries.filter(|entry| {
         let text = entry.value();
         text.split('=').next().is_some_and(|key| key.trim_ascii().eq_ignore_ascii_case(name))
@@ -212,13 +191,6 @@ fn channel(channels: Element<'_>, name: &str) -> Option<Span> {
     let digits = name.bytes().rev().take_while(u8::is_ascii_digit).count();
     let (word, number) = name.split_at(name.len() - digits);
     let position = number.parse::<usize>().ok()?.checked_sub(1)?;
-    let channel = channels.children_named("dynamicChannel").nth(position)?;
-    let attribute = match word {
-        "Type" => "dataType",
-        "Dir" => "accessType",
-        "Range" => "startIndex",
-        "PPOffset" => "addressOffset",
-        other => other,
-    };
-    Some(channel.attribute(attribute).map_or(channel.tag_span(), value_of))
+    let channel = channels.children_named(n::dynamicChannel).nth(position)?;
+    Some(channel.attribute(channel_attribute(word)).map_or(channel.tag_span(), value_of))
 }

@@ -2,13 +2,14 @@
 
 use super::entry::value_type;
 use super::parameters::Definitions;
-use super::text::value_text;
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
     Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, Parameter, ParameterAccess,
-    Place, ScaledValue, Value, ValueRange,
+    Place, ScaledValue, ValueRange,
 };
+use crate::xdd::fact::value_text;
+use crate::xdd::schema::Slots;
 use crate::xdd::types;
 
 /// Fills the entry at `place`, whose data type is known, with what its parameter says, and takes that out of the parameter.
@@ -107,36 +108,16 @@ struct Values<'a> {
     findings: &'a mut Findings,
 }
 
-/// One of the values of an entry.
-#[derive(Clone, Copy)]
-enum Slot {
-    Default,
-    Actual,
-    Low,
-    High,
-}
-
-impl Slot {
-    fn field(self) -> Field {
-        match self {
-            Self::Default => Field::DefaultValue,
-            Self::Actual => Field::ParameterValue,
-            Self::Low => Field::LowLimit,
-            Self::High => Field::HighLimit,
-        }
-    }
-}
-
 impl Values<'_> {
     /// Takes all values of a parameter.
     fn take(&mut self, parameter: &mut Parameter, definitions: &Definitions<'_>) {
-        self.absorb(Slot::Default, &mut parameter.default_value);
+        self.absorb(Slots::Default, &mut parameter.default_value);
         self.range(&mut parameter.allowed_values, definitions);
-        self.absorb(Slot::Actual, &mut parameter.actual_value);
+        self.absorb(Slots::Actual, &mut parameter.actual_value);
     }
 
     /// Takes a value of the parameter, and out of it what it says no more than the entry.
-    fn absorb(&mut self, slot: Slot, value: &mut Option<ScaledValue>) {
+    fn absorb(&mut self, slot: Slots, value: &mut Option<ScaledValue>) {
         if value.as_ref().is_some_and(|value| self.fill(slot, value)) {
             *value = None;
         }
@@ -151,7 +132,7 @@ impl Values<'_> {
             return;
         }
         // both of them, whatever the first one says
-        let is_said = self.fill(Slot::Low, min) & self.fill(Slot::High, max);
+        let is_said = self.fill(Slots::Low, min) & self.fill(Slots::High, max);
         let is_own = stated.template.is_none();
         if is_said && is_own {
             *allowed = None;
@@ -159,7 +140,7 @@ impl Values<'_> {
     }
 
     /// Fills a value that the entry does not have. Whether the entry then says all that the parameter does.
-    fn fill(&mut self, slot: Slot, value: &ScaledValue) -> bool {
+    fn fill(&mut self, slot: Slots, value: &ScaledValue) -> bool {
         let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
         let Some(text) = value_text(&value.value, self.data_type) else { return is_plain };
         if let Some(misfit) = self.entry.misfits.get(&slot.field()) {
@@ -167,41 +148,18 @@ impl Values<'_> {
         }
         let mut quirks = Quirks::default();
         let read = literal::value(text, self.data_type, &mut quirks);
-        if let Some(own) = self.get(slot) {
+        if let Some(own) = slot.get(self.entry) {
             return is_plain && read.as_ref() == Ok(own);
         }
         match read {
             Ok(value) => {
-                literal::spelling(
-                    text,
-                    self.place.clone().field(slot.field()),
-                    quirks,
-                    Some(&value),
-                    self.findings,
-                );
-                self.set(slot, value);
+                let at = self.place.clone().field(slot.field());
+                literal::spelling(text, at, quirks, Some(&value), self.findings);
+                slot.set(self.entry, value);
             }
             Err(reason) => self.entry.misfits.push(slot.field(), text, reason),
         }
         is_plain
-    }
-
-    fn get(&self, slot: Slot) -> Option<&Value> {
-        match slot {
-            Slot::Default => self.entry.default.as_ref(),
-            Slot::Actual => self.entry.configured_value(),
-            Slot::Low => self.entry.low_limit.as_ref(),
-            Slot::High => self.entry.high_limit.as_ref(),
-        }
-    }
-
-    fn set(&mut self, slot: Slot, value: Value) {
-        match slot {
-            Slot::Default => self.entry.default = Some(value),
-            Slot::Actual => self.entry.configured_mut().value = Some(value),
-            Slot::Low => self.entry.low_limit = Some(value),
-            Slot::High => self.entry.high_limit = Some(value),
-        }
     }
 }
 

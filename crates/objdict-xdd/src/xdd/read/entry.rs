@@ -1,117 +1,79 @@
 //! The attributes of objects and sub-objects.
 
-use super::text::{Text, boolean, hex};
 use crate::diagnostic::Findings;
-use crate::literal::{self, Quirks};
-use crate::model::{
-    Access, DataType, Entry, Field, Misfits, ObjFlags, ObjectType, PdoMapping, Reason, StackOptions, Value,
-};
+use crate::model::{DataType, Entry, ObjectType, StackOptions};
 use crate::xdd::defaults;
+use crate::xdd::fact::{self, Text, hex};
+use crate::xdd::schema::{At, OBJECT};
 use crate::xdd::shape::stack_attribute;
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, Element, Name, n};
+
+/// So many attributes has an object.
+const COUNT: usize = OBJECT.attributes.len();
 
 /// The attributes of a `CANopenObject` or `CANopenSubObject`, not yet understood.
-#[derive(Default)]
 pub(crate) struct EntryAttributes<'a> {
-    /// `index` or `subIndex`.
-    pub(crate) address: Option<Attribute<'a>>,
-    /// `uniqueIDRef`.
-    pub(crate) reference: Option<Attribute<'a>>,
-    /// `subNumber`.
-    pub(crate) sub_number: Option<Attribute<'a>>,
-    name: Option<Attribute<'a>>,
-    object_type: Option<Attribute<'a>>,
-    data_type: Option<Attribute<'a>>,
-    access: Option<Attribute<'a>>,
-    mapping: Option<Attribute<'a>>,
-    flags: Option<Attribute<'a>>,
-    denotation: Option<Attribute<'a>>,
-    low: Option<Attribute<'a>>,
-    high: Option<Attribute<'a>>,
-    default: Option<Attribute<'a>>,
-    actual: Option<Attribute<'a>>,
+    /// In the order of the table; the first is `index` or `subIndex`.
+    known: [Option<Attribute<'a>>; COUNT],
     /// Those that the standard does not have.
     unknown: Vec<Attribute<'a>>,
-}
-
-/// The attributes with values, which can only be read when the data type is known.
-pub(crate) struct ValueAttributes<'a> {
-    low: Option<Text<'a>>,
-    high: Option<Text<'a>>,
-    default: Option<Text<'a>>,
-    actual: Option<Text<'a>>,
 }
 
 impl<'a> EntryAttributes<'a> {
     /// Sorts the attributes of an element.
     pub(crate) fn of(element: Element<'a>) -> Self {
-        let mut found = Self::default();
+        let mut found = Self { known: [None; COUNT], unknown: Vec::new() };
         for attribute in element.attributes() {
-            let place = match attribute.name() {
-                "index" | "subIndex" => &mut found.address,
-                "uniqueIDRef" => &mut found.reference,
-                "subNumber" => &mut found.sub_number,
-                "name" => &mut found.name,
-                "objectType" => &mut found.object_type,
-                "dataType" => &mut found.data_type,
-                "accessType" => &mut found.access,
-                "PDOmapping" => &mut found.mapping,
-                "objFlags" => &mut found.flags,
-                "denotation" => &mut found.denotation,
-                "lowLimit" => &mut found.low,
-                "highLimit" => &mut found.high,
-                "defaultValue" => &mut found.default,
-                "actualValue" => &mut found.actual,
-                _ => {
-                    found.unknown.push(attribute);
-                    continue;
-                }
+            let name = match attribute.tag() {
+                n::subIndex => n::index,
+                // the model has no place for it
+                n::rangeSelector => Name::OTHER,
+                name => name,
             };
-            place.get_or_insert(attribute);
+            match OBJECT.attribute(name) {
+                Some((number, _)) => {
+                    found.known[number].get_or_insert(attribute);
+                }
+                None => found.unknown.push(attribute),
+            }
         }
         found
     }
 
+    /// The attribute of a name.
+    pub(crate) fn get(&self, name: Name) -> Option<Attribute<'a>> {
+        self.known[OBJECT.attribute(name)?.0]
+    }
+
     /// Whether the element is only there for its sub-objects.
     pub(crate) fn is_orphan(&self) -> bool {
-        self.object_type.is_some_and(|code| code.value() == defaults::ORPHAN)
+        self.get(n::objectType).is_some_and(|code| code.value() == defaults::ORPHAN)
     }
 
     /// The index of an object.
     pub(crate) fn index(&self) -> Option<u16> {
-        let number = hex(self.address?.value().trim_ascii(), 4)?;
+        let number = hex(self.known[0]?.value().trim_ascii(), 4)?;
         u16::try_from(number).ok()
     }
 
     /// The sub-index of a sub-object.
     pub(crate) fn sub_index(&self) -> Option<u8> {
-        let number = hex(self.address?.value().trim_ascii(), 4)?;
-        u8::try_from(number).ok()
+        self.index().and_then(|number| u8::try_from(number).ok())
     }
 
-    /// What the attributes say but for values, and the values.
-    pub(crate) fn read(&self) -> (Entry, ValueAttributes<'a>) {
+    /// What the attributes say but for values.
+    pub(crate) fn read(&self, findings: &mut Findings) -> Entry {
         let mut entry = Entry::default();
-        let misfits = &mut entry.misfits;
-        if let Some(name) = self.name {
+        if let Some(name) = self.get(n::name) {
             entry.name = name.value().trim_ascii().into();
         }
-        if let Some(text) = self.object_type.map(Text::of) {
-            entry.object_type = object_type(&text, misfits);
+        for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
+            if let Some(attribute) = attribute {
+                fact::take(&mut entry, known, &Text::of(attribute), findings);
+            }
         }
-        if let Some(text) = self.data_type.map(Text::of) {
-            entry.data_type = data_type(&text, misfits);
-        }
-        if let Some(text) = self.access.map(Text::of) {
-            entry.access = text.word(Field::AccessType, Access::from_name, misfits);
-        }
-        if let Some(text) = self.mapping.map(Text::of) {
-            entry.pdo_mapping = text.word(Field::PdoMapping, pdo_mapping, misfits);
-        }
-        if let Some(text) = self.flags.map(Text::of) {
-            entry.flags = text.hex(Field::ObjFlags, 8, misfits).map(ObjFlags);
-        }
-        if let Some(text) = self.denotation.map(Text::of).filter(|text| !text.is_blank()) {
+        let denotation = self.get(n::denotation).map(Text::of);
+        if let Some(text) = denotation.filter(|text| !text.trimmed().is_empty()) {
             entry.configured_mut().denotation = Some(text.trimmed().into());
         }
         let mut options = StackOptions::default();
@@ -122,36 +84,20 @@ impl<'a> EntryAttributes<'a> {
             }
         }
         entry.stack = Some(options).filter(|options| *options != StackOptions::default()).map(Box::new);
-        let text = |attribute: Option<Attribute<'a>>| attribute.map(Text::of);
-        let values = ValueAttributes {
-            low: text(self.low),
-            high: text(self.high),
-            default: text(self.default),
-            actual: text(self.actual),
-        };
-        (entry, values)
+        entry
     }
-}
 
-impl ValueAttributes<'_> {
     /// Reads the values of an entry whose data type is known.
-    pub(crate) fn read(&self, entry: &mut Entry, findings: &mut Findings) {
+    pub(crate) fn read_values(&self, entry: &mut Entry, findings: &mut Findings) {
         let data_type = value_type(entry);
-        let mut read = |text: &Option<Text<'_>>, field: Field, misfits: &mut Misfits| -> Option<Value> {
-            let text = text.as_ref()?;
-            match text.value(data_type, findings)? {
-                Ok(value) => Some(value),
-                Err(reason) => {
-                    text.misfit(field, reason, misfits);
-                    None
-                }
+        for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
+            let (At::Value(place), Some(attribute)) = (known.at, attribute) else { continue };
+            let text = Text::of(attribute);
+            match text.value(data_type, findings) {
+                Ok(Some(value)) => place.set(entry, value),
+                Ok(None) => {}
+                Err(reason) => entry.misfits.push(place.field(), &text.text, reason),
             }
-        };
-        entry.default = read(&self.default, Field::DefaultValue, &mut entry.misfits);
-        entry.low_limit = read(&self.low, Field::LowLimit, &mut entry.misfits);
-        entry.high_limit = read(&self.high, Field::HighLimit, &mut entry.misfits);
-        if let Some(value) = read(&self.actual, Field::ParameterValue, &mut entry.misfits) {
-            entry.configured_mut().value = Some(value);
         }
     }
 }
@@ -162,52 +108,4 @@ pub(crate) fn value_type(entry: &Entry) -> Option<DataType> {
         (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
         (data_type, _) => data_type,
     }
-}
-
-/// A decimal object code, or the name of one.
-fn object_type(text: &Text<'_>, misfits: &mut Misfits) -> Option<ObjectType> {
-    let word = text.trimmed();
-    if matches!(word, "" | defaults::OBJECT_TYPE | defaults::ORPHAN) {
-        return None;
-    }
-    let named = |object_type: &ObjectType| object_type.name().eq_ignore_ascii_case(word);
-    if let Some(object_type) = (0..=9).filter_map(ObjectType::from_code).find(named) {
-        return Some(object_type);
-    }
-    let code = literal::integer(word, 0, 255, &mut Quirks::default());
-    let reason = match code.map(|code| u8::try_from(code).ok().and_then(ObjectType::from_code)) {
-        Ok(Some(object_type)) => return Some(object_type),
-        Ok(None) => Reason::UnknownWord,
-        Err(reason) => reason,
-    };
-    text.misfit(Field::ObjectType, reason, misfits);
-    None
-}
-
-/// Two or four hex digits, or a name.
-fn data_type(text: &Text<'_>, misfits: &mut Misfits) -> Option<DataType> {
-    let word = text.trimmed();
-    if word.is_empty() {
-        return None;
-    }
-    let index = hex(word, 4).and_then(|index| u16::try_from(index).ok());
-    let data_type = index.map(DataType).or_else(|| DataType::from_name(word));
-    if data_type.is_none() {
-        text.misfit(Field::DataType, Reason::NotANumber, misfits);
-    }
-    data_type
-}
-
-fn pdo_mapping(word: &str) -> Option<PdoMapping> {
-    let words = [
-        ("no", PdoMapping::No),
-        ("default", PdoMapping::Default),
-        ("optional", PdoMapping::Optional),
-        ("TPDO", PdoMapping::Tpdo),
-        ("RPDO", PdoMapping::Rpdo),
-    ];
-    let known = words.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word));
-    // what an EDS writes
-    let flag = || boolean(word).map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
-    known.map(|(_, mapping)| mapping).or_else(flag)
 }

@@ -1,27 +1,27 @@
 //! Who made the device: `DeviceIdentity`, and `identity` of the communication network profile.
 
-use super::{Reader, Text};
+use super::Reader;
 use crate::diagnostic::Findings;
-use crate::model::{DeviceIdentity, DeviceInfo, Field, Label, Labels, Misfits, NetworkIdentity};
+use crate::model::{DeviceIdentity, DeviceInfo, Field, Label, Labels, NetworkIdentity};
 use crate::xdd::defaults;
-use crate::xdd::shape::{Identity, Shape};
-use crate::xml::Element;
-
-const U32: (i64, u64) = (0, u32::MAX as u64);
+use crate::xdd::fact::Text;
+use crate::xdd::schema::{DEVICE_IDENTITY, IDENTITY};
+use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xml::{Element, Name, n};
 
 impl<'a> Reader<'a> {
     pub(super) fn device_identity(&mut self, element: Element<'a>) {
-        let Identity { vendor_name, product_name, order_numbers, mut rest, .. } =
-            Identity::read(element, &mut self.leftovers);
+        let mut identity: Identity = shape::read(element, &DEVICE_IDENTITY, &mut self.leftovers);
+        let mut rest = rest(&mut identity);
         let info = self.device.device_info.get_or_insert_default();
-        let name = |text: Option<Box<str>>| {
-            let text = text.map(|text| text.trim_ascii().to_owned());
+        let name = |text: Option<MarkedText>| {
+            let text = text.map(|text| text.value.trim_ascii().to_owned());
             text.filter(|text| text != defaults::NOT_STATED)
         };
-        info.vendor_name = name(vendor_name);
-        info.product_name = name(product_name);
+        info.vendor_name = name(identity.vendor_name);
+        info.product_name = name(identity.product_name);
         numbers(element, info, &mut self.findings);
-        let mut order_numbers = order_numbers.into_iter();
+        let mut order_numbers = identity.order_numbers.into_iter().map(|number| number.value);
         info.order_code = order_numbers.next().map(|text| text.trim_ascii().to_owned());
         rest.further_order_numbers = order_numbers.collect();
         let description = rest.product_text.description_in(defaults::LANGUAGE);
@@ -37,13 +37,8 @@ impl<'a> Reader<'a> {
 
     /// What the communication network profile says of the device; where it says the same as the device profile, nothing.
     pub(super) fn network_identity(&mut self, element: Element<'a>) {
-        let Identity { vendor_id, product_id, rest: mut identity, .. } =
-            Identity::read(element, &mut self.leftovers);
-        // the network profile has none of them
-        let strange = ["vendorName", "productName", "orderNumber"];
-        for child in element.children().filter(|child| strange.contains(&child.name())) {
-            self.leftovers.element(child);
-        }
+        let mut read: Identity = shape::read(element, &IDENTITY, &mut self.leftovers);
+        let mut identity = rest(&mut read);
         let info = self.device.device_info.get_or_insert_default();
         let Some(device) = &self.device.identity else {
             numbers(element, info, &mut self.findings);
@@ -53,12 +48,13 @@ impl<'a> Reader<'a> {
         drop_same(&mut identity, device);
         let mut stated = DeviceInfo::default();
         numbers(element, &mut stated, &mut Findings::new());
-        let differs = |stated: Option<u32>, own: Option<u32>, text: &str| {
-            !text.trim_ascii().is_empty() && (stated.is_none() || stated != own)
+        let differs = |stated: Option<u32>, own: Option<u32>, text: Option<MarkedText>| {
+            let is_other = stated.is_none() || stated != own;
+            text.map(|text| text.value).filter(|text| !text.trim_ascii().is_empty() && is_other)
         };
         let network = NetworkIdentity {
-            vendor_id: vendor_id.filter(|text| differs(stated.vendor_number, info.vendor_number, text)),
-            product_id: product_id.filter(|text| differs(stated.product_number, info.product_number, text)),
+            vendor_id: differs(stated.vendor_number, info.vendor_number, read.vendor_id),
+            product_id: differs(stated.product_number, info.product_number, read.product_id),
             identity,
         };
         self.device.network_identity =
@@ -66,13 +62,38 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// What an EDS does not have.
+fn rest(identity: &mut Identity) -> DeviceIdentity {
+    let read_only = identity.read_only();
+    let labels = |labels: &mut Option<shape::MarkedLabels>| labels.take().unwrap_or_default().value;
+    let text = |text: &mut Option<MarkedText>| text.take().map(|text| text.value);
+    DeviceIdentity {
+        vendor_text: labels(&mut identity.vendor_text),
+        device_family: labels(&mut identity.device_family),
+        product_family: text(&mut identity.product_family),
+        product_text: labels(&mut identity.product_text),
+        further_order_numbers: Vec::new(),
+        versions: std::mem::take(&mut identity.versions).into_iter().map(|version| version.value).collect(),
+        build_date: identity.build_date,
+        specification_revision: text(&mut identity.specification_revision),
+        instance_name: text(&mut identity.instance_name),
+        read_only,
+    }
+}
+
 /// Vendor-ID and product code.
 fn numbers(element: Element<'_>, info: &mut DeviceInfo, findings: &mut Findings) {
-    let mut number = |name: &str, field: Field, misfits: &mut Misfits| {
-        Text::in_element(element.child(name)?).integer(field, U32, misfits, findings)
+    let mut number = |name: Name, field: Field| {
+        let text = Text::in_element(element.child(name)?);
+        let read = text.integer(u64::from(u32::MAX), findings);
+        read.unwrap_or_else(|reason| {
+            info.misfits.push(field, &text.text, reason);
+            None
+        })
     };
-    info.vendor_number = number("vendorID", Field::VendorNumber, &mut info.misfits);
-    info.product_number = number("productID", Field::ProductNumber, &mut info.misfits);
+    let vendor = number(n::vendorID, Field::VendorNumber);
+    let product = number(n::productID, Field::ProductNumber);
+    (info.vendor_number, info.product_number) = (vendor, product);
 }
 
 /// Whether labels are but one description, in English: what an EDS has.

@@ -7,25 +7,23 @@ mod identity;
 mod network;
 mod objects;
 mod parameters;
-mod text;
 
 pub(crate) use self::absorb::written_access;
 pub(crate) use self::entry::EntryAttributes;
 pub(crate) use self::network::{
-    DIRECTIONS, count_attribute, default_rate_field, range_length, supported_field,
+    DIRECTIONS, channel_attribute, channel_field, count_attribute, default_rate_field, range_length,
+    supported_field,
 };
 pub(crate) use self::objects::count;
-pub(crate) use self::parameters::SUB;
 use self::parameters::Slot;
-use self::text::Text;
-pub(crate) use self::text::{bit_rate, hex};
 use super::defaults;
 use super::layout::{Layout, Profile, containers};
 use super::leftovers::Leftovers;
-use super::shape::{Shape, read_application_process};
+use super::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_MANAGER};
+use super::shape;
 use crate::diagnostic::Findings;
-use crate::model::{ApplicationProcess, Device, DeviceFunction, DeviceInfo, DeviceKind, FileInfo};
-use crate::xml::{Element, Tree};
+use crate::model::{ApplicationProcess, Device, DeviceInfo, DeviceKind, FileInfo};
+use crate::xml::{Element, Tree, n};
 
 /// Reads one of the [`containers`] of a tree as the description of a device type or, where it is told or has a node in
 /// it, of a node.
@@ -87,18 +85,21 @@ impl<'a> Reader<'a> {
         let mut slots = Vec::new();
         let mut has_identity = false;
         for element in body.children() {
-            match element.name() {
-                "DeviceIdentity" if !std::mem::replace(&mut has_identity, true) => {
+            match element.tag() {
+                n::DeviceIdentity if !std::mem::replace(&mut has_identity, true) => {
                     self.device_identity(element);
                 }
-                "DeviceManager" if self.device.manager.is_none() => {
-                    self.device.manager = Some(Shape::read(element, &mut self.leftovers));
+                n::DeviceManager if self.device.manager.is_none() => {
+                    self.device.manager =
+                        Some(Box::new(shape::read(element, &DEVICE_MANAGER, &mut self.leftovers)));
                 }
-                "DeviceFunction" => {
-                    self.device.functions.push(DeviceFunction::read(element, &mut self.leftovers));
+                n::DeviceFunction => {
+                    let function = shape::read(element, &DEVICE_FUNCTION, &mut self.leftovers);
+                    self.device.functions.push(function);
                 }
-                "ApplicationProcess" => {
-                    let (process, found) = read_application_process(element, &mut self.leftovers);
+                n::ApplicationProcess => {
+                    let (process, found) =
+                        shape::read_without(element, &APPLICATION_PROCESS, n::parameter, &mut self.leftovers);
                     slots.extend(found.into_iter().map(|parameter| Slot::new(parameter, application.len())));
                     application.push(process);
                 }

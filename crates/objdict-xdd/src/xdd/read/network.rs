@@ -1,80 +1,87 @@
 //! The communication network profile but for its objects: features, bit rates, dummies, channels, the node.
 
+use super::Reader;
 use super::objects::count;
-use super::text::{bit_rate, hex, value_text};
-use super::{Reader, Text};
 use crate::model::{
-    BaudRates, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field, ObjectList, Reason,
-    Segment,
+    BaudRates, Commissioning, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field,
+    ModuleObjects, ObjectList, Reason, Segment,
 };
-use crate::xdd::defaults;
+use crate::xdd::fact::{self, Text, bit_rate, hex, value_text};
 use crate::xdd::layout::Profile;
-use crate::xdd::shape::Shape;
-use crate::xml::{Attribute, Element};
-
-const U8: (i64, u64) = (0, u8::MAX as u64);
-const U32: (i64, u64) = (0, u32::MAX as u64);
-/// Bits of the mapping granularity, and the number of PDOs of one direction (CiA 306-1 §4.5).
-const GRANULARITY: (i64, u64) = (0, 64);
-const PDO_COUNT: (i64, u64) = (0, 512);
+use crate::xdd::leftovers::Leftovers;
+use crate::xdd::schema::{
+    self, APPLICATION_LAYERS, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, MODULE_MANAGEMENT,
+};
+use crate::xdd::shape;
+use crate::xml::{Element, Name, n};
 
 impl<'a> Reader<'a> {
-    /// The communication network profile but for its file attributes and objects. Of two elements of a name the first counts.
+    /// The communication network profile but for its file attributes and objects.
     pub(super) fn network_body(&mut self) {
         let Some(Profile { body, .. }) = self.layout.network else { return };
-        let mut seen = Vec::new();
-        for element in body.children() {
-            let is_first = !seen.contains(&element.name());
-            seen.push(element.name());
-            match element.name() {
-                "ApplicationLayers" if is_first => self.application_layers(element),
-                "TransportLayers" if is_first => self.transport_layers(element),
-                "NetworkManagement" if is_first => self.network_management(element),
-                _ => self.leftovers.element(element),
-            }
-        }
+        self.children(body, |this, element| match element.tag() {
+            n::ApplicationLayers => this.application_layers(element),
+            n::TransportLayers => this.transport_layers(element),
+            n::NetworkManagement => this.network_management(element),
+            _ => false,
+        });
         self.leftovers.text(body);
     }
 
-    fn application_layers(&mut self, layers: Element<'a>) {
-        for attribute in layers.attributes() {
-            match attribute.name() {
-                "conformanceClass" => {
-                    self.info().conformance_class = Some(attribute.value().trim_ascii().to_owned());
-                }
-                "communicationEntityType" => {
-                    let words = attribute.value();
-                    self.info().communication_entities =
-                        words.split_ascii_whitespace().map(Into::into).collect();
-                }
-                _ => self.leftovers.attribute(layers, attribute),
-            }
-        }
-        self.leftovers.text(layers);
+    /// Offers each child to `read`. What is not read, and the second element of a name, is left over.
+    fn children(&mut self, parent: Element<'a>, mut read: impl FnMut(&mut Self, Element<'a>) -> bool) {
         let mut seen = Vec::new();
-        for element in layers.children() {
-            let is_first = !seen.contains(&element.name());
-            seen.push(element.name());
-            match element.name() {
-                "identity" if is_first => self.network_identity(element),
-                "CANopenObjectList" if is_first => self.object_list(element),
-                "dummyUsage" if is_first => self.dummy_usage(element),
-                "dynamicChannels" if is_first => self.dynamic_channels(element),
-                "moduleManagement" if is_first => {
-                    let modules = Shape::read(element, &mut self.leftovers);
-                    self.device.module_objects =
-                        Some(modules).filter(|modules| *modules != Default::default());
-                }
-                _ => self.leftovers.element(element),
+        for element in parent.children() {
+            let is_first = !seen.contains(&element.tag());
+            if is_first {
+                seen.push(element.tag());
+            }
+            if !is_first || !read(self, element) {
+                self.leftovers.element(element);
             }
         }
+    }
+
+    /// The attributes of an element that are fields of the device.
+    fn facts(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+        let info = self.device.device_info.get_or_insert_default();
+        for attribute in element.attributes() {
+            let known = schema.attribute(attribute.tag());
+            if !known
+                .is_some_and(|(_, known)| fact::take(info, known, &Text::of(attribute), &mut self.findings))
+            {
+                self.leftovers.attribute(element, attribute);
+            }
+        }
+        self.leftovers.text(element);
+    }
+
+    fn application_layers(&mut self, layers: Element<'a>) -> bool {
+        self.facts(layers, &APPLICATION_LAYERS);
+        self.children(layers, |this, element| {
+            match element.tag() {
+                n::identity => this.network_identity(element),
+                n::CANopenObjectList => this.object_list(element),
+                n::dummyUsage => this.dummy_usage(element),
+                n::dynamicChannels => this.dynamic_channels(element),
+                n::moduleManagement => {
+                    let modules: ModuleObjects =
+                        shape::read(element, &MODULE_MANAGEMENT, &mut this.leftovers);
+                    let says_something = modules != ModuleObjects::default();
+                    this.device.module_objects = Some(Box::new(modules)).filter(|_| says_something);
+                }
+                _ => return false,
+            }
+            true
+        });
+        true
     }
 
     /// What the list says of itself. A count is left over where it is not the number of objects.
     fn object_list(&mut self, list: Element<'a>) {
         self.derive_lists();
         for attribute in list.attributes() {
-            let counted = ObjectList::ALL.into_iter().find(|list| count_attribute(*list) == attribute.name());
+            let counted = ObjectList::ALL.into_iter().find(|list| count_attribute(*list) == attribute.tag());
             let count = counted.map(|counted| count(self.device.objects.keys(), counted).to_string());
             if count.as_deref() != Some(attribute.value().trim_ascii()) {
                 self.leftovers.attribute(list, attribute);
@@ -82,7 +89,7 @@ impl<'a> Reader<'a> {
         }
         self.leftovers.text(list);
         list.children()
-            .filter(|child| child.name() != "CANopenObject")
+            .filter(|child| child.tag() != n::CANopenObject)
             .for_each(|child| self.leftovers.element(child));
     }
 
@@ -90,7 +97,7 @@ impl<'a> Reader<'a> {
     fn dummy_usage(&mut self, element: Element<'a>) {
         let mut usage = DummyUsage::default();
         for child in element.children() {
-            let Some(entry) = child.attribute("entry").filter(|_| child.name() == "dummy") else {
+            let Some(entry) = child.attribute(n::entry).filter(|_| child.tag() == n::dummy) else {
                 self.leftovers.element(child);
                 continue;
             };
@@ -115,66 +122,80 @@ impl<'a> Reader<'a> {
     fn dynamic_channels(&mut self, element: Element<'a>) {
         let mut channels = DynamicChannels::default();
         for child in element.children() {
-            if child.name() != "dynamicChannel" {
+            if child.tag() == n::dynamicChannel {
+                let channel = self.dynamic_channel(child, &mut channels);
+                channels.segments.push(channel);
+            } else {
                 self.leftovers.element(child);
-                continue;
             }
-            let number = channels.segments.len() + 1;
-            let mut segment = Segment::default();
-            let (mut first, mut last) = (None, None);
-            for attribute in child.attributes() {
-                let text = Text::of(attribute);
-                let name = |word: &str| Field::Named(format!("{word}{number}").into());
-                let misfits = &mut channels.misfits;
-                match attribute.name() {
-                    "dataType" => {
-                        let index = text.hex(name("Type"), 4, misfits);
-                        segment.data_type = index.and_then(|index| u16::try_from(index).ok()).map(DataType);
-                    }
-                    "accessType" => segment.direction = value_text(&text.text, None).map(direction),
-                    "startIndex" => first = text.hex(name("startIndex"), 4, misfits),
-                    "endIndex" => last = text.hex(name("endIndex"), 4, misfits),
-                    "maxNumber" => {
-                        segment.max_number =
-                            text.integer(name("maxNumber"), U32, misfits, &mut self.findings);
-                    }
-                    "addressOffset" => segment.offset = value_text(&text.text, None).map(offset),
-                    "bitAlignment" => {
-                        segment.bit_alignment =
-                            text.integer(name("bitAlignment"), U8, misfits, &mut self.findings);
-                    }
-                    _ => self.leftovers.attribute(child, attribute),
-                }
-            }
-            let index = |number: Option<u32>| number.and_then(|number| u16::try_from(number).ok());
-            segment.range = index(first).zip(index(last));
-            segment.max_number =
-                segment.max_number.filter(|number| Some(*number) != range_length(segment.range));
-            channels.segments.push(segment);
         }
         self.device.dynamic_channels = Some(channels);
     }
 
-    fn transport_layers(&mut self, layers: Element<'a>) {
-        let mut rates = Vec::new();
-        for physical in layers.children() {
-            if physical.name() != "PhysicalLayer" {
-                self.leftovers.element(physical);
-                continue;
+    fn dynamic_channel(&mut self, child: Element<'a>, channels: &mut DynamicChannels) -> Segment {
+        let number = channels.segments.len() + 1;
+        let mut segment = Segment::default();
+        let (mut first, mut last) = (None, None);
+        for attribute in child.attributes() {
+            let text = Text::of(attribute);
+            let index = |to: &mut Option<u16>| {
+                *to = text.hex(4)?.and_then(|number| u16::try_from(number).ok());
+                Ok(())
+            };
+            let is_read = match attribute.tag() {
+                n::dataType => {
+                    let mut data_type = None;
+                    let is_read = index(&mut data_type);
+                    segment.data_type = data_type.map(DataType);
+                    is_read
+                }
+                n::accessType => Ok(segment.direction = value_text(&text.text, None).map(direction)),
+                n::startIndex => index(&mut first),
+                n::endIndex => index(&mut last),
+                n::maxNumber => text
+                    .integer(u64::from(u32::MAX), &mut self.findings)
+                    .map(|number| segment.max_number = number),
+                n::addressOffset => Ok(segment.offset = value_text(&text.text, None).map(offset)),
+                n::bitAlignment => text
+                    .integer(u64::from(u8::MAX), &mut self.findings)
+                    .map(|bits| segment.bit_alignment = bits),
+                _ => Ok(self.leftovers.attribute(child, attribute)),
+            };
+            if let Err(reason) = is_read {
+                channels.misfits.push(channel_field(attribute.tag(), number), &text.text, reason);
             }
-            for rate in physical.children() {
-                if rate.name() != "baudRate" {
-                    self.leftovers.element(rate);
+        }
+        segment.range = first.zip(last);
+        segment.max_number = segment.max_number.filter(|number| Some(*number) != range_length(segment.range));
+        segment
+    }
+
+    fn transport_layers(&mut self, layers: Element<'a>) -> bool {
+        let mut rates = Vec::new();
+        let below = |parents: Vec<Element<'a>>, name: Name, leftovers: &mut Leftovers<'a>| {
+            let (found, others): (Vec<_>, Vec<_>) =
+                parents.into_iter().flat_map(Element::children).partition(|child| child.tag() == name);
+            others.into_iter().for_each(|other| leftovers.element(other));
+            found
+        };
+        let physical = below(vec![layers], n::PhysicalLayer, &mut self.leftovers);
+        for rate in below(physical, n::baudRate, &mut self.leftovers) {
+            for attribute in rate.attributes() {
+                if attribute.tag() != n::defaultValue {
+                    self.leftovers.attribute(rate, attribute);
                     continue;
                 }
-                for attribute in rate.attributes() {
-                    self.default_baud_rate(rate, attribute);
+                let info = self.info();
+                let text = Text::of(attribute);
+                match text.word(default_rate, Reason::UnknownWord) {
+                    Ok(rate) => info.default_baud_rate = rate,
+                    Err(reason) => info.misfits.push(default_rate_field(), &text.text, reason),
                 }
-                for supported in rate.children() {
-                    match supported.attribute("value").filter(|_| supported.name() == "supportedBaudRate") {
-                        Some(value) => rates.push(Text::of(value)),
-                        None => self.leftovers.element(supported),
-                    }
+            }
+            for supported in rate.children() {
+                match supported.attribute(n::value).filter(|_| supported.tag() == n::supportedBaudRate) {
+                    Some(value) => rates.push(Text::of(value)),
+                    None => self.leftovers.element(supported),
                 }
             }
         }
@@ -183,115 +204,66 @@ impl<'a> Reader<'a> {
             info.baud_rates = none_supported();
             rates.iter().for_each(|text| supported(info, text));
         }
+        true
     }
 
-    fn default_baud_rate(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
-        if attribute.name() != "defaultValue" {
-            return self.leftovers.attribute(element, attribute);
-        }
-        let info = self.info();
-        let text = Text::of(attribute);
-        info.default_baud_rate = text.word(default_rate_field(), default_rate, &mut info.misfits);
-    }
-
-    fn network_management(&mut self, management: Element<'a>) {
-        let mut seen = Vec::new();
-        for element in management.children() {
-            let is_first = !seen.contains(&element.name());
-            seen.push(element.name());
-            match element.name() {
-                "CANopenGeneralFeatures" if is_first => {
-                    element.attributes().for_each(|attribute| self.general_feature(element, attribute));
-                }
-                "CANopenMasterFeatures" if is_first => {
-                    element.attributes().for_each(|attribute| self.master_feature(element, attribute));
-                }
-                "deviceCommissioning" if is_first => self.commissioning(element),
-                _ => {
-                    self.leftovers.element(element);
-                    continue;
-                }
+    fn network_management(&mut self, management: Element<'a>) -> bool {
+        self.children(management, |this, element| {
+            match element.tag() {
+                n::CANopenGeneralFeatures => this.facts(element, &GENERAL_FEATURES),
+                n::CANopenMasterFeatures => this.facts(element, &MASTER_FEATURES),
+                n::deviceCommissioning => this.commissioning(element),
+                _ => return false,
             }
-            element.children().for_each(|child| self.leftovers.element(child));
-            self.leftovers.text(element);
-        }
-    }
-
-    fn general_feature(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
-        let info = self.device.device_info.get_or_insert_default();
-        let (misfits, findings) = (&mut info.misfits, &mut self.findings);
-        let text = Text::of(attribute);
-        match attribute.name() {
-            "groupMessaging" => info.group_messaging = text.boolean(Field::GroupMessaging, misfits),
-            "dynamicChannels" => {
-                info.dynamic_channels_supported =
-                    text.integer(Field::DynamicChannelsSupported, U8, misfits, findings);
-            }
-            "selfStartingDevice" => {
-                info.self_starting = text.boolean(Field::Named(attribute.name().into()), misfits);
-            }
-            "SDORequestingDevice" => {
-                info.sdo_requesting = text.boolean(Field::Named(attribute.name().into()), misfits);
-            }
-            "granularity" if text.text == defaults::NUMBER => {}
-            "granularity" => {
-                info.granularity = text.integer(Field::Granularity, GRANULARITY, misfits, findings);
-            }
-            "nrOfRxPDO" => info.rpdo_count = text.integer(Field::NrOfRxPdo, PDO_COUNT, misfits, findings),
-            "nrOfTxPDO" => info.tpdo_count = text.integer(Field::NrOfTxPdo, PDO_COUNT, misfits, findings),
-            "bootUpSlave" => info.simple_boot_up_slave = text.boolean(Field::SimpleBootUpSlave, misfits),
-            "layerSettingServiceSlave" => info.lss_supported = text.boolean(Field::LssSupported, misfits),
-            _ => self.leftovers.attribute(element, attribute),
-        }
-    }
-
-    fn master_feature(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
-        let info = self.device.device_info.get_or_insert_default();
-        let misfits = &mut info.misfits;
-        let text = Text::of(attribute);
-        let named = Field::Named(attribute.name().into());
-        match attribute.name() {
-            "bootUpMaster" => info.simple_boot_up_master = text.boolean(Field::SimpleBootUpMaster, misfits),
-            "flyingMaster" => info.flying_master = text.boolean(named, misfits),
-            "SDOManager" => info.sdo_manager = text.boolean(named, misfits),
-            "configurationManager" => info.configuration_manager = text.boolean(named, misfits),
-            "layerSettingServiceMaster" => info.lss_master = text.boolean(named, misfits),
-            _ => self.leftovers.attribute(element, attribute),
-        }
+            element.children().for_each(|child| this.leftovers.element(child));
+            true
+        });
+        true
     }
 
     fn commissioning(&mut self, element: Element<'a>) {
-        let mut node = crate::model::Commissioning::default();
+        let mut node = Commissioning::default();
         for attribute in element.attributes() {
-            let text = Text::of(attribute);
-            let owned = || Some(text.trimmed().to_owned()).filter(|_| text.text != defaults::NAME);
-            let (misfits, findings) = (&mut node.misfits, &mut self.findings);
-            match attribute.name() {
-                "nodeID" | "networkNumber" if text.text == defaults::NUMBER => {}
-                "CANopenManager" if text.text == defaults::FLAG => {}
-                // CANopenEditor writes the second
-                "nodeID" | "NodeID" if node.node_id.is_none() => {
-                    node.node_id = text.integer(Field::NodeId, U8, misfits, findings);
-                }
-                "nodeName" => node.node_name = owned(),
-                "actualBaudRate" => node.baud_rate = text.word(Field::Baudrate, bit_rate, misfits),
-                "networkNumber" => node.net_number = text.integer(Field::NetNumber, U32, misfits, findings),
-                "networkName" => node.network_name = owned(),
-                "CANopenManager" => node.manager = text.boolean(Field::CanOpenManager, misfits),
-                _ => node.extra.push(attribute.name(), &attribute.value()),
+            // CANopenEditor writes the second
+            let name = match attribute.tag() {
+                n::nodeID | n::NodeID if node.node_id.is_some() => Name::OTHER,
+                n::NodeID => n::nodeID,
+                name => name,
+            };
+            let known = DEVICE_COMMISSIONING.attribute(name);
+            if !known.is_some_and(|(_, known)| {
+                fact::take(&mut node, known, &Text::of(attribute), &mut self.findings)
+            }) {
+                node.extra.push(attribute.name(), &attribute.value());
             }
         }
+        self.leftovers.text(element);
         self.device.commissioning = Some(node);
     }
 }
 
 /// The attribute that counts the objects of a list.
-pub(crate) const fn count_attribute(list: ObjectList) -> &'static str {
+pub(crate) const fn count_attribute(list: ObjectList) -> Name {
     match list {
-        ObjectList::Mandatory => "mandatoryObjects",
-        ObjectList::Optional => "optionalObjects",
-        ObjectList::Manufacturer => "manufacturerObjects",
+        ObjectList::Mandatory => n::mandatoryObjects,
+        ObjectList::Optional => n::optionalObjects,
+        ObjectList::Manufacturer => n::manufacturerObjects,
     }
+}
+
+/// What an EDS calls attributes of a channel, in front of its number.
+const CHANNEL_KEYS: [(Name, &str); 4] =
+    [(n::dataType, "Type"), (n::accessType, "Dir"), (n::startIndex, "Range"), (n::addressOffset, "PPOffset")];
+
+/// The attribute of a channel that a key is, without its number.
+pub(crate) fn channel_attribute(word: &str) -> Name {
+    CHANNEL_KEYS.iter().find(|(_, key)| *key == word).map_or_else(|| Name::of(word), |(name, _)| *name)
+}
+
+/// The field of an attribute of a channel. An EDS has one for both ends of the range.
+pub(crate) fn channel_field(name: Name, number: usize) -> Field {
+    let key = CHANNEL_KEYS.iter().find(|(known, _)| *known == name && name != n::startIndex);
+    Field::Named(format!("{}{number}", key.map_or(name.text(), |(_, key)| key)).into())
 }
 
 /// The word of an EDS for a direction.
@@ -344,9 +316,9 @@ fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
             500 => &mut rates.kbit_500,
             800 => &mut rates.kbit_800,
             1000 => &mut rates.kbit_1000,
-            _ => return text.misfit(supported_field(), Reason::UnknownWord, &mut info.misfits),
+            _ => return info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
         },
-        None => return text.misfit(supported_field(), Reason::UnknownWord, &mut info.misfits),
+        None => return info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
     };
     *place = Some(true);
 }

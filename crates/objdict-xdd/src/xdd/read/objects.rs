@@ -3,16 +3,17 @@
 use super::Reader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
-use super::parameters::{Definitions, Parameters, Reference, SUB, Slot, variables};
+use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
 use crate::diagnostic::Findings;
 use crate::model::{
     ApplicationProcess, DataTypeRef, Device, Entry, Field, Misfit, Misfits, Object, ObjectList, ObjectLists,
     ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
+use crate::xdd::fact::Text;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::shape::take_stack_options;
 use crate::xdd::types;
-use crate::xml::Element;
+use crate::xml::{Element, n};
 
 impl<'a> Reader<'a> {
     /// Reads all objects. The parameters that belong to no entry, or to several, go to the application processes.
@@ -36,7 +37,7 @@ impl<'a> Reader<'a> {
                     self.device.objects.insert(index, object);
                 }
                 None => {
-                    entries.number += 1 + element.children_named(SUB).count();
+                    entries.number += 1 + element.children_named(n::CANopenSubObject).count();
                     entries.leftovers.element(element);
                 }
             }
@@ -75,12 +76,14 @@ impl<'t> Entries<'t, '_> {
     fn object(&mut self, element: Element<'t>, attributes: &EntryAttributes<'t>, index: u16) -> Object {
         let main = self.entry(attributes, index, None);
         let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
-        if let Some(number) = attributes.sub_number.map(super::Text::of) {
-            object.sub_number =
-                number.integer(Field::SubNumber, (0, 255), &mut object.main.misfits, self.findings);
+        if let Some(text) = attributes.get(n::subNumber).map(Text::of) {
+            match text.integer(255, self.findings) {
+                Ok(number) => object.sub_number = number,
+                Err(reason) => object.main.misfits.push(Field::SubNumber, &text.text, reason),
+            }
         }
         for child in element.children() {
-            if child.name() != SUB {
+            if child.tag() != n::CANopenSubObject {
                 self.leftovers.element(child);
                 continue;
             }
@@ -88,7 +91,7 @@ impl<'t> Entries<'t, '_> {
             match attributes.sub_index().filter(|&sub| object.subs.get(sub).is_none()) {
                 Some(sub) => {
                     let mut entry = self.entry(&attributes, index, Some(sub));
-                    if let Some(attribute) = attributes.sub_number {
+                    if let Some(attribute) = attributes.get(n::subNumber) {
                         entry.extra.push(attribute.name(), &attribute.value());
                     }
                     child.children().for_each(|unknown| self.leftovers.element(unknown));
@@ -104,7 +107,7 @@ impl<'t> Entries<'t, '_> {
     }
 
     fn entry(&mut self, attributes: &EntryAttributes<'_>, index: u16, sub: Option<u8>) -> Entry {
-        let (mut entry, values) = attributes.read();
+        let mut entry = attributes.read(self.findings);
         let reference = self.parameters.reference(self.number);
         self.number += 1;
         let mut source = self.source(reference);
@@ -116,13 +119,13 @@ impl<'t> Entries<'t, '_> {
             // the data type must be known before the values
             absorb::data_type(&mut entry, source.parameter(), self.definitions);
         }
-        values.read(&mut entry, self.findings);
+        attributes.read_values(&mut entry, self.findings);
         match &mut source {
             None => {}
             Some(source) if is_structure => absorb::name(&mut entry, &mut source.parameter().labels),
             Some(source) => absorb(&mut entry, source.parameter(), self.definitions, &place, self.findings),
         }
-        match (source, attributes.reference) {
+        match (source, attributes.get(n::uniqueIDRef)) {
             (Some(Source::Own(mut parameter)), _) => {
                 take_stack_options(&mut entry.stack, &mut parameter.properties);
                 if parameter.has_usual_id(index, sub) && !self.parameters.is_named(&parameter.unique_id) {

@@ -9,8 +9,9 @@ use crate::model::{
 };
 use crate::xdd::layout::Layout;
 use crate::xdd::leftovers::Leftovers;
-use crate::xdd::shape::Shape;
-use crate::xml::{Attribute, Element};
+use crate::xdd::schema::PARAMETER;
+use crate::xdd::shape;
+use crate::xml::{Attribute, Element, n};
 
 /// All parameters of a description. They are read when it is known whose they are.
 pub(crate) struct Parameters<'a> {
@@ -42,7 +43,7 @@ impl<'a> Slot<'a> {
     }
 
     fn id(&self) -> Option<Cow<'a, str>> {
-        self.element.attribute("uniqueID").map(Attribute::value)
+        self.element.attribute(n::uniqueID).map(Attribute::value)
     }
 }
 
@@ -85,14 +86,14 @@ impl<'a> Parameters<'a> {
     pub(crate) fn own(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<Parameter> {
         let slot = self.slots.get_mut(number as usize).filter(|slot| slot.uses == 1)?;
         slot.is_own = true;
-        Some(Parameter::read(slot.element, leftovers))
+        Some(shape::read(slot.element, &PARAMETER, leftovers))
     }
 
     /// A parameter that several entries refer to.
     pub(crate) fn shared(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<&Parameter> {
         let slot = self.slots.get_mut(number as usize)?;
         let element = slot.element;
-        Some(slot.shared.get_or_insert_with(|| Box::new(Parameter::read(element, leftovers))))
+        Some(slot.shared.get_or_insert_with(|| Box::new(shape::read(element, &PARAMETER, leftovers))))
     }
 
     /// Whether a group or a condition speaks of an id.
@@ -105,7 +106,9 @@ impl<'a> Parameters<'a> {
         for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
             if let Some(process) = application.get_mut(slot.process) {
                 let read = slot.shared.map(|parameter| *parameter);
-                process.parameters.push(read.unwrap_or_else(|| Parameter::read(slot.element, leftovers)));
+                process
+                    .parameters
+                    .push(read.unwrap_or_else(|| shape::read(slot.element, &PARAMETER, leftovers)));
             }
         }
         for process in application {
@@ -126,9 +129,10 @@ fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &L
         targets.entry(Cow::Borrowed(&*variable.unique_id)).or_insert(Reference::Variable(number));
     }
     let objects = layout.objects();
-    let elements = objects.flat_map(|object| std::iter::once(object).chain(object.children_named(SUB)));
+    let elements =
+        objects.flat_map(|object| std::iter::once(object).chain(object.children_named(n::CANopenSubObject)));
     let reference = |element: Element<'_>| {
-        let id = element.attribute("uniqueIDRef").map(Attribute::value);
+        let id = element.attribute(n::uniqueIDRef).map(Attribute::value);
         match id.as_deref().map(str::trim_ascii) {
             None | Some("") => Reference::None,
             Some(id) => targets.get(id).copied().unwrap_or(Reference::Dangling),
@@ -136,9 +140,6 @@ fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &L
     };
     elements.map(reference).collect()
 }
-
-/// The element of a sub-index.
-pub(crate) const SUB: &str = "CANopenSubObject";
 
 /// The variables that objects may refer to: members of structs, and variables of functions.
 pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Item = &VarDeclaration> {
@@ -169,8 +170,8 @@ fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<
             ids.extend(variable.conditional_support.iter().cloned());
         }
     }
-    let conditions = slots.iter().flat_map(|slot| slot.element.children_named("conditionalSupport"));
-    let named = conditions.filter_map(|condition| condition.attribute("paramIDRef"));
+    let conditions = slots.iter().flat_map(|slot| slot.element.children_named(n::conditionalSupport));
+    let named = conditions.filter_map(|condition| condition.attribute(n::paramIDRef));
     ids.extend(named.map(|id| id.value().into()));
     ids
 }

@@ -1,23 +1,33 @@
 //! The application process: data types, functions, templates, parameters and their groups (CiA 311 annex A).
 
 use super::device::LABELS;
-use super::values::{Kind, Target};
-use super::{Element, elements, need, slot};
+use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, need, slot};
+use crate::model::{
+    AllowedValues, AllowedValuesTemplate, ApplicationProcess, Connection, Count, EnumValue, FunctionInstance,
+    FunctionInstances, FunctionType, Labels, MemberRef, Parameter, ParameterGroup, ParameterTemplate,
+    Property, ScaledValue, Subrange, TypeDefinition, Unit, ValueRange, VarDeclaration, VariableRef,
+    VersionInfo,
+};
+use crate::xdd::shape::lenses::{
+    ARRAY_RANGES, ARRAY_TYPE, DERIVED_COUNT, DERIVED_TYPE, ENUM_SIZE, ENUM_TYPE, ENUM_VALUES, STRUCT_MEMBERS,
+};
+use crate::xml::n;
 
 const ACCESS: Kind =
     Kind::Word(&["const", "read", "write", "readWrite", "readWriteInput", "readWriteOutput", "noAccess"]);
 const COUNT_ACCESS: Kind = Kind::Word(&["const", "read", "write", "readWrite", "noAccess"]);
 const SUPPORT: Kind = Kind::Word(&["mandatory", "optional", "conditional"]);
 
-/// A type of IEC 61131-3, or one that the description defines.
-static TYPES: &[&Element] = &[
+/// Variables of functions that have a type.
+static VARIABLES: &[&Element] = &[&VARIABLE_REF];
+/// The simple types, a type that the description defines, and [`VARIABLES`].
+static ALL_TYPES: [&Element; 21] = [
     &USINT,
     &UINT,
     &UDINT,
     &SINT,
     &INT,
     &DINT,
-    &DATA_TYPE_REF,
     &BOOL,
     &STRING,
     &REAL,
@@ -31,203 +41,193 @@ static TYPES: &[&Element] = &[
     &LWORD,
     &CHAR,
     &WSTRING,
-];
-/// The same, or variables of functions that have their own.
-static PARAMETER_TYPES: &[&Element] = &[
-    &USINT,
-    &UINT,
-    &UDINT,
-    &SINT,
-    &INT,
-    &DINT,
     &DATA_TYPE_REF,
-    &BOOL,
-    &STRING,
-    &REAL,
-    &LREAL,
-    &ULINT,
-    &LINT,
-    &BITSTRING,
-    &BYTE,
-    &WORD,
-    &DWORD,
-    &LWORD,
-    &CHAR,
-    &WSTRING,
     &VARIABLE_REF,
 ];
-static SIMPLE_TYPES: &[&Element] = &[
-    &USINT, &UINT, &UDINT, &SINT, &INT, &DINT, &BOOL, &STRING, &REAL, &LREAL, &ULINT, &LINT, &BITSTRING,
-    &BYTE, &WORD, &DWORD, &LWORD, &CHAR, &WSTRING,
-];
+static SIMPLE_TYPES: &[&Element] = ALL_TYPES.split_at(19).0;
+static TYPES: &[&Element] = ALL_TYPES.split_at(20).0;
+static PARAMETER_TYPES: &[&Element] = &ALL_TYPES;
 
 elements! {
-    BOOL local "BOOL";
-    BITSTRING local "BITSTRING";
-    BYTE local "BYTE";
-    CHAR local "CHAR";
-    WORD local "WORD";
-    DWORD local "DWORD";
-    LWORD local "LWORD";
-    SINT local "SINT";
-    INT local "INT";
-    DINT local "DINT";
-    LINT local "LINT";
-    USINT local "USINT";
-    UINT local "UINT";
-    UDINT local "UDINT";
-    ULINT local "ULINT";
-    REAL local "REAL";
-    LREAL local "LREAL";
-    STRING local "STRING";
-    WSTRING local "WSTRING";
-    DATA_TYPE_REF global "dataTypeIDRef" (uniqueIDRef*: Kind::Reference(Target::DataType));
+    BOOL local BOOL of Nothing;
+    BITSTRING local BITSTRING of Nothing;
+    BYTE local BYTE of Nothing;
+    CHAR local CHAR of Nothing;
+    WORD local WORD of Nothing;
+    DWORD local DWORD of Nothing;
+    LWORD local LWORD of Nothing;
+    SINT local SINT of Nothing;
+    INT local INT of Nothing;
+    DINT local DINT of Nothing;
+    LINT local LINT of Nothing;
+    USINT local USINT of Nothing;
+    UINT local UINT of Nothing;
+    UDINT local UDINT of Nothing;
+    ULINT local ULINT of Nothing;
+    REAL local REAL of Nothing;
+    LREAL local LREAL of Nothing;
+    STRING local STRING of Nothing;
+    WSTRING local WSTRING of Nothing;
+    DATA_TYPE_REF global dataTypeIDRef of Id (uniqueIDRef*: Kind::Reference(Target::DataType) => [self]);
 
-    APPLICATION_PROCESS global "ApplicationProcess", [
-        maybe DATA_TYPE_LIST,
-        maybe FUNCTION_TYPE_LIST,
-        maybe FUNCTION_INSTANCE_LIST,
-        maybe TEMPLATE_LIST,
-        one PARAMETER_LIST,
-        maybe PARAMETER_GROUP_LIST,
+    APPLICATION_PROCESS global ApplicationProcess of ApplicationProcess, [
+        maybe DATA_TYPE_LIST => same,
+        maybe FUNCTION_TYPE_LIST => same,
+        maybe FUNCTION_INSTANCE_LIST => [functions],
+        maybe TEMPLATE_LIST => same,
+        one PARAMETER_LIST => same,
+        maybe PARAMETER_GROUP_LIST => same,
     ];
 
-    DATA_TYPE_LIST global "dataTypeList", [some [ARRAY | STRUCT | ENUM | DERIVED]];
-    ARRAY global "array" (name!: Kind::Text, uniqueID*: Kind::Id), [
-        any (LABELS), some SUBRANGE, one (TYPES),
+    DATA_TYPE_LIST global dataTypeList of ApplicationProcess, [some [ARRAY | STRUCT | ENUM | DERIVED] => [data_types]];
+    ARRAY global array of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], some SUBRANGE => (ARRAY_RANGES), one (TYPES) => (ARRAY_TYPE), stray (VARIABLES) => (ARRAY_TYPE),
     ];
-    SUBRANGE global "subrange" (lowerLimit*: Kind::LONG, upperLimit*: Kind::LONG);
-    STRUCT global "struct" (name!: Kind::Text, uniqueID*: Kind::Id), [any (LABELS), some VAR_DECLARATION];
-    ENUM global "enum" (name!: Kind::Text, uniqueID*: Kind::Id, size?: Kind::Text), [
-        any (LABELS), some ENUM_VALUE, maybe (SIMPLE_TYPES),
+    SUBRANGE global subrange of Subrange (lowerLimit*: Kind::LONG => [low], upperLimit*: Kind::LONG => [high]);
+    STRUCT global r#struct of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], some VAR_DECLARATION => (STRUCT_MEMBERS),
     ];
-    ENUM_VALUE global "enumValue" (value?: Kind::Text), [some (LABELS)];
-    DERIVED global "derived" (name!: Kind::Text, uniqueID*: Kind::Id), [
-        any (LABELS), maybe COUNT, one (TYPES),
+    ENUM global r#enum of TypeDefinition (
+        name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id], size?: Kind::Text => (ENUM_SIZE),
+    ), [any (LABELS) => [labels.0], some ENUM_VALUE => (ENUM_VALUES), maybe (SIMPLE_TYPES) => (ENUM_TYPE)];
+    ENUM_VALUE global enumValue of EnumValue (value?: Kind::Text => [value]), [some (LABELS) => [labels.0]];
+    DERIVED global derived of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], maybe COUNT => (DERIVED_COUNT), one (TYPES) => (DERIVED_TYPE), stray (VARIABLES) => (DERIVED_TYPE),
     ];
-    COUNT global "count" (uniqueID*: Kind::Id, access?: COUNT_ACCESS), [
-        any (LABELS), one DEFAULT_VALUE, maybe ALLOWED_VALUES,
+    COUNT global count of Count (uniqueID*: Kind::Id => [unique_id], access?: COUNT_ACCESS => [access]), [
+        any (LABELS) => [labels.0], one DEFAULT_VALUE => [default_value], maybe ALLOWED_VALUES => [allowed_values],
     ];
-    VAR_DECLARATION global "varDeclaration" (
-        name!: Kind::Text,
-        uniqueID*: Kind::Id,
-        start?: Kind::Text,
-        size?: Kind::Text,
-        signed?: Kind::Boolean,
-        offset?: Kind::Decimal,
-        multiplier?: Kind::Decimal,
-        initialValue?: Kind::Text,
+    VAR_DECLARATION global varDeclaration of VarDeclaration (
+        name!: Kind::Text => [name],
+        uniqueID*: Kind::Id => [unique_id],
+        start?: Kind::Text => [start],
+        size?: Kind::Text => [size],
+        signed?: Kind::Boolean => [signed],
+        offset?: Kind::Decimal => [offset],
+        multiplier?: Kind::Decimal => [multiplier],
+        initialValue?: Kind::Text => [initial_value],
     ), [
-        any (LABELS),
-        one (TYPES),
-        any CONDITIONAL_SUPPORT,
-        maybe DEFAULT_VALUE,
-        maybe ALLOWED_VALUES,
-        maybe UNIT,
-    ], newer [
-        "start", "signed", "offset", "multiplier", "conditionalSupport", "defaultValue", "allowedValues", "unit"
-    ];
+        any (LABELS) => [labels.0],
+        one (TYPES) => [data_type],
+        stray (VARIABLES) => [data_type],
+        any CONDITIONAL_SUPPORT => {conditional_support},
+        maybe DEFAULT_VALUE => [default_value],
+        maybe ALLOWED_VALUES => [allowed_values],
+        maybe UNIT => [unit],
+    ], newer [start, signed, offset, multiplier, conditionalSupport, defaultValue, allowedValues, unit];
 
-    FUNCTION_TYPE_LIST global "functionTypeList", [some FUNCTION_TYPE];
-    FUNCTION_TYPE global "functionType" (name!: Kind::Text, uniqueID*: Kind::Id, package?: Kind::Text), [
-        any (LABELS), some VERSION_INFO, one INTERFACE_LIST, maybe FUNCTION_INSTANCE_LIST,
-    ];
-    VERSION_INFO global "versionInfo" (
-        organization!: Kind::Text, version!: Kind::Text, author!: Kind::Text, date!: Kind::Date,
-    ), [any (LABELS)];
-    INTERFACE_LIST global "interfaceList", [maybe INPUT_VARS, maybe OUTPUT_VARS, maybe CONFIG_VARS];
-    INPUT_VARS global "inputVars", [some VAR_DECLARATION];
-    OUTPUT_VARS global "outputVars", [some VAR_DECLARATION];
-    CONFIG_VARS global "configVars", [some VAR_DECLARATION];
-    FUNCTION_INSTANCE_LIST global "functionInstanceList", [some FUNCTION_INSTANCE, any CONNECTION];
-    FUNCTION_INSTANCE global "functionInstance" (
-        name!: Kind::Text, uniqueID*: Kind::Id, typeIDRef*: Kind::Reference(Target::FunctionType),
-    ), [any (LABELS)];
-    CONNECTION global "connection" (source*: Kind::Text, destination*: Kind::Text, description?: Kind::Text);
-
-    TEMPLATE_LIST global "templateList", [any PARAMETER_TEMPLATE, any ALLOWED_VALUES_TEMPLATE];
-    PARAMETER_TEMPLATE global "parameterTemplate" (
-        uniqueID*: Kind::Id,
-        access?: ACCESS,
-        accessList?: Kind::Names,
-        support?: SUPPORT,
-        persistent?: Kind::Boolean,
-        offset?: Kind::Decimal,
-        multiplier?: Kind::Decimal,
-        templateIDRef?: Kind::Reference(Target::ParameterTemplate),
+    FUNCTION_TYPE_LIST global functionTypeList of ApplicationProcess, [some FUNCTION_TYPE => [function_types]];
+    FUNCTION_TYPE global functionType of FunctionType (
+        name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id], package?: Kind::Text => [package],
     ), [
-        maybe (TYPES),
-        any CONDITIONAL_SUPPORT,
-        maybe ACTUAL_VALUE,
-        maybe DEFAULT_VALUE,
-        maybe SUBSTITUTE_VALUE,
-        maybe ALLOWED_VALUES,
-        maybe UNIT,
-        any PROPERTY,
+        any (LABELS) => [labels.0], some VERSION_INFO => [versions], one INTERFACE_LIST => same,
+        maybe FUNCTION_INSTANCE_LIST => [functions],
     ];
-    ALLOWED_VALUES_TEMPLATE global "allowedValuesTemplate" (uniqueID*: Kind::Id), [any VALUE, any RANGE];
+    VERSION_INFO global versionInfo of VersionInfo (
+        organization!: Kind::Text => [organization], version!: Kind::Text => [version],
+        author!: Kind::Text => [author], date!: Kind::Date => [date],
+    ), [any (LABELS) => [labels.0]];
+    INTERFACE_LIST global interfaceList of FunctionType, [
+        maybe INPUT_VARS => same, maybe OUTPUT_VARS => same, maybe CONFIG_VARS => same,
+    ];
+    INPUT_VARS global inputVars of FunctionType, [some VAR_DECLARATION => [inputs]];
+    OUTPUT_VARS global outputVars of FunctionType, [some VAR_DECLARATION => [outputs]];
+    CONFIG_VARS global configVars of FunctionType, [some VAR_DECLARATION => [configuration]];
+    FUNCTION_INSTANCE_LIST global functionInstanceList of FunctionInstances, [
+        some FUNCTION_INSTANCE => [instances], any CONNECTION => [connections],
+    ];
+    FUNCTION_INSTANCE global functionInstance of FunctionInstance (
+        name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id],
+        typeIDRef*: Kind::Reference(Target::FunctionType) => [function_type],
+    ), [any (LABELS) => [labels.0]];
+    CONNECTION global connection of Connection (
+        source*: Kind::Text => [source], destination*: Kind::Text => [destination], description?: Kind::Text => [description],
+    );
 
-    PARAMETER_LIST global "parameterList", [some PARAMETER];
-    PARAMETER global "parameter" (
-        uniqueID*: Kind::Id,
-        access?: ACCESS,
-        accessList?: Kind::Names,
-        support?: SUPPORT,
-        persistent?: Kind::Boolean,
-        offset?: Kind::Decimal,
-        multiplier?: Kind::Decimal,
-        templateIDRef?: Kind::Reference(Target::ParameterTemplate),
-    ), [
-        some (LABELS),
-        one (PARAMETER_TYPES),
-        any CONDITIONAL_SUPPORT,
-        maybe DENOTATION,
-        maybe ACTUAL_VALUE,
-        maybe DEFAULT_VALUE,
-        maybe SUBSTITUTE_VALUE,
-        maybe ALLOWED_VALUES,
-        maybe UNIT,
-        any PROPERTY,
+    TEMPLATE_LIST global templateList of ApplicationProcess, [
+        any PARAMETER_TEMPLATE => [parameter_templates], any ALLOWED_VALUES_TEMPLATE => [allowed_values_templates],
     ];
-    VARIABLE_REF global "variableRef" (position?: Kind::BYTE), [
-        some INSTANCE_REF, one VARIABLE_ID_REF, any MEMBER_REF,
-    ];
-    INSTANCE_REF global "instanceIDRef" (uniqueIDRef*: Kind::Reference(Target::FunctionInstance));
-    VARIABLE_ID_REF global "variableIDRef" (uniqueIDRef*: Kind::Reference(Target::Variable));
-    MEMBER_REF global "memberRef" (uniqueIDRef?: Kind::Reference(Target::Variable), index?: Kind::LONG);
-    CONDITIONAL_SUPPORT global "conditionalSupport" (paramIDRef*: Kind::Reference(Target::Parameter));
-    DENOTATION global "denotation", [some (LABELS)];
-    ACTUAL_VALUE global "actualValue" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    DEFAULT_VALUE global "defaultValue" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    SUBSTITUTE_VALUE global "substituteValue" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    ALLOWED_VALUES global "allowedValues" (
-        templateIDRef?: Kind::Reference(Target::AllowedValuesTemplate),
-    ), [any VALUE, any RANGE];
-    VALUE global "value" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    RANGE global "range", [one MIN_VALUE, one MAX_VALUE, maybe STEP];
-    MIN_VALUE local "minValue" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    MAX_VALUE local "maxValue" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    STEP local "step" (
-        value*: Kind::Text, offset?: Kind::Decimal, multiplier?: Kind::Decimal,
-    ), [any (LABELS)];
-    UNIT global "unit" (multiplier!: Kind::Text, unitURI?: Kind::Text), [some (LABELS)];
-    PROPERTY global "property" (name*: Kind::Text, value!: Kind::Text);
+    ALLOWED_VALUES_TEMPLATE global allowedValuesTemplate of AllowedValuesTemplate (
+        uniqueID*: Kind::Id => [unique_id], templateIDRef+: Kind::Text => [allowed.template],
+    ), [any VALUE => [allowed.values], any RANGE => [allowed.ranges]];
 
-    PARAMETER_GROUP_LIST global "parameterGroupList", [some PARAMETER_GROUP];
-    PARAMETER_GROUP global "parameterGroup" (uniqueID*: Kind::Id, kindOfAccess?: Kind::Text), [
-        some (LABELS), any PARAMETER_GROUP, any PARAMETER_REF,
+    PARAMETER_LIST global parameterList of ApplicationProcess, [some PARAMETER => [parameters]];
+    VARIABLE_REF global variableRef of VariableRef (position?: Kind::BYTE => [position]), [
+        some INSTANCE_REF => {instances}, one VARIABLE_ID_REF => {variable}, any MEMBER_REF => [members],
     ];
-    PARAMETER_REF global "parameterRef" (uniqueIDRef*: Kind::Reference(Target::Parameter));
+    INSTANCE_REF global instanceIDRef of Nothing (uniqueIDRef*: Kind::Reference(Target::FunctionInstance));
+    VARIABLE_ID_REF global variableIDRef of Nothing (uniqueIDRef*: Kind::Reference(Target::Variable));
+    MEMBER_REF global memberRef of MemberRef (
+        uniqueIDRef?: Kind::Reference(Target::Variable) => [unique_id], index?: Kind::LONG => [index],
+    );
+    CONDITIONAL_SUPPORT global conditionalSupport of Nothing (paramIDRef*: Kind::Reference(Target::Parameter));
+    DENOTATION global denotation of Labels, [some (LABELS) => [0]];
+    ALLOWED_VALUES global allowedValues of AllowedValues (
+        templateIDRef?: Kind::Reference(Target::AllowedValuesTemplate) => [template],
+    ), [any VALUE => [values], any RANGE => [ranges]];
+    RANGE global range of ValueRange, [one MIN_VALUE => [min], one MAX_VALUE => [max], maybe STEP => [step]];
+    UNIT global unit of Unit (multiplier!: Kind::Text => [multiplier], unitURI?: Kind::Text => [uri]), [some (LABELS) => [labels.0]];
+    PROPERTY global property of Property (name*: Kind::Text => [name], value!: Kind::Text => [value]);
+
+    PARAMETER_GROUP_LIST global parameterGroupList of ApplicationProcess, [some PARAMETER_GROUP => [groups]];
+    PARAMETER_GROUP global parameterGroup of ParameterGroup (
+        uniqueID*: Kind::Id => [unique_id], kindOfAccess?: Kind::Text => [kind_of_access],
+    ), [some (LABELS) => [labels.0], any PARAMETER_GROUP => [groups], any PARAMETER_REF => {parameters}];
+    PARAMETER_REF global parameterRef of Nothing (uniqueIDRef*: Kind::Reference(Target::Parameter));
+}
+
+/// A reference alone in its element.
+type Id = Box<str>;
+
+/// Declares the elements that hold a value with its own scaling.
+macro_rules! values {
+    ($($NAME:ident $form:ident $name:ident)+) => {elements! {
+        $($NAME $form $name of ScaledValue (
+            value*: Kind::Text => [value], offset?: Kind::Decimal => [offset], multiplier?: Kind::Decimal => [multiplier],
+        ), [any (LABELS) => [labels.0]];)+
+    }};
+}
+
+values! {
+    ACTUAL_VALUE global actualValue
+    DEFAULT_VALUE global defaultValue
+    SUBSTITUTE_VALUE global substituteValue
+    VALUE global value
+    MIN_VALUE local minValue
+    MAX_VALUE local maxValue
+    STEP local step
+}
+
+/// Declares parameters and their templates, which have less.
+macro_rules! parameters {
+    ($($NAME:ident $name:ident ($Part:ident $($in:tt)*) $labels:ident $least:ident $types:tt $denotation:ident [$($more:tt)*];)+) => {elements! {
+        $($NAME global $name of $Part (
+            uniqueID*: Kind::Id => [$($in)*unique_id],
+            access?: ACCESS => [$($in)*access],
+            accessList?: Kind::Names => [$($in)*access_list],
+            support?: SUPPORT => [$($in)*support],
+            persistent?: Kind::Boolean => [$($in)*persistent],
+            offset?: Kind::Decimal => [$($in)*offset],
+            multiplier?: Kind::Decimal => [$($in)*multiplier],
+            templateIDRef?: Kind::Reference(Target::ParameterTemplate) => [$($in)*template],
+        ), [
+            $labels (LABELS) => [$($in)*labels.0],
+            $least $types => [$($in)*data_type],
+            $($more)*
+            any CONDITIONAL_SUPPORT => {$($in)*conditional_support},
+            $denotation DENOTATION => [$($in)*denotation],
+            maybe ACTUAL_VALUE => [$($in)*actual_value],
+            maybe DEFAULT_VALUE => [$($in)*default_value],
+            maybe SUBSTITUTE_VALUE => [$($in)*substitute_value],
+            maybe ALLOWED_VALUES => [$($in)*allowed_values],
+            maybe UNIT => [$($in)*unit],
+            any PROPERTY => [$($in)*properties],
+        ];)+
+    }};
+}
+
+parameters! {
+    PARAMETER parameter (Parameter) some one (PARAMETER_TYPES) maybe [];
+    PARAMETER_TEMPLATE parameterTemplate (ParameterTemplate parameter.) stray maybe (TYPES) stray
+        [stray (VARIABLES) => [parameter.data_type],];
 }

@@ -3,8 +3,10 @@
 use super::application::APPLICATION_PROCESS;
 use super::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use super::network::{APPLICATION_LAYERS, NETWORK_MANAGEMENT, TRANSPORT_LAYERS};
-use super::values::Kind;
-use super::{elements, need, slot};
+use super::{At, Attribute, Child, Element, FactAt, Kind, Need, Slot, at, child, elements, lens, need, slot};
+use crate::model::{Field, FileInfo, ProfileHeader};
+use crate::xdd::defaults;
+use crate::xml::n;
 
 const PROFILE_CLASSES: &[&str] = &[
     "AIP",
@@ -17,95 +19,81 @@ const PROFILE_CLASSES: &[&str] = &[
     "Human",
     "Material",
 ];
+const CANOPEN: Kind = Kind::Word(&["CANopen"]);
+const FORMAT: Kind = Kind::Word(&["1.0"]);
+const DEVICE_CLASSES: Kind = Kind::Word(&["compact", "modular", "configurable"]);
 
 elements! {
-    ROOT global "ISO15745ProfileContainer", [some PROFILE];
-    PROFILE global "ISO15745Profile", [one PROFILE_HEADER, key BODY];
+    CONTAINER global ISO15745ProfileContainer of Nothing, [some PROFILE];
+    PROFILE global ISO15745Profile of Nothing, [one DEVICE_HEADER, key BODY];
     // abstract: which of the bodies below it is says `xsi:type`
-    BODY local "ProfileBody";
+    BODY local ProfileBody of Nothing;
 
-    PROFILE_HEADER local "ProfileHeader", [
-        one PROFILE_IDENTIFICATION,
-        one PROFILE_REVISION,
-        one PROFILE_NAME,
-        one PROFILE_SOURCE,
-        one PROFILE_CLASS_ID,
-        maybe PROFILE_DATE,
-        maybe ADDITIONAL_INFORMATION,
-        one ISO_REFERENCE,
-        any IAS_INTERFACE_TYPE,
+    PROFILE_IDENTIFICATION local ProfileIdentification of Nothing = Kind::Text;
+    PROFILE_REVISION local ProfileRevision of Nothing = Kind::Text;
+    PROFILE_NAME local ProfileName of Nothing = Kind::Text;
+    PROFILE_SOURCE local ProfileSource of Nothing = Kind::Text;
+    PROFILE_CLASS_ID local ProfileClassID of Nothing = Kind::Word(PROFILE_CLASSES);
+    PROFILE_DATE local ProfileDate of Nothing = Kind::Date;
+    ADDITIONAL_INFORMATION local AdditionalInformation of Nothing = Kind::Text;
+    ISO_REFERENCE local ISO15745Reference of ProfileHeader, [
+        one ISO_PART => "1", one ISO_EDITION => "1", one PROFILE_TECHNOLOGY => "CANopen",
     ];
-    PROFILE_IDENTIFICATION local "ProfileIdentification" = Kind::Text;
-    PROFILE_REVISION local "ProfileRevision" = Kind::Text;
-    PROFILE_NAME local "ProfileName" = Kind::Text;
-    PROFILE_SOURCE local "ProfileSource" = Kind::Text;
-    PROFILE_CLASS_ID local "ProfileClassID" = Kind::Word(PROFILE_CLASSES);
-    PROFILE_DATE local "ProfileDate" = Kind::Date;
-    ADDITIONAL_INFORMATION local "AdditionalInformation" = Kind::Text;
-    ISO_REFERENCE local "ISO15745Reference", [one ISO_PART, one ISO_EDITION, one PROFILE_TECHNOLOGY];
-    ISO_PART local "ISO15745Part" = Kind::POSITIVE;
-    ISO_EDITION local "ISO15745Edition" = Kind::POSITIVE;
-    PROFILE_TECHNOLOGY local "ProfileTechnology" = Kind::Text;
-    IAS_INTERFACE_TYPE local "IASInterfaceType" = Kind::Text;
+    ISO_PART local ISO15745Part of Nothing = Kind::POSITIVE;
+    ISO_EDITION local ISO15745Edition of Nothing = Kind::POSITIVE;
+    PROFILE_TECHNOLOGY local ProfileTechnology of Nothing = Kind::Text;
+    IAS_INTERFACE_TYPE local IASInterfaceType of Nothing = Kind::Text;
 
-    EXTERNAL_HANDLE local "ExternalProfileHandle", [
+    EXTERNAL_HANDLE local ExternalProfileHandle of Nothing, [
         one PROFILE_IDENTIFICATION, one PROFILE_REVISION, maybe PROFILE_LOCATION,
     ];
-    PROFILE_LOCATION local "ProfileLocation" = Kind::Text;
-
-    DEVICE local "ProfileBody" (
-        formatName?: Kind::Word(&["CANopen"]),
-        formatVersion?: Kind::Word(&["1.0"]),
-        fileName!: Kind::Text,
-        fileCreator!: Kind::Text,
-        fileCreationDate!: Kind::Date,
-        fileCreationTime?: Kind::Time,
-        fileModifiedBy?: Kind::Text,
-        fileModificationDate?: Kind::Date,
-        fileModificationTime?: Kind::Time,
-        fileVersion!: Kind::Text,
-        supportedLanguages?: Kind::Languages,
-        deviceClass?: Kind::Word(&["compact", "modular", "configurable"]),
-    ), [
-        maybe DEVICE_IDENTITY,
-        maybe DEVICE_MANAGER,
-        some DEVICE_FUNCTION,
-        any APPLICATION_PROCESS,
-        any EXTERNAL_HANDLE,
-    ];
-    NETWORK local "ProfileBody" (
-        formatName?: Kind::Word(&["CANopen"]),
-        formatVersion?: Kind::Word(&["1.0"]),
-        fileName!: Kind::Text,
-        fileCreator!: Kind::Text,
-        fileCreationDate!: Kind::Date,
-        fileCreationTime?: Kind::Time,
-        fileModifiedBy?: Kind::Text,
-        fileModificationDate?: Kind::Date,
-        fileModificationTime?: Kind::Time,
-        fileVersion!: Kind::Text,
-        supportedLanguages?: Kind::Languages,
-    ), [key APPLICATION_LAYERS, one TRANSPORT_LAYERS, maybe NETWORK_MANAGEMENT];
-    EXTERNAL_NETWORK local "ProfileBody" (
-        formatName?: Kind::Word(&["CANopen"]),
-        formatVersion?: Kind::Word(&["1.0"]),
-        fileName!: Kind::Text,
-        fileCreator!: Kind::Text,
-        fileCreationDate!: Kind::Date,
-        fileCreationTime?: Kind::Time,
-        fileModifiedBy?: Kind::Text,
-        fileModificationDate?: Kind::Date,
-        fileModificationTime?: Kind::Time,
-        fileVersion!: Kind::Text,
-        supportedLanguages?: Kind::Languages,
-    ), [one EXTERNAL_HANDLE];
+    PROFILE_LOCATION local ProfileLocation of Nothing = Kind::Text;
 }
 
-/// `ISO15745ProfileContainer`.
-pub(crate) static CONTAINER: &super::Element = &ROOT;
-/// `ProfileBody` of type `ProfileBody_Device_CANopen`.
-pub(crate) static DEVICE_BODY: &super::Element = &DEVICE;
-/// `ProfileBody` of type `ProfileBody_CommunicationNetwork_CANopen`.
-pub(crate) static NETWORK_BODY: &super::Element = &NETWORK;
-/// The same body where it only names a file that is not XML.
-pub(crate) static EXTERNAL_NETWORK_BODY: &super::Element = &EXTERNAL_NETWORK;
+/// Declares the header of each profile, which differ in the class that they are read and written with.
+macro_rules! headers {
+    ($($NAME:ident $class:literal)+) => {elements! {
+        $($NAME local ProfileHeader of ProfileHeader, [
+            one PROFILE_IDENTIFICATION => {identification},
+            one PROFILE_REVISION => {revision},
+            one PROFILE_NAME => {name},
+            one PROFILE_SOURCE => {source},
+            one PROFILE_CLASS_ID => $class,
+            maybe PROFILE_DATE => {date},
+            maybe ADDITIONAL_INFORMATION => {additional_information},
+            one ISO_REFERENCE => same,
+            any IAS_INTERFACE_TYPE => {interface_types},
+        ];)+
+    }};
+}
+
+headers! { DEVICE_HEADER "Device" NETWORK_HEADER "CommunicationNetwork" }
+
+/// Declares the bodies, which say the same of the file.
+macro_rules! bodies {
+    ($($NAME:ident ($($attribute:tt)*) [$($content:tt)+])+) => {elements! {
+        $($NAME local ProfileBody of FileInfo (
+            formatName?: CANOPEN,
+            formatVersion?: FORMAT,
+            fileName!: Kind::Text => {FileName file_name unstated defaults::FILE_NAME},
+            fileCreator!: Kind::Text => {CreatedBy created_by unstated defaults::NOT_STATED},
+            fileCreationDate!: Kind::Date => {CreationDate creation_date unstated defaults::DATE},
+            fileCreationTime?: Kind::Time => {CreationTime creation_time},
+            fileModifiedBy?: Kind::Text => {ModifiedBy modified_by},
+            fileModificationDate?: Kind::Date => {ModificationDate modification_date},
+            fileModificationTime?: Kind::Time => {ModificationTime modification_time},
+            fileVersion!: Kind::Text => {FileVersion self unstated ""},
+            supportedLanguages?: Kind::Languages => {Named languages},
+            $($attribute)*
+        ), [$($content)+];)+
+    }};
+}
+
+bodies! {
+    DEVICE_BODY (deviceClass?: DEVICE_CLASSES => {Named device_class}) [
+        maybe DEVICE_IDENTITY, maybe DEVICE_MANAGER, some DEVICE_FUNCTION, any APPLICATION_PROCESS, any EXTERNAL_HANDLE
+    ]
+    NETWORK_BODY () [key APPLICATION_LAYERS, one TRANSPORT_LAYERS, maybe NETWORK_MANAGEMENT]
+    // where it only names a file that is not XML
+    EXTERNAL_NETWORK_BODY () [one EXTERNAL_HANDLE]
+}

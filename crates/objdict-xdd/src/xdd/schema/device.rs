@@ -1,97 +1,129 @@
 //! The device profile but for its application process: identity, manager and function (CiA 311 annex A).
 
-use super::values::{Kind, Target};
-use super::{Element, elements, need, slot};
+use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, need, slot};
+use crate::model::{
+    Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DeviceFunction,
+    DeviceManager, Dictionary, Labels, Led, LedState, ModuleInterface, ModuleType, OwnInterface, Picture,
+};
+use crate::xdd::shape::lenses::{LABEL_DICTIONARY, LABEL_LANG, LABEL_TEXT, LABEL_TEXT_ID, LABEL_URI};
+use crate::xdd::shape::{Identity, MarkedLabels, MarkedText, MarkedVersion};
+use crate::xml::n;
 
 /// One of them at least is a name or a description.
 pub(super) static LABELS: &[&Element] = &[&LABEL, &DESCRIPTION, &LABEL_REF, &DESCRIPTION_REF];
 
+const FLAG: Kind = Kind::Boolean;
+
 elements! {
-    LABEL local "label" (lang!: Kind::Language) = Kind::Text;
-    DESCRIPTION local "description" (lang!: Kind::Language, URI?: Kind::Text) = Kind::Text;
-    LABEL_REF local "labelRef" (dictID*: Kind::Text, textID*: Kind::Text) = Kind::Text;
-    DESCRIPTION_REF local "descriptionRef" (dictID*: Kind::Text, textID*: Kind::Text) = Kind::Text;
+    LABEL local label of Nothing (lang!: Kind::Language => (LABEL_LANG)) = Kind::Text => (LABEL_TEXT);
+    DESCRIPTION local description of Nothing (
+        lang!: Kind::Language => (LABEL_LANG), URI?: Kind::Text => (LABEL_URI),
+    ) = Kind::Text => (LABEL_TEXT);
+    LABEL_REF local labelRef of Nothing (
+        dictID*: Kind::Text => (LABEL_DICTIONARY), textID*: Kind::Text => (LABEL_TEXT_ID),
+    ) = Kind::Text => (LABEL_URI);
+    DESCRIPTION_REF local descriptionRef of Nothing (
+        dictID*: Kind::Text => (LABEL_DICTIONARY), textID*: Kind::Text => (LABEL_TEXT_ID),
+    ) = Kind::Text => (LABEL_URI);
 
-    DEVICE_IDENTITY global "DeviceIdentity", [
-        one VENDOR_NAME,
-        maybe VENDOR_ID,
-        maybe VENDOR_TEXT,
-        maybe DEVICE_FAMILY,
-        maybe PRODUCT_FAMILY,
-        one PRODUCT_NAME,
-        maybe PRODUCT_ID,
-        maybe PRODUCT_TEXT,
-        any ORDER_NUMBER,
-        any VERSION,
-        maybe BUILD_DATE,
-        maybe SPECIFICATION_REVISION,
-        maybe INSTANCE_NAME,
+    DEVICE_IDENTITY global DeviceIdentity of Identity, [
+        one VENDOR_NAME => [vendor_name],
+        maybe VENDOR_ID => [vendor_id],
+        maybe VENDOR_TEXT => [vendor_text],
+        maybe DEVICE_FAMILY => [device_family],
+        maybe PRODUCT_FAMILY => [product_family],
+        one PRODUCT_NAME => [product_name],
+        maybe PRODUCT_ID => [product_id],
+        maybe PRODUCT_TEXT => [product_text],
+        any ORDER_NUMBER => [order_numbers],
+        any VERSION => [versions],
+        maybe BUILD_DATE => {build_date},
+        maybe SPECIFICATION_REVISION => [specification_revision],
+        maybe INSTANCE_NAME => [instance_name],
     ];
-    VENDOR_NAME global "vendorName" (readOnly?: Kind::Boolean) = Kind::Text;
-    VENDOR_ID global "vendorID" (readOnly?: Kind::Boolean) = Kind::Text;
-    VENDOR_TEXT global "vendorText" (readOnly?: Kind::Boolean), [some (LABELS)];
-    DEVICE_FAMILY global "deviceFamily" (readOnly?: Kind::Boolean), [some (LABELS)];
-    PRODUCT_FAMILY global "productFamily" (readOnly?: Kind::Boolean) = Kind::Text;
-    PRODUCT_NAME global "productName" (readOnly?: Kind::Boolean) = Kind::Text;
-    PRODUCT_ID global "productID" (readOnly?: Kind::Boolean) = Kind::Text;
-    PRODUCT_TEXT global "productText" (readOnly?: Kind::Boolean), [some (LABELS)];
-    ORDER_NUMBER global "orderNumber" (readOnly?: Kind::Boolean) = Kind::Text;
-    VERSION global "version" (
-        versionType!: Kind::Word(&["SW", "FW", "HW"]), readOnly?: Kind::Boolean,
-    ) = Kind::Text;
-    BUILD_DATE global "buildDate" = Kind::Date;
-    SPECIFICATION_REVISION global "specificationRevision" (readOnly?: Kind::Boolean) = Kind::Text;
-    INSTANCE_NAME global "instanceName" (readOnly?: Kind::Boolean) = Kind::Text;
+    VENDOR_NAME global vendorName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    VENDOR_ID global vendorID of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    VENDOR_TEXT global vendorText of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
+    DEVICE_FAMILY global deviceFamily of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
+    PRODUCT_FAMILY global productFamily of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    PRODUCT_NAME global productName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    PRODUCT_ID global productID of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    PRODUCT_TEXT global productText of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
+    ORDER_NUMBER global orderNumber of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    VERSION global version of MarkedVersion (
+        versionType!: Kind::Word(&["SW", "FW", "HW"]) => [value.kind], readOnly?: FLAG => [read_only],
+    ) = Kind::Text => [value.version];
+    BUILD_DATE global buildDate of Nothing = Kind::Date;
+    SPECIFICATION_REVISION global specificationRevision of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    INSTANCE_NAME global instanceName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
 
-    DEVICE_MANAGER global "DeviceManager", [maybe INDICATOR_LIST, maybe MODULE_MANAGEMENT], newer ["moduleManagement"];
-    INDICATOR_LIST global "indicatorList", [maybe LED_LIST];
-    LED_LIST global "LEDList", [some LED, any COMBINED_STATE];
-    LED global "LED" (
-        LEDcolors!: Kind::Word(&["monocolor", "bicolor"]),
-        LEDtype?: Kind::Word(&["IO", "device", "communication"]),
-    ), [some (LABELS), some LED_STATE];
-    LED_STATE global "LEDstate" (
-        uniqueID*: Kind::Id,
-        state!: Kind::Word(&["on", "off", "flashing"]),
-        LEDcolor!: Kind::Word(&["green", "amber", "red"]),
-        flashingPeriod?: Kind::INT,
-        impulsWidth?: Kind::BYTE,
-        numberOfImpulses?: Kind::BYTE,
-    ), [some (LABELS)];
-    COMBINED_STATE global "combinedState", [some (LABELS), two LED_STATE_REF];
-    LED_STATE_REF local "LEDstateRef" (stateIDRef*: Kind::Reference(Target::LedState));
+    DEVICE_MANAGER global DeviceManager of DeviceManager, [
+        maybe INDICATOR_LIST => same, maybe MODULE_MANAGEMENT => same,
+    ], newer [moduleManagement];
+    INDICATOR_LIST global indicatorList of DeviceManager, [maybe LED_LIST => same];
+    LED_LIST global LEDList of DeviceManager, [some LED => [leds], any COMBINED_STATE => [combined_states]];
+    LED global LED of Led (
+        LEDcolors!: Kind::Word(&["monocolor", "bicolor"]) => [colors],
+        LEDtype?: Kind::Word(&["IO", "device", "communication"]) => [kind],
+    ), [some (LABELS) => [labels.0], some LED_STATE => [states]];
+    LED_STATE global LEDstate of LedState (
+        uniqueID*: Kind::Id => [unique_id],
+        state!: Kind::Word(&["on", "off", "flashing"]) => [state],
+        LEDcolor!: Kind::Word(&["green", "amber", "red"]) => [color],
+        flashingPeriod?: Kind::INT => [flashing_period],
+        impulsWidth?: Kind::BYTE => [impulse_width],
+        numberOfImpulses?: Kind::BYTE => [impulses],
+    ), [some (LABELS) => [labels.0]];
+    COMBINED_STATE global combinedState of CombinedState, [some (LABELS) => [labels.0], two LED_STATE_REF => {states}];
+    LED_STATE_REF local LEDstateRef of Nothing (stateIDRef*: Kind::Reference(Target::LedState));
 
-    MODULE_MANAGEMENT global "moduleManagement", [one [MODULE_INTERFACE_LIST | MODULE_INTERFACE]];
-    MODULE_INTERFACE_LIST global "moduleInterfaceList", [some INTERFACE];
-    INTERFACE global "interface" (
-        uniqueID*: Kind::Id,
-        maxChilds!: Kind::POSITIVE,
-        unusedSlots!: Kind::Boolean,
-        multipleChilds!: Kind::Boolean,
-    ), [some (LABELS), one FILE_LIST, one MODULE_TYPE_LIST, maybe CONNECTED_MODULE_LIST];
-    FILE_LIST global "fileList", [one FILE];
-    MODULE_TYPE_LIST global "moduleTypeList", [some MODULE_TYPE];
-    MODULE_TYPE global "moduleType" (type*: Kind::Name);
-    CONNECTED_MODULE_LIST local "connectedModuleList", [some CONNECTED_MODULE];
-    CONNECTED_MODULE local "connectedModule" (childIDRef*: Kind::Name);
-    MODULE_INTERFACE local "moduleInterface" (
-        childID*: Kind::Name, type*: Kind::Name, maxCount?: Kind::NATURAL,
+    MODULE_MANAGEMENT global moduleManagement of DeviceManager, [
+        one [MODULE_INTERFACE_LIST | MODULE_INTERFACE] => (same [own_interface]),
+    ];
+    MODULE_INTERFACE_LIST global moduleInterfaceList of DeviceManager, [some INTERFACE => [module_interfaces]];
+    INTERFACE global interface of ModuleInterface (
+        uniqueID*: Kind::Id => [unique_id],
+        maxChilds!: Kind::POSITIVE => [max_modules],
+        unusedSlots!: FLAG => [unused_slots],
+        multipleChilds!: FLAG => [multiple],
+    ), [
+        some (LABELS) => [labels.0], one FILE_LIST => same, one MODULE_TYPE_LIST => same, maybe CONNECTED_MODULE_LIST => same,
+    ];
+    FILE_LIST global fileList of ModuleInterface, [one FILE => {files}];
+    MODULE_TYPE_LIST global moduleTypeList of ModuleInterface, [some MODULE_TYPE => [module_types]];
+    MODULE_TYPE global moduleType of ModuleType (uniqueID+: Kind::Text => [unique_id], r#type*: Kind::Name => [kind]);
+    CONNECTED_MODULE_LIST local connectedModuleList of ModuleInterface, [some CONNECTED_MODULE => [connected]];
+    CONNECTED_MODULE local connectedModule of ConnectedModule (
+        childIDRef*: Kind::Name => [child], position+: Kind::INT => [position], address+: Kind::INT => [address],
+    );
+    MODULE_INTERFACE local moduleInterface of OwnInterface (
+        childID*: Kind::Name => [child_id], r#type*: Kind::Name => [kind], maxCount?: Kind::NATURAL => [max_count],
     );
 
-    DEVICE_FUNCTION global "DeviceFunction", [one CAPABILITIES, maybe PICTURES_LIST, maybe DICTIONARY_LIST];
-    CAPABILITIES global "capabilities", [some CHARACTERISTICS_LIST, maybe STANDARD_COMPLIANCE_LIST];
-    CHARACTERISTICS_LIST global "characteristicsList", [maybe CATEGORY, some CHARACTERISTIC];
-    CATEGORY local "category", [some (LABELS)];
-    CHARACTERISTIC global "characteristic", [one CHARACTERISTIC_NAME, some CHARACTERISTIC_CONTENT];
-    CHARACTERISTIC_NAME global "characteristicName", [some (LABELS)];
-    CHARACTERISTIC_CONTENT global "characteristicContent", [some (LABELS)];
-    STANDARD_COMPLIANCE_LIST global "standardComplianceList", [some COMPLIANT_WITH];
-    COMPLIANT_WITH global "compliantWith" (
-        name!: Kind::Text, range?: Kind::Word(&["international", "internal"]),
-    ), [some (LABELS)];
-    PICTURES_LIST global "picturesList", [some PICTURE];
-    PICTURE global "picture" (URI*: Kind::Text, number?: Kind::INT), [some (LABELS)];
-    DICTIONARY_LIST global "dictionaryList", [some DICTIONARY];
-    DICTIONARY global "dictionary" (lang!: Kind::Language, dictID*: Kind::Text), [one FILE];
-    FILE global "file" (URI*: Kind::Text);
+    DEVICE_FUNCTION global DeviceFunction of DeviceFunction, [
+        one CAPABILITIES => same, maybe PICTURES_LIST => same, maybe DICTIONARY_LIST => same,
+    ];
+    CAPABILITIES global capabilities of DeviceFunction, [
+        some CHARACTERISTICS_LIST => [characteristics], maybe STANDARD_COMPLIANCE_LIST => same,
+    ];
+    CHARACTERISTICS_LIST global characteristicsList of CharacteristicsList, [
+        maybe CATEGORY => [category], some CHARACTERISTIC => [characteristics],
+    ];
+    CATEGORY local category of Labels, [some (LABELS) => [0]];
+    CHARACTERISTIC global characteristic of Characteristic, [
+        one CHARACTERISTIC_NAME => [name], some CHARACTERISTIC_CONTENT => [contents],
+    ];
+    CHARACTERISTIC_NAME global characteristicName of Labels, [some (LABELS) => [0]];
+    CHARACTERISTIC_CONTENT global characteristicContent of Labels, [some (LABELS) => [0]];
+    STANDARD_COMPLIANCE_LIST global standardComplianceList of DeviceFunction, [some COMPLIANT_WITH => [compliance]];
+    COMPLIANT_WITH global compliantWith of Compliance (
+        name!: Kind::Text => [name], range?: Kind::Word(&["international", "internal"]) => [range],
+    ), [some (LABELS) => [labels.0]];
+    PICTURES_LIST global picturesList of DeviceFunction, [some PICTURE => [pictures]];
+    PICTURE global picture of Picture (URI*: Kind::Text => [uri], number?: Kind::INT => [number]), [some (LABELS) => [labels.0]];
+    DICTIONARY_LIST global dictionaryList of DeviceFunction, [some DICTIONARY => [dictionaries]];
+    DICTIONARY global dictionary of Dictionary (lang!: Kind::Language => [lang], dictID*: Kind::Text => [id]), [
+        one FILE => {uri},
+    ];
+    FILE global file of Nothing (URI*: Kind::Text);
 }

@@ -1,8 +1,19 @@
 //! The communication network profile: the object dictionary, the bit rates and the network management (CiA 311 annex A).
 
-use super::device::{BUILD_DATE, DEVICE_FAMILY, PRODUCT_ID, SPECIFICATION_REVISION, VENDOR_ID, VERSION};
-use super::values::{Kind, Target};
-use super::{elements, need, slot};
+use super::device::{
+    BUILD_DATE, DEVICE_FAMILY, INSTANCE_NAME, PRODUCT_FAMILY, PRODUCT_ID, PRODUCT_TEXT,
+    SPECIFICATION_REVISION, VENDOR_ID, VENDOR_TEXT, VERSION,
+};
+use super::{
+    At, Attribute, Child, Element, FactAt, Kind, Need, Slot, Slots, Target, at, child, elements, lens, need,
+    slot,
+};
+use crate::model::{
+    Commissioning, DeviceInfo, Entry, Field, ModuleObjects, ModuleRange, ModuleRanges, OwnAddressing,
+};
+use crate::xdd::defaults;
+use crate::xdd::shape::Identity;
+use crate::xml::n;
 
 const ENTITIES: Kind = Kind::Words(&["slave", "master", "server", "client", "interconnection", "peer"]);
 const ACCESS: Kind = Kind::Word(&["ro", "wo", "rw", "const"]);
@@ -12,135 +23,128 @@ const INDEX: Kind = Kind::Hex(4, 4);
 const DATA_TYPE: Kind = Kind::Hex(2, 4);
 /// The standard says four digits, and defines 32 bits.
 const FLAGS: Kind = Kind::Hex(2, 8);
+const FLAG: Kind = Kind::Boolean;
 
 elements! {
-    APPLICATION_LAYERS local "ApplicationLayers" (
-        conformanceClass?: Kind::Text, communicationEntityType?: ENTITIES,
+    APPLICATION_LAYERS local ApplicationLayers of DeviceInfo (
+        conformanceClass?: Kind::Text => {Named conformance_class},
+        communicationEntityType?: ENTITIES => {Named communication_entities},
     ), [
-        maybe IDENTITY,
-        key OBJECT_LIST,
-        maybe DUMMY_USAGE,
-        maybe DYNAMIC_CHANNELS,
-        maybe MODULE_MANAGEMENT,
-    ], newer ["moduleManagement"];
-    IDENTITY local "identity", [
-        maybe VENDOR_ID,
-        maybe DEVICE_FAMILY,
-        maybe PRODUCT_ID,
-        any VERSION,
-        maybe BUILD_DATE,
-        maybe SPECIFICATION_REVISION,
+        maybe IDENTITY, key OBJECT_LIST, maybe DUMMY_USAGE, maybe DYNAMIC_CHANNELS, maybe MODULE_MANAGEMENT,
+    ], newer [moduleManagement];
+    IDENTITY local identity of Identity, [
+        maybe VENDOR_ID => [vendor_id],
+        stray VENDOR_TEXT => [vendor_text],
+        maybe DEVICE_FAMILY => [device_family],
+        stray PRODUCT_FAMILY => [product_family],
+        maybe PRODUCT_ID => [product_id],
+        stray PRODUCT_TEXT => [product_text],
+        any VERSION => [versions],
+        maybe BUILD_DATE => {build_date},
+        maybe SPECIFICATION_REVISION => [specification_revision],
+        stray INSTANCE_NAME => [instance_name],
     ];
 
-    OBJECT_LIST global "CANopenObjectList" (
+    OBJECT_LIST global CANopenObjectList of Nothing (
         mandatoryObjects?: Kind::INT, optionalObjects?: Kind::INT, manufacturerObjects?: Kind::INT,
     ), [some OBJECT];
-    // a missing name is the business of cia306/missing-name
-    OBJECT local "CANopenObject" (
-        index*: INDEX,
-        name?: Kind::Text,
-        objectType!: Kind::BYTE,
-        dataType?: DATA_TYPE,
-        lowLimit?: Kind::Text,
-        highLimit?: Kind::Text,
-        accessType?: ACCESS,
-        defaultValue?: Kind::Text,
-        actualValue?: Kind::Text,
-        denotation?: Kind::Text,
-        PDOmapping?: PDO_MAPPING,
-        objFlags?: FLAGS,
-        uniqueIDRef?: Kind::Reference(Target::Application),
-        subNumber?: Kind::BYTE,
-        rangeSelector?: Kind::Text,
-    ), [any SUB_OBJECT], newer ["rangeSelector"];
-    SUB_OBJECT local "CANopenSubObject" (
-        subIndex*: Kind::Hex(2, 2),
-        name?: Kind::Text,
-        objectType!: Kind::BYTE,
-        dataType?: DATA_TYPE,
-        lowLimit?: Kind::Text,
-        highLimit?: Kind::Text,
-        accessType?: ACCESS,
-        defaultValue?: Kind::Text,
-        actualValue?: Kind::Text,
-        denotation?: Kind::Text,
-        PDOmapping?: PDO_MAPPING,
-        objFlags?: FLAGS,
-        uniqueIDRef?: Kind::Reference(Target::Application),
-        rangeSelector?: Kind::Text,
-    ), newer ["rangeSelector"];
-
-    DUMMY_USAGE local "dummyUsage", [some DUMMY];
-    DUMMY local "dummy" (entry*: Kind::Dummy);
-    DYNAMIC_CHANNELS local "dynamicChannels", [some DYNAMIC_CHANNEL];
-    DYNAMIC_CHANNEL local "dynamicChannel" (
-        dataType*: DATA_TYPE,
-        accessType!: Kind::Word(&["readOnly", "writeOnly", "readWriteOutput"]),
-        startIndex*: INDEX,
-        endIndex*: INDEX,
-        maxNumber!: Kind::INT,
-        addressOffset!: Kind::Hex(2, 8),
-        bitAlignment?: Kind::BYTE,
+    DUMMY_USAGE local dummyUsage of Nothing, [some DUMMY];
+    DUMMY local dummy of Nothing (entry*: Kind::Dummy);
+    DYNAMIC_CHANNELS local dynamicChannels of Nothing, [some DYNAMIC_CHANNEL];
+    DYNAMIC_CHANNEL local dynamicChannel of Nothing (
+        dataType*: DATA_TYPE, accessType!: Kind::Word(&["readOnly", "writeOnly", "readWriteOutput"]),
+        startIndex*: INDEX, endIndex*: INDEX, maxNumber!: Kind::INT, addressOffset!: Kind::Hex(2, 8), bitAlignment?: Kind::BYTE,
     );
 
-    MODULE_MANAGEMENT local "moduleManagement", [one [INTERFACE_LIST | MODULE_INTERFACE]];
-    INTERFACE_LIST local "interfaceList", [some INTERFACE];
-    INTERFACE local "interface" (
-        uniqueIDRef*: Kind::Reference(Target::ModuleInterface),
-        addressing!: Kind::Word(&["auto", "manual"]),
-    ), [one RANGE_LIST];
-    RANGE_LIST local "rangeList", [some RANGE];
-    RANGE local "range" (
-        name!: Kind::Text,
-        moduleType*: Kind::Name,
-        baseIndex*: INDEX,
-        maxIndex*: INDEX,
-        maxSubIndex?: Kind::Hex(2, 2),
-        sortMode!: Kind::Word(&["index", "subIndex"]),
-        sortNumber!: Kind::Word(&["continuous", "address"]),
+    MODULE_MANAGEMENT local moduleManagement of ModuleObjects, [
+        one [INTERFACE_LIST | MODULE_INTERFACE] => (same [own]),
+    ];
+    INTERFACE_LIST local interfaceList of ModuleObjects, [some INTERFACE => [interfaces]];
+    INTERFACE local interface of ModuleRanges (
+        uniqueIDRef*: Kind::Reference(Target::ModuleInterface) => [interface],
+        addressing!: Kind::Word(&["auto", "manual"]) => [addressing],
+    ), [one RANGE_LIST => same];
+    RANGE_LIST local rangeList of ModuleRanges, [some RANGE => [ranges]];
+    RANGE local range of ModuleRange (
+        name!: Kind::Text => [name],
+        moduleType*: Kind::Name => [module_type],
+        baseIndex*: INDEX => [base_index],
+        maxIndex*: INDEX => [max_index],
+        maxSubIndex?: Kind::Hex(2, 2) => [max_sub_index],
+        sortMode!: Kind::Word(&["index", "subIndex"]) => [sort_mode],
+        sortNumber!: Kind::Word(&["continuous", "address"]) => [sort_number],
         // the standard misprints its default as `1`
-        sortStep?: Kind::Hex(1, 4),
+        sortStep?: Kind::Hex(1, 4) => [sort_step],
     );
-    MODULE_INTERFACE local "moduleInterface" (
-        childIDRef*: Kind::Name,
-        addressMin!: Kind::POSITIVE,
-        addressMax?: Kind::POSITIVE,
-        addressing?: Kind::Word(&["inherit", "auto", "manual"]),
+    MODULE_INTERFACE local moduleInterface of OwnAddressing (
+        childIDRef*: Kind::Name => [child],
+        addressMin!: Kind::POSITIVE => [address_min],
+        addressMax?: Kind::POSITIVE => [address_max],
+        addressing?: Kind::Word(&["inherit", "auto", "manual"]) => [addressing],
     );
 
-    TRANSPORT_LAYERS local "TransportLayers", [one PHYSICAL_LAYER];
-    PHYSICAL_LAYER local "PhysicalLayer", [one BAUD_RATE];
+    TRANSPORT_LAYERS local TransportLayers of Nothing, [one PHYSICAL_LAYER];
+    PHYSICAL_LAYER local PhysicalLayer of Nothing, [one BAUD_RATE];
     // that there is no rate at all is the business of cia306/no-baud-rate
-    BAUD_RATE local "baudRate" (defaultValue?: Kind::BaudRate), [any SUPPORTED_BAUD_RATE];
-    SUPPORTED_BAUD_RATE local "supportedBaudRate" (value*: Kind::BaudRate);
+    BAUD_RATE local baudRate of Nothing (defaultValue?: Kind::BaudRate), [any SUPPORTED_BAUD_RATE];
+    SUPPORTED_BAUD_RATE local supportedBaudRate of Nothing (value*: Kind::BaudRate);
 
-    NETWORK_MANAGEMENT local "NetworkManagement", [
+    NETWORK_MANAGEMENT local NetworkManagement of Nothing, [
         one GENERAL_FEATURES, maybe MASTER_FEATURES, maybe DEVICE_COMMISSIONING,
     ];
-    GENERAL_FEATURES local "CANopenGeneralFeatures" (
-        groupMessaging?: Kind::Boolean,
-        dynamicChannels?: Kind::BYTE,
-        selfStartingDevice?: Kind::Boolean,
-        SDORequestingDevice?: Kind::Boolean,
-        granularity!: Kind::BYTE,
-        nrOfRxPDO?: Kind::SHORT,
-        nrOfTxPDO?: Kind::SHORT,
-        bootUpSlave?: Kind::Boolean,
-        layerSettingServiceSlave?: Kind::Boolean,
+    // ranges: CiA 306-1 §4.5
+    GENERAL_FEATURES local CANopenGeneralFeatures of DeviceInfo (
+        groupMessaging?: FLAG => {GroupMessaging group_messaging},
+        dynamicChannels?: Kind::BYTE => {DynamicChannelsSupported dynamic_channels_supported},
+        selfStartingDevice?: FLAG => {Named self_starting},
+        SDORequestingDevice?: FLAG => {Named sdo_requesting},
+        granularity!: Kind::BYTE => {Granularity granularity most 64 unstated defaults::NUMBER},
+        nrOfRxPDO?: Kind::SHORT => {NrOfRxPdo rpdo_count most 512},
+        nrOfTxPDO?: Kind::SHORT => {NrOfTxPdo tpdo_count most 512},
+        bootUpSlave?: FLAG => {SimpleBootUpSlave simple_boot_up_slave},
+        layerSettingServiceSlave?: FLAG => {LssSupported lss_supported},
     );
-    MASTER_FEATURES local "CANopenMasterFeatures" (
-        bootUpMaster?: Kind::Boolean,
-        flyingMaster?: Kind::Boolean,
-        SDOManager?: Kind::Boolean,
-        configurationManager?: Kind::Boolean,
-        layerSettingServiceMaster?: Kind::Boolean,
+    MASTER_FEATURES local CANopenMasterFeatures of DeviceInfo (
+        flyingMaster?: FLAG => {Named flying_master},
+        SDOManager?: FLAG => {Named sdo_manager},
+        configurationManager?: FLAG => {Named configuration_manager},
+        layerSettingServiceMaster?: FLAG => {Named lss_master},
+        bootUpMaster?: FLAG => {SimpleBootUpMaster simple_boot_up_master},
     );
-    DEVICE_COMMISSIONING local "deviceCommissioning" (
-        nodeID*: Kind::BYTE,
-        nodeName!: Kind::Text,
-        actualBaudRate!: Kind::Text,
-        networkNumber!: Kind::UNSIGNED_LONG,
-        networkName!: Kind::Text,
-        CANopenManager!: Kind::Boolean,
+    DEVICE_COMMISSIONING local deviceCommissioning of Commissioning (
+        nodeID*: Kind::BYTE => {NodeId node_id unstated defaults::NUMBER},
+        nodeName!: Kind::Text => {NodeName node_name unstated defaults::NAME},
+        actualBaudRate!: Kind::Rate => {Baudrate baud_rate unstated ""},
+        networkNumber!: Kind::UNSIGNED_LONG => {NetNumber net_number unstated defaults::NUMBER},
+        networkName!: Kind::Text => {NetworkName network_name unstated defaults::NAME},
+        CANopenManager!: FLAG => {CanOpenManager manager unstated defaults::FLAG},
     );
+}
+
+/// Declares objects and sub-objects. A missing name is the business of cia306/missing-name.
+macro_rules! entries {
+    ($($NAME:ident $name:ident ($address:ident $kind:expr) ($($own:tt)*) [$($content:tt)*])+) => {elements! {
+        $($NAME local $name of Entry (
+            $address*: $kind,
+            name?: Kind::Text,
+            objectType!: Kind::BYTE => {ObjectType object_type},
+            dataType?: DATA_TYPE => {DataType data_type},
+            lowLimit?: Kind::Text => (value Low),
+            highLimit?: Kind::Text => (value High),
+            accessType?: ACCESS => {AccessType access},
+            defaultValue?: Kind::Text => (value Default),
+            actualValue?: Kind::Text => (value Actual),
+            denotation?: Kind::Text,
+            PDOmapping?: PDO_MAPPING => {PdoMapping pdo_mapping},
+            objFlags?: FLAGS => {ObjFlags flags},
+            uniqueIDRef?: Kind::Reference(Target::Application),
+            rangeSelector?: Kind::Text,
+            $($own)*
+        ) $($content)*, newer [rangeSelector];)+
+    }};
+}
+
+entries! {
+    OBJECT CANopenObject (index INDEX) (subNumber?: Kind::BYTE) [, [any SUB_OBJECT]]
+    SUB_OBJECT CANopenSubObject (subIndex Kind::Hex(2, 2)) () []
 }

@@ -23,6 +23,8 @@ pub(crate) enum Kind {
     Words(&'static [&'static str]),
     /// A bit rate of the list.
     BaudRate,
+    /// A bit rate in any words.
+    Rate,
     /// `Dummy0001=0` to `Dummy0007=1`.
     Dummy,
     /// A name of its own in the whole file.

@@ -1,203 +1,113 @@
 //! Who made the device and what it is called: `DeviceIdentity` of the device profile, `identity` of the network profile.
 
-use std::collections::HashMap;
-
-use super::{Leftovers, Markup, Shape};
+use super::Part;
+use super::parts::parts;
 use crate::model::{Date, DeviceIdentity, DeviceVersion, Labels};
-use crate::xml::Element;
+use crate::xml::{Name, n};
 
-/// All that the element says. The texts beside `rest` are those that an EDS has keys for.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// All that the element says.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Identity {
-    /// `vendorName`.
-    pub(crate) vendor_name: Option<Box<str>>,
-    /// `vendorID`, as it is written.
-    pub(crate) vendor_id: Option<Box<str>>,
-    /// `productName`.
-    pub(crate) product_name: Option<Box<str>>,
-    /// `productID`, as it is written.
-    pub(crate) product_id: Option<Box<str>>,
-    /// Every `orderNumber`; those of `rest` are none of them.
-    pub(crate) order_numbers: Vec<Box<str>>,
-    /// Everything else; `read_only` speaks of all elements, the second of a name being `orderNumber[2]`.
-    pub(crate) rest: DeviceIdentity,
+    pub(crate) vendor_name: Option<MarkedText>,
+    /// As it is written.
+    pub(crate) vendor_id: Option<MarkedText>,
+    pub(crate) vendor_text: Option<MarkedLabels>,
+    pub(crate) device_family: Option<MarkedLabels>,
+    pub(crate) product_family: Option<MarkedText>,
+    pub(crate) product_name: Option<MarkedText>,
+    /// As it is written.
+    pub(crate) product_id: Option<MarkedText>,
+    pub(crate) product_text: Option<MarkedLabels>,
+    pub(crate) order_numbers: Vec<MarkedText>,
+    pub(crate) versions: Vec<MarkedVersion>,
+    pub(crate) build_date: Option<Date>,
+    pub(crate) specification_revision: Option<MarkedText>,
+    pub(crate) instance_name: Option<MarkedText>,
 }
 
-/// The elements as they stand, each with its `readOnly`.
-#[derive(Default, PartialEq)]
-struct Elements {
-    vendor_name: Option<TextElement>,
-    vendor_id: Option<TextElement>,
-    vendor_text: Option<LabelsElement>,
-    device_family: Option<LabelsElement>,
-    product_family: Option<TextElement>,
-    product_name: Option<TextElement>,
-    product_id: Option<TextElement>,
-    product_text: Option<LabelsElement>,
-    order_numbers: Vec<TextElement>,
-    versions: Vec<VersionElement>,
-    build_date: Option<Date>,
-    specification_revision: Option<TextElement>,
-    instance_name: Option<TextElement>,
+/// An element that may say whether it is read-only.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Marked<T> {
+    pub(crate) read_only: Option<bool>,
+    pub(crate) value: T,
 }
 
-#[derive(Default, PartialEq)]
-struct TextElement {
-    read_only: Option<bool>,
-    text: Box<str>,
-}
+pub(crate) type MarkedText = Marked<Box<str>>;
+pub(crate) type MarkedLabels = Marked<Labels>;
+pub(crate) type MarkedVersion = Marked<DeviceVersion>;
 
-#[derive(Default, PartialEq)]
-struct LabelsElement {
-    read_only: Option<bool>,
-    labels: Labels,
-}
+parts! { MarkedText, MarkedLabels, MarkedVersion }
 
-#[derive(Default, PartialEq)]
-struct VersionElement {
-    kind: Box<str>,
-    read_only: Option<bool>,
-    version: Box<str>,
-}
-
-shape! {
-    Elements [] {
-        "vendorName" => vendor_name,
-        "vendorID" => vendor_id,
-        "vendorText" => vendor_text,
-        "deviceFamily" => device_family,
-        "productFamily" => product_family,
-        "productName" => product_name,
-        "productID" => product_id,
-        "productText" => product_text,
-        "orderNumber" => order_numbers,
-        "version" => versions,
-        "buildDate" @ "#text" => build_date,
-        "specificationRevision" => specification_revision,
-        "instanceName" => instance_name,
-    }
-
-    TextElement ["readOnly" = read_only, "#text" = text] {}
-
-    LabelsElement ["readOnly" = read_only] { _ => labels }
-
-    VersionElement ["versionType" = kind, "readOnly" = read_only, "#text" = version] {}
-}
-
-impl Shape for Identity {
-    fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Self {
-        Elements::read(element, leftovers).into()
-    }
-
-    fn write(&self, name: &str, out: &mut Markup) {
-        Shape::write(&Elements::from(self), name, out);
+impl<T> From<T> for Marked<T> {
+    fn from(value: T) -> Self {
+        Self { read_only: None, value }
     }
 }
 
-impl From<Elements> for Identity {
-    fn from(elements: Elements) -> Self {
-        let mut marks = Marks::default();
-        let order_numbers = elements.order_numbers.into_iter().enumerate();
-        let versions = elements.versions.into_iter().enumerate();
-        // in the order of the elements, as the list of marks has it
-        let vendor_name = marks.text("vendorName", elements.vendor_name);
-        let vendor_id = marks.text("vendorID", elements.vendor_id);
-        let vendor_text = marks.labels("vendorText", elements.vendor_text);
-        let device_family = marks.labels("deviceFamily", elements.device_family);
-        let product_family = marks.text("productFamily", elements.product_family);
-        let product_name = marks.text("productName", elements.product_name);
-        let product_id = marks.text("productID", elements.product_id);
-        let product_text = marks.labels("productText", elements.product_text);
-        let order_numbers = order_numbers.map(|(at, TextElement { read_only, text })| {
-            marks.add(&numbered("orderNumber", at), read_only);
-            text
-        });
-        let order_numbers = order_numbers.collect();
-        let versions = versions.map(|(at, VersionElement { kind, read_only, version })| {
-            marks.add(&numbered("version", at), read_only);
-            DeviceVersion { kind, version }
-        });
-        let versions = versions.collect();
-        let specification_revision = marks.text("specificationRevision", elements.specification_revision);
-        let instance_name = marks.text("instanceName", elements.instance_name);
-        let rest = DeviceIdentity {
-            vendor_text,
-            device_family,
-            product_family,
-            product_text,
-            further_order_numbers: Vec::new(),
-            versions,
-            build_date: elements.build_date,
-            specification_revision,
-            instance_name,
-            read_only: marks.0,
-        };
-        Self { vendor_name, vendor_id, product_name, product_id, order_numbers, rest }
-    }
-}
-
-/// The elements whose `readOnly` stands there, while they are collected.
-#[derive(Default)]
-struct Marks(Vec<(Box<str>, bool)>);
-
-impl Marks {
-    fn add(&mut self, name: &str, read_only: Option<bool>) {
-        self.0.extend(read_only.map(|read_only| (name.into(), read_only)));
-    }
-
-    fn text(&mut self, name: &str, element: Option<TextElement>) -> Option<Box<str>> {
-        let TextElement { read_only, text } = element?;
-        self.add(name, read_only);
-        Some(text)
-    }
-
-    fn labels(&mut self, name: &str, element: Option<LabelsElement>) -> Labels {
-        let LabelsElement { read_only, labels } = element.unwrap_or_default();
-        self.add(name, read_only);
-        labels
-    }
-}
-
-impl From<&Identity> for Elements {
-    fn from(identity: &Identity) -> Self {
-        let rest = &identity.rest;
-        let marks: HashMap<&str, bool> =
-            rest.read_only.iter().map(|(name, value)| (&**name, *value)).collect();
-        let mark = |name: &str| marks.get(name).copied();
-        let text = |name: &str, text: &Option<Box<str>>| {
-            text.clone().map(|text| TextElement { read_only: mark(name), text })
-        };
-        let labels = |name: &str, labels: &Labels| {
-            let element = LabelsElement { read_only: mark(name), labels: labels.clone() };
-            Some(element).filter(|element| *element != LabelsElement::default())
-        };
-        let order_numbers = identity.order_numbers.iter().enumerate().map(|(at, text)| TextElement {
-            read_only: mark(&numbered("orderNumber", at)),
-            text: text.clone(),
-        });
-        let versions = rest.versions.iter().enumerate().map(|(at, DeviceVersion { kind, version })| {
-            let read_only = mark(&numbered("version", at));
-            VersionElement { kind: kind.clone(), read_only, version: version.clone() }
-        });
+/// Without what an EDS has.
+impl From<DeviceIdentity> for Identity {
+    fn from(rest: DeviceIdentity) -> Self {
+        let labels = |labels: Labels| Some(labels).filter(|labels| !labels.is_empty()).map(Marked::from);
         Self {
-            vendor_name: text("vendorName", &identity.vendor_name),
-            vendor_id: text("vendorID", &identity.vendor_id),
-            vendor_text: labels("vendorText", &rest.vendor_text),
-            device_family: labels("deviceFamily", &rest.device_family),
-            product_family: text("productFamily", &rest.product_family),
-            product_name: text("productName", &identity.product_name),
-            product_id: text("productID", &identity.product_id),
-            product_text: labels("productText", &rest.product_text),
-            order_numbers: order_numbers.collect(),
-            versions: versions.collect(),
+            vendor_text: labels(rest.vendor_text),
+            device_family: labels(rest.device_family),
+            product_family: rest.product_family.map(Marked::from),
+            product_text: labels(rest.product_text),
+            versions: rest.versions.into_iter().map(Marked::from).collect(),
             build_date: rest.build_date,
-            specification_revision: text("specificationRevision", &rest.specification_revision),
-            instance_name: text("instanceName", &rest.instance_name),
+            specification_revision: rest.specification_revision.map(Marked::from),
+            instance_name: rest.instance_name.map(Marked::from),
+            ..Self::default()
         }
     }
 }
 
-/// What the list of marks calls an element of several.
-fn numbered(name: &str, at: usize) -> String {
-    if at == 0 { name.to_owned() } else { format!("{name}[{}]", at + 1) }
+impl Identity {
+    /// The mark of each element in their order, with its name; the second of a name is `orderNumber[2]`.
+    fn marks(&mut self) -> impl Iterator<Item = (String, &mut Option<bool>)> {
+        fn marks<'a, T: 'a>(
+            name: Name,
+            elements: impl IntoIterator<Item = &'a mut Marked<T>>,
+        ) -> Vec<(String, &'a mut Option<bool>)> {
+            let name = |number: usize| match number {
+                1 => name.text().to_owned(),
+                _ => format!("{}[{number}]", name.text()),
+            };
+            (1..).zip(elements).map(|(number, element)| (name(number), &mut element.read_only)).collect()
+        }
+        [
+            marks(n::vendorName, &mut self.vendor_name),
+            marks(n::vendorID, &mut self.vendor_id),
+            marks(n::vendorText, &mut self.vendor_text),
+            marks(n::deviceFamily, &mut self.device_family),
+            marks(n::productFamily, &mut self.product_family),
+            marks(n::productName, &mut self.product_name),
+            marks(n::productID, &mut self.product_id),
+            marks(n::productText, &mut self.product_text),
+            marks(n::orderNumber, &mut self.order_numbers),
+            marks(n::version, &mut self.versions),
+            marks(n::specificationRevision, &mut self.specification_revision),
+            marks(n::instanceName, &mut self.instance_name),
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// The elements that say whether they are read-only, as the model lists them.
+    pub(crate) fn read_only(&mut self) -> Vec<(Box<str>, bool)> {
+        self.marks().filter_map(|(name, mark)| Some((name.into(), (*mark)?))).collect()
+    }
+
+    /// Marks the elements that are listed. Labels that are not there are an element of their own for that.
+    pub(crate) fn mark(&mut self, read_only: &[(Box<str>, bool)]) {
+        let labels = [&mut self.vendor_text, &mut self.device_family, &mut self.product_text];
+        labels.into_iter().for_each(|labels| *labels = Some(labels.take().unwrap_or_default()));
+        for (name, mark) in self.marks() {
+            *mark = read_only.iter().rev().find(|(listed, _)| **listed == *name).map(|(_, mark)| *mark);
+        }
+        let labels = [&mut self.vendor_text, &mut self.device_family, &mut self.product_text];
+        labels
+            .into_iter()
+            .for_each(|labels| *labels = labels.take().filter(|labels| *labels != Marked::default()));
+    }
 }

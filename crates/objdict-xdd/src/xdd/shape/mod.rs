@@ -1,268 +1,216 @@
-//! The plain parts of CiA 311: each one declared once, and by that read from elements and written to elements.
+//! The plain parts of CiA 311: read from elements and written to elements along the table.
 //!
 //! Reading goes by local names and never fails: of two things that can stand once the first counts, and everything that
 //! has no place in the model goes to the [`Leftovers`].
 
-#[macro_use]
-mod declare;
-
-mod application;
-mod data_type;
-mod device;
-mod header;
+mod fields;
 mod identity;
-mod label;
-mod module;
-mod parameter;
+pub(crate) mod lenses;
+mod parts;
 mod stack;
 mod text;
 
 #[cfg(test)]
 mod tests;
 
-use std::borrow::Cow;
+use std::any::Any;
 
-pub(crate) use self::application::read_application_process;
-pub(crate) use self::header::{ProfileClass, read_header, write_header};
-pub(crate) use self::identity::Identity;
+pub(crate) use self::fields::{TextField, Values};
+pub(crate) use self::identity::{Identity, MarkedLabels, MarkedText, MarkedVersion};
+pub(crate) use self::parts::{Part, Parts};
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::Text;
-use super::leftovers::{Leftovers, TEXT};
+use super::leftovers::Leftovers;
 use super::markup::Markup;
-use crate::xml::Element;
+use super::schema::{self, At, Child, Need};
+use crate::xml::{self, Name, n};
 
-/// A part that stands in one element.
-pub(crate) trait Shape: Default + PartialEq {
-    /// What an element says.
-    fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Self;
-
-    /// Writes it as an element of a name.
-    fn write(&self, name: &str, out: &mut Markup);
+/// What an element says.
+pub(crate) fn read<'a, T: Default + 'static>(
+    element: xml::Element<'a>,
+    schema: &'static schema::Element,
+    leftovers: &mut Leftovers<'a>,
+) -> T {
+    let mut part = T::default();
+    Reader { leftovers, passed_over: None }.part(element, schema, &mut part);
+    part
 }
 
-/// A part whose variants stand in elements of different names.
-pub(crate) trait Variant: Sized {
-    /// What an element says; `None` where it has none of the names.
-    fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Option<Self>;
-
-    /// Writes it.
-    fn write(&self, out: &mut Markup);
+/// What an element says but for the elements `later` in it, which are found and not read.
+pub(crate) fn read_without<'a, T: Default + 'static>(
+    element: xml::Element<'a>,
+    schema: &'static schema::Element,
+    later: Name,
+    leftovers: &mut Leftovers<'a>,
+) -> (T, Vec<xml::Element<'a>>) {
+    let mut part = T::default();
+    let mut reader = Reader { leftovers, passed_over: Some((later, Vec::new())) };
+    reader.part(element, schema, &mut part);
+    (part, reader.passed_over.map_or_else(Vec::new, |(_, found)| found))
 }
 
-/// A field that an attribute holds.
-pub(crate) trait AttributeField {
-    /// Takes a value; `false` when it has one already, or when this is none.
-    fn accept(&mut self, text: &str) -> bool;
-
-    /// Whether it has a value.
-    fn is_set(&self) -> bool;
-
-    /// The value; `None` when there is nothing to write.
-    fn text(&self) -> Option<Cow<'_, str>>;
+struct Reader<'r, 'a> {
+    leftovers: &'r mut Leftovers<'a>,
+    passed_over: Option<(Name, Vec<xml::Element<'a>>)>,
 }
 
-/// A field that elements of one name hold.
-pub(crate) trait ChildField {
-    /// Takes an element; `false` when it has one already and no room for more.
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool;
-
-    /// Writes its elements.
-    fn write(&self, name: &str, out: &mut Markup);
-}
-
-/// A field that elements of one name hold, each of which has one value in the attribute `holder` or as its text.
-pub(crate) trait ValueField {
-    /// Takes an element; `false` when it has one already and no room for more.
-    fn accept<'a>(&mut self, child: Element<'a>, holder: &str, leftovers: &mut Leftovers<'a>) -> bool;
-
-    /// Writes its elements.
-    fn write(&self, name: &str, holder: &str, out: &mut Markup);
-}
-
-/// A field that elements of several names hold.
-pub(crate) trait Group {
-    /// Takes an element; `false` when it is none of those, or has no room any more.
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool;
-
-    /// Writes its elements.
-    fn write(&self, out: &mut Markup);
-}
-
-/// A text that is always there; missing, it is empty.
-impl AttributeField for Box<str> {
-    fn accept(&mut self, text: &str) -> bool {
-        let is_first = !self.is_set();
-        if is_first {
-            *self = text.into();
-        }
-        is_first
-    }
-
-    fn is_set(&self) -> bool {
-        !self.is_empty()
-    }
-
-    fn text(&self) -> Option<Cow<'_, str>> {
-        Some(Cow::Borrowed(self))
-    }
-}
-
-impl<T: Text> AttributeField for Option<T> {
-    fn accept(&mut self, text: &str) -> bool {
-        if self.is_some() {
-            return false;
-        }
-        *self = T::parse(text);
-        self.is_some()
-    }
-
-    fn is_set(&self) -> bool {
-        self.is_some()
-    }
-
-    fn text(&self) -> Option<Cow<'_, str>> {
-        self.as_ref().map(T::print)
-    }
-}
-
-/// One that is always there; it is written when it says something.
-impl<T: Shape> ChildField for T {
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool {
-        let is_first = *self == T::default();
-        if is_first {
-            *self = T::read(child, leftovers);
-        }
-        is_first
-    }
-
-    fn write(&self, name: &str, out: &mut Markup) {
-        if *self != T::default() {
-            Shape::write(self, name, out);
+impl<'a> Reader<'_, 'a> {
+    fn part(&mut self, element: xml::Element<'a>, schema: &'static schema::Element, part: &mut dyn Any) {
+        self.attributes(element, |name, text| {
+            let known = if name == n::text { schema.text.as_ref() } else { Some(schema.attribute(name)?.1) };
+            let At::Text(lens) = known?.at else { return None };
+            Some((lens.get_mut)(part)?.accept(text))
+        });
+        // children mostly stand in their order
+        let mut at = 0;
+        let mut fixed = 0_u32;
+        for child in element.children() {
+            let name = child.tag();
+            let is_taken = match schema.slot(name, at) {
+                None => false,
+                Some((number, known)) => {
+                    at = number;
+                    let kept = schema.content[number].kept().find(|(known, _)| known.name == name);
+                    let kept = kept.map_or(schema.content[number].at, |(_, kept)| kept);
+                    let is_first = fixed & 1 << number == 0;
+                    let is_taken = self.child(child, known, kept, part, is_first);
+                    fixed |= u32::from(is_taken) << number;
+                    is_taken
+                }
+            };
+            if !is_taken {
+                self.leftovers.element(child);
+            }
         }
     }
-}
 
-impl<T: Shape> ChildField for Option<T> {
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool {
-        let is_first = self.is_none();
-        if is_first {
-            *self = Some(T::read(child, leftovers));
+    /// Takes a child, and says whether the part has room for it.
+    fn child(
+        &mut self,
+        child: xml::Element<'a>,
+        schema: &'static schema::Element,
+        kept: Child,
+        part: &mut dyn Any,
+        is_first: bool,
+    ) -> bool {
+        if let Some((later, found)) = &mut self.passed_over
+            && child.tag() == *later
+        {
+            found.push(child);
+            return true;
         }
-        is_first
-    }
-
-    fn write(&self, name: &str, out: &mut Markup) {
-        self.iter().for_each(|part| Shape::write(part, name, out));
-    }
-}
-
-impl<T: Shape> ChildField for Vec<T> {
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool {
-        self.push(T::read(child, leftovers));
+        match kept {
+            Child::Nowhere | Child::Either(..) => return false,
+            Child::Same => self.part(child, schema, part),
+            Child::Fixed(expected) => {
+                let is_it = is_first && text::collapsed(&child.text()) == expected;
+                if is_it {
+                    self.attributes(child, |name, _| Some(name == n::text));
+                    child.children().for_each(|unknown| self.leftovers.element(unknown));
+                }
+                return is_it;
+            }
+            Child::Parts(lens) => {
+                let room = (lens.get_mut)(part).and_then(|parts| parts.add(child.tag()));
+                let Some(part) = room else { return false };
+                self.part(child, schema, part);
+            }
+            Child::Values(lens) => {
+                let room = (lens.get_mut)(part).and_then(|values| values.add());
+                let Some(field) = room else { return false };
+                let holder = schema.holder();
+                self.attributes(child, |name, text| Some(name == holder && field.accept(text)));
+                child.children().for_each(|unknown| self.leftovers.element(unknown));
+            }
+        }
         true
     }
 
-    fn write(&self, name: &str, out: &mut Markup) {
-        self.iter().for_each(|part| Shape::write(part, name, out));
-    }
-}
-
-impl<T: Shape> Shape for Box<T> {
-    fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Self {
-        Self::new(T::read(element, leftovers))
-    }
-
-    fn write(&self, name: &str, out: &mut Markup) {
-        Shape::write(&**self, name, out);
-    }
-}
-
-impl<F: AttributeField> ValueField for F {
-    fn accept<'a>(&mut self, child: Element<'a>, holder: &str, leftovers: &mut Leftovers<'a>) -> bool {
-        let is_first = !self.is_set();
-        if is_first {
-            read_attributes(child, leftovers, |name, text| {
-                name == holder && AttributeField::accept(self, text)
-            });
-            read_children(child, leftovers, |_, _| false);
+    /// Offers each attribute and the text of an element. What is not accepted is left over.
+    fn attributes(&mut self, element: xml::Element<'a>, mut accept: impl FnMut(Name, &str) -> Option<bool>) {
+        for attribute in element.attributes() {
+            if accept(attribute.tag(), &attribute.value()) != Some(true) {
+                self.leftovers.attribute(element, attribute);
+            }
         }
-        is_first
-    }
-
-    fn write(&self, name: &str, holder: &str, out: &mut Markup) {
-        if self.text().is_some() {
-            out.open(name);
-            write_attribute(self, holder, out);
-            out.close();
+        // an element around others has blanks between them
+        if element.has_text() {
+            if accept(n::text, &element.text()) != Some(true) {
+                self.leftovers.text(element);
+            }
+        } else if element.children().next().is_none() {
+            accept(n::text, &element.text());
         }
     }
 }
 
-impl ValueField for Vec<Box<str>> {
-    fn accept<'a>(&mut self, child: Element<'a>, holder: &str, leftovers: &mut Leftovers<'a>) -> bool {
-        let mut text = Box::<str>::default();
-        ValueField::accept(&mut text, child, holder, leftovers);
-        self.push(text);
-        true
-    }
-
-    fn write(&self, name: &str, holder: &str, out: &mut Markup) {
-        self.iter().for_each(|text| ValueField::write(text, name, holder, out));
-    }
+/// Writes a part as an element.
+pub(crate) fn write(part: &dyn Any, schema: &'static schema::Element, out: &mut Markup) {
+    out.open(schema);
+    write_content(part, schema, out);
+    out.close();
 }
 
-impl<V: Variant> Group for Vec<V> {
-    fn accept<'a>(&mut self, child: Element<'a>, leftovers: &mut Leftovers<'a>) -> bool {
-        let read = V::read(child, leftovers);
-        let is_one = read.is_some();
-        self.extend(read);
-        is_one
-    }
-
-    fn write(&self, out: &mut Markup) {
-        self.iter().for_each(|variant| variant.write(out));
-    }
-}
-
-/// Offers each attribute and the text of an element, which is called [`TEXT`]. What is not accepted is left over.
-fn read_attributes<'a>(
-    element: Element<'a>,
-    leftovers: &mut Leftovers<'a>,
-    mut accept: impl FnMut(&str, &str) -> bool,
-) {
-    for attribute in element.attributes() {
-        if !accept(attribute.name(), &attribute.value()) {
-            leftovers.attribute(element, attribute);
+fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Markup) {
+    let text_of = |attribute: &schema::Attribute| match attribute.at {
+        At::Text(lens) => (lens.get)(part).and_then(TextField::text),
+        _ => None,
+    };
+    for attribute in schema.attributes {
+        if let Some(text) = text_of(attribute) {
+            out.attribute(attribute.name, &text);
         }
     }
-    // an element around others has blanks between them
-    if element.has_text() {
-        if !accept(TEXT, &element.text()) {
-            leftovers.text(element);
-        }
-    } else if element.children().next().is_none() {
-        accept(TEXT, &element.text());
+    if let Some(text) = schema.text.as_ref().and_then(text_of) {
+        out.text(&text);
     }
-}
-
-/// Offers each child of an element. What is not accepted is left over.
-fn read_children<'a>(
-    element: Element<'a>,
-    leftovers: &mut Leftovers<'a>,
-    mut accept: impl FnMut(Element<'a>, &mut Leftovers<'a>) -> bool,
-) {
-    for child in element.children() {
-        if !accept(child, leftovers) {
-            leftovers.element(child);
+    for slot in schema.content {
+        for (element, kept) in slot.kept() {
+            // what the standard demands stands there even when it is empty
+            let is_demanded = slot.least > 0 && slot.of.len() == 1;
+            let open = |out: &mut Markup, element| match slot.need {
+                Need::Stray => out.open_local(element),
+                _ => out.open(element),
+            };
+            match kept {
+                Child::Nowhere | Child::Either(..) => {}
+                Child::Same => {
+                    if is_demanded {
+                        out.open(element)
+                    } else {
+                        out.open_unless_empty(element)
+                    }
+                    write_content(part, element, out);
+                    out.close();
+                }
+                Child::Fixed(text) => {
+                    out.open(element);
+                    out.text(text);
+                    out.close();
+                }
+                Child::Parts(lens) => {
+                    let Some(parts) = (lens.get)(part) else { continue };
+                    parts.each(&mut |name, part| {
+                        let known = name.map_or(Some(element), |name| slot.element(name));
+                        if let Some(element) = known {
+                            open(out, element);
+                            write_content(part, element, out);
+                            out.close();
+                        }
+                    });
+                }
+                Child::Values(lens) => {
+                    let Some(values) = (lens.get)(part) else { continue };
+                    values.each(&mut |text| {
+                        open(out, element);
+                        match element.holder() {
+                            n::text => out.text(text),
+                            holder => out.attribute(holder, text),
+                        }
+                        out.close();
+                    });
+                }
+            }
         }
-    }
-}
-
-/// Writes a field as an attribute or as the text of the element that was opened last.
-fn write_attribute(field: &impl AttributeField, name: &str, out: &mut Markup) {
-    match field.text() {
-        Some(text) if name == TEXT => out.text(&text),
-        Some(text) => out.attribute(name, &text),
-        None => {}
     }
 }

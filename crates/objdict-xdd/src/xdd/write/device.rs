@@ -1,25 +1,26 @@
 //! The device profile: identity, functions, the application process.
 
 use super::Writer;
-use crate::model::{ApplicationProcess, DeviceFunction, DeviceIdentity, DeviceInfo, Field, Label, Labels};
+use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label, Labels};
 use crate::xdd::defaults;
 use crate::xdd::markup::Markup;
-use crate::xdd::shape::{Identity, Shape};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
+use crate::xdd::shape::{self, Identity, MarkedText};
 
 impl Writer<'_> {
     pub(super) fn device_body(&self, out: &mut Markup) {
         let device = self.device;
         if let Some(identity) = self.identity() {
-            identity.write("DeviceIdentity", out);
+            shape::write(&identity, &DEVICE_IDENTITY, out);
         }
         if let Some(manager) = &device.manager {
-            Shape::write(&**manager, "DeviceManager", out);
+            shape::write(&**manager, &DEVICE_MANAGER, out);
         }
         for function in &device.functions {
-            complete(function).write("DeviceFunction", out);
+            shape::write(&complete(function), &DEVICE_FUNCTION, out);
         }
         if device.functions.is_empty() {
-            defaults::function().write("DeviceFunction", out);
+            shape::write(&defaults::function(), &DEVICE_FUNCTION, out);
         }
         self.application(out);
     }
@@ -38,29 +39,29 @@ impl Writer<'_> {
             let number = number.map(|number| format!("0x{number:08X}").into());
             number.or_else(|| info.misfits.get(&field).map(|misfit| misfit.text.clone()))
         };
-        let order_code = info.order_code.as_deref().map(Into::into);
-        let further = rest.further_order_numbers.iter().cloned();
+        let text = |text: &Option<String>| text.as_deref().map(|text| MarkedText::from(Box::from(text)));
+        let order_code = text(&info.order_code);
+        let further = std::mem::take(&mut rest.further_order_numbers);
         // the first of them is the order code
-        let is_missing = order_code.is_none() && further.len() > 0;
-        let order_numbers =
-            is_missing.then(Box::default).into_iter().chain(order_code).chain(further).collect();
-        let identity = Identity {
-            vendor_name: info.vendor_name.as_deref().map(Into::into),
-            vendor_id: hex(info.vendor_number, Field::VendorNumber),
-            product_name: info.product_name.as_deref().map(Into::into),
-            product_id: hex(info.product_number, Field::ProductNumber),
-            order_numbers,
-            rest: DeviceIdentity { further_order_numbers: Vec::new(), ..rest },
+        let is_missing = order_code.is_none() && !further.is_empty();
+        let first = is_missing.then(MarkedText::default).or(order_code);
+        let read_only = std::mem::take(&mut rest.read_only);
+        let mut identity = Identity {
+            vendor_name: text(&info.vendor_name),
+            vendor_id: hex(info.vendor_number, Field::VendorNumber).map(Into::into),
+            product_name: text(&info.product_name),
+            product_id: hex(info.product_number, Field::ProductNumber).map(Into::into),
+            order_numbers: first.into_iter().chain(further.into_iter().map(Into::into)).collect(),
+            ..rest.into()
         };
-        if identity == Identity::default() {
+        if identity == Identity::default() && read_only.is_empty() {
             return None;
         }
-        let stated = |name: Option<Box<str>>| Some(name.unwrap_or_else(|| defaults::NOT_STATED.into()));
-        Some(Identity {
-            vendor_name: stated(identity.vendor_name),
-            product_name: stated(identity.product_name),
-            ..identity
-        })
+        for name in [&mut identity.vendor_name, &mut identity.product_name] {
+            name.get_or_insert_with(|| Box::<str>::from(defaults::NOT_STATED).into());
+        }
+        identity.mark(&read_only);
+        Some(identity)
     }
 
     /// The application processes; the first one has the parameters of the entries and the types of their objects.
@@ -71,9 +72,9 @@ impl Writer<'_> {
         let own = std::mem::take(&mut first.parameters);
         first.parameters = self.parameters.all().cloned().chain(own).collect();
         if first != ApplicationProcess::default() {
-            first.write("ApplicationProcess", out);
+            shape::write(&first, &APPLICATION_PROCESS, out);
         }
-        processes.for_each(|process| process.write("ApplicationProcess", out));
+        processes.for_each(|process| shape::write(process, &APPLICATION_PROCESS, out));
     }
 }
 

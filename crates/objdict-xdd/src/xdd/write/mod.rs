@@ -1,7 +1,6 @@
 //! The canonical XDD and XDC of a device that has no source text: both profiles, complete as the schema of CiA 311 demands,
 //! and in its order. What the standard demands and the model does not have is in [`defaults`](super::defaults).
 
-mod attributes;
 mod device;
 mod network;
 mod objects;
@@ -9,11 +8,13 @@ mod parameters;
 mod types;
 
 use self::parameters::EntryParameters;
-use super::defaults;
+use super::layout::ProfileClass;
 use super::markup::{Body, Markup};
-use super::shape::{ProfileClass, write_header};
+use super::schema::PROFILE;
 use super::version::XddVersion;
-use crate::model::{Date, Device, Field, FileInfo};
+use super::{defaults, fact, shape};
+use crate::model::{Device, FileInfo, Misfit};
+use crate::xml::n;
 
 /// The canonical text of a device in a version of CiA 311, in UTF-8. What is configured for a node is written; of a device
 /// without it ([`Device::unconfigured`]) the text is an XDD.
@@ -42,10 +43,13 @@ impl Writer<'_> {
             ProfileClass::Device => (&headers.device, Body::Device),
             ProfileClass::Network => (&headers.network, Body::Network),
         };
-        out.open("ISO15745Profile");
-        write_header(&header.clone().unwrap_or_else(|| defaults::header(class)), class, out);
+        out.open(&PROFILE);
+        shape::write(&header.clone().unwrap_or_else(|| defaults::header(class)), class.header(), out);
         out.open_body(body);
-        self.file_attributes(class, out);
+        out.attribute(n::formatName, "CANopen");
+        out.attribute(n::formatVersion, "1.0");
+        let file = self.file(class);
+        fact::texts(&file, body.element(), true).iter().for_each(|(name, text)| out.attribute(*name, text));
         match class {
             ProfileClass::Device => self.device_body(out),
             ProfileClass::Network => self.network_body(out),
@@ -55,56 +59,33 @@ impl Writer<'_> {
     }
 
     /// What a body says of its file.
-    fn file_attributes(&self, class: ProfileClass, out: &mut Markup) {
-        let unknown = FileInfo::default();
-        let info = self.device.file_info.as_ref().unwrap_or(&unknown);
-        let of_network = self.device.headers.network_file.as_deref();
-        let network = of_network.filter(|_| class == ProfileClass::Network).unwrap_or(&unknown);
-        let misfit = |field: Field| {
-            let stated = network.misfits.get(&field).or_else(|| info.misfits.get(&field));
-            stated.map(|misfit| misfit.text.to_string())
-        };
-        let text = |own: &Option<String>, shared: &Option<String>| own.clone().or_else(|| shared.clone());
-        let date = |own: Option<Date>, shared: Option<Date>, field: Field| {
-            own.or(shared).map(Date::to_iso).or_else(|| misfit(field))
-        };
-        let time =
-            |own: Option<crate::model::ClockTime>, shared: Option<crate::model::ClockTime>, field: Field| {
-                own.or(shared).map(|time| time.to_iso(true)).or_else(|| misfit(field))
-            };
-        let mut put = |name: &str, text: Option<String>| {
-            if let Some(text) = text {
-                out.attribute(name, &text);
-            }
-        };
-        put("formatName", Some("CANopen".to_owned()));
-        put("formatVersion", Some("1.0".to_owned()));
-        let file_name = text(&network.file_name, &info.file_name);
-        put("fileName", Some(file_name.unwrap_or_else(|| defaults::FILE_NAME.to_owned())));
-        let creator = text(&network.created_by, &info.created_by);
-        put("fileCreator", Some(creator.unwrap_or_else(|| defaults::NOT_STATED.to_owned())));
-        let created = date(network.creation_date, info.creation_date, Field::CreationDate);
-        put("fileCreationDate", Some(created.unwrap_or_else(|| defaults::DATE.to_iso())));
-        put("fileCreationTime", time(network.creation_time, info.creation_time, Field::CreationTime));
-        put("fileModifiedBy", text(&network.modified_by, &info.modified_by));
-        let field = Field::ModificationDate;
-        put("fileModificationDate", date(network.modification_date, info.modification_date, field));
-        let field = Field::ModificationTime;
-        put("fileModificationTime", time(network.modification_time, info.modification_time, field));
-        put("fileVersion", Some(misfit(Field::FileVersion).unwrap_or_else(|| version(network, info))));
-        let languages = if network.languages.is_empty() { &info.languages } else { &network.languages };
-        put("supportedLanguages", Some(languages.join(" ")).filter(|languages| !languages.is_empty()));
-        if class == ProfileClass::Device {
-            let class = info.device_class.map(|class| class.name().to_owned());
-            put("deviceClass", class.or_else(|| misfit(Field::Named("deviceClass".into()))));
+    fn file(&self, class: ProfileClass) -> FileInfo {
+        let device = self.device.file_info.clone().unwrap_or_default();
+        let own = self.device.headers.network_file.as_deref().filter(|_| class == ProfileClass::Network);
+        let Some(own) = own.cloned() else { return device };
+        let mut misfits = own.misfits;
+        for Misfit { field, text, reason } in device
+            .misfits
+            .iter()
+            .filter(|misfit| misfits.get(&misfit.field).is_none())
+            .cloned()
+            .collect::<Vec<_>>()
+        {
+            misfits.push(field, &text, reason);
+        }
+        FileInfo {
+            file_name: own.file_name.or(device.file_name),
+            file_version: own.file_version.or(device.file_version),
+            file_revision: own.file_revision.or(device.file_revision),
+            creation_time: own.creation_time.or(device.creation_time),
+            creation_date: own.creation_date.or(device.creation_date),
+            created_by: own.created_by.or(device.created_by),
+            modification_time: own.modification_time.or(device.modification_time),
+            modification_date: own.modification_date.or(device.modification_date),
+            modified_by: own.modified_by.or(device.modified_by),
+            languages: if own.languages.is_empty() { device.languages } else { own.languages },
+            misfits,
+            ..FileInfo::default()
         }
     }
-}
-
-/// `version.revision`, or the version alone.
-fn version(network: &FileInfo, info: &FileInfo) -> String {
-    let version = network.file_version.or(info.file_version).map(|version| version.to_string());
-    let revision = network.file_revision.or(info.file_revision);
-    let version = version.unwrap_or_default();
-    revision.map_or(version.clone(), |revision| format!("{version}.{revision}"))
 }

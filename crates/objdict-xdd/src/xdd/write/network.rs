@@ -1,16 +1,21 @@
 //! The communication network profile but for its objects.
 
 use super::Writer;
-use super::attributes::{Attributes, misfit};
 use crate::model::{
-    Commissioning, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field, Misfits, NetworkIdentity,
-    Segment,
+    DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Misfits, NetworkIdentity, Segment,
 };
 use crate::xdd::defaults;
+use crate::xdd::fact::{self, hex as hex_number};
 use crate::xdd::markup::Markup;
-use crate::xdd::read::{DIRECTIONS, default_rate_field, hex as hex_number, range_length, supported_field};
-use crate::xdd::shape::{Identity, Shape};
+use crate::xdd::read::{DIRECTIONS, channel_field, default_rate_field, range_length, supported_field};
+use crate::xdd::schema::{
+    APPLICATION_LAYERS, BAUD_RATE, DEVICE_COMMISSIONING, DUMMY, DUMMY_USAGE, DYNAMIC_CHANNEL,
+    DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
+    PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
+};
+use crate::xdd::shape::{self, Identity, MarkedText};
 use crate::xdd::version::XddVersion;
+use crate::xml::{Name, n};
 
 /// The data types that may stand in `dummyUsage`.
 const DUMMIES: std::ops::RangeInclusive<u16> = 1..=7;
@@ -25,13 +30,8 @@ impl Writer<'_> {
     }
 
     fn application_layers(&self, info: &DeviceInfo, out: &mut Markup) {
-        out.open("ApplicationLayers");
-        if let Some(class) = &info.conformance_class {
-            out.attribute("conformanceClass", class);
-        }
-        if !info.communication_entities.is_empty() {
-            out.attribute("communicationEntityType", &info.communication_entities.join(" "));
-        }
+        out.open(&APPLICATION_LAYERS);
+        put(&fact::texts(info, &APPLICATION_LAYERS, false), out);
         if let Some(identity) = &self.device.network_identity {
             network_identity(identity, out);
         }
@@ -45,86 +45,95 @@ impl Writer<'_> {
         if let Some(modules) =
             self.device.module_objects.as_ref().filter(|_| out.version() > XddVersion::V1_0)
         {
-            Shape::write(&**modules, "moduleManagement", out);
+            shape::write(&**modules, &MODULE_MANAGEMENT, out);
         }
         out.close();
     }
 
     fn network_management(&self, info: &DeviceInfo, out: &mut Markup) {
-        let mut general = general_features(info);
-        let master = master_features(info);
+        let mut general = fact::texts(info, &GENERAL_FEATURES, false);
+        let master = fact::texts(info, &MASTER_FEATURES, false);
         let node = self.device.commissioning.as_ref();
         if general.is_empty() && master.is_empty() && node.is_none() {
             return;
         }
-        out.open("NetworkManagement");
-        out.open("CANopenGeneralFeatures");
-        general.demand("granularity", defaults::NUMBER);
-        general.write(out);
-        out.close();
-        if !master.is_empty() {
-            out.open("CANopenMasterFeatures");
-            master.write(out);
-            out.close();
+        if !general.iter().any(|(name, _)| *name == n::granularity) {
+            general.insert(0, (n::granularity, defaults::NUMBER.to_owned()));
         }
-        if let Some(node) = node {
-            commissioning(node, out);
+        let node = node.map(|node| fact::texts(node, &DEVICE_COMMISSIONING, true));
+        out.open(&NETWORK_MANAGEMENT);
+        let elements = [
+            (&GENERAL_FEATURES, general),
+            (&MASTER_FEATURES, master),
+            (&DEVICE_COMMISSIONING, node.unwrap_or_default()),
+        ];
+        for (element, attributes) in elements.into_iter().filter(|(_, attributes)| !attributes.is_empty()) {
+            out.open(element);
+            put(&attributes, out);
+            out.close();
         }
         out.close();
     }
 }
 
+fn put(attributes: &[(Name, String)], out: &mut Markup) {
+    attributes.iter().for_each(|(name, text)| out.attribute(*name, text));
+}
+
 fn network_identity(identity: &NetworkIdentity, out: &mut Markup) {
-    let identity = Identity {
-        vendor_id: identity.vendor_id.clone(),
-        product_id: identity.product_id.clone(),
-        rest: identity.identity.clone(),
-        ..Identity::default()
+    let mut rest = identity.identity.clone();
+    let read_only = std::mem::take(&mut rest.read_only);
+    let mut identity = Identity {
+        vendor_id: identity.vendor_id.clone().map(MarkedText::from),
+        product_id: identity.product_id.clone().map(MarkedText::from),
+        ..rest.into()
     };
-    identity.write("identity", out);
+    identity.mark(&read_only);
+    shape::write(&identity, &IDENTITY, out);
 }
 
 fn dummy_usage(usage: &DummyUsage, out: &mut Markup) {
-    out.open_unless_empty("dummyUsage");
+    out.open_unless_empty(&DUMMY_USAGE);
     let types = usage.types.iter().filter(|(data_type, _)| DUMMIES.contains(&data_type.0));
     let types = types.map(|(data_type, allowed)| format!("Dummy{:04X}={}", data_type.0, u8::from(*allowed)));
     let misfits = usage.misfits.iter().map(|misfit| format!("{}={}", misfit.field, misfit.text));
     for entry in types.chain(misfits) {
-        out.open("dummy");
-        out.attribute("entry", &entry);
+        out.open(&DUMMY);
+        out.attribute(n::entry, &entry);
         out.close();
     }
     out.close();
 }
 
 fn dynamic_channels(channels: &DynamicChannels, out: &mut Markup) {
-    out.open_unless_empty("dynamicChannels");
+    out.open_unless_empty(&DYNAMIC_CHANNELS);
     for (number, segment) in (1..).zip(&channels.segments) {
-        out.open("dynamicChannel");
-        dynamic_channel(number, segment, &channels.misfits).write(out);
+        out.open(&DYNAMIC_CHANNEL);
+        dynamic_channel(number, segment, &channels.misfits, out);
         out.close();
     }
     out.close();
 }
 
-fn dynamic_channel<'a>(number: usize, segment: &Segment, misfits: &'a Misfits) -> Attributes<'a> {
-    let mut attributes = Attributes::of(misfits);
-    let field = |word: &str| Field::Named(format!("{word}{number}").into());
-    let mut put = |name: &'static str, word: &str, text: Option<String>| {
-        attributes.text(name, &field(word), text);
-    };
+fn dynamic_channel(number: usize, segment: &Segment, misfits: &Misfits, out: &mut Markup) {
     let hex = |index: u16| format!("{index:04X}");
     let word =
         |eds: &str| DIRECTIONS.iter().find(|(_, known)| *known == eds).map_or(eds, |(xdd, _)| xdd).to_owned();
-    put("dataType", "Type", segment.data_type.map(|data_type| hex(data_type.0)));
-    put("accessType", "Dir", segment.direction.as_deref().map(word));
-    put("startIndex", "startIndex", segment.range.map(|(first, _)| hex(first)));
-    put("endIndex", "endIndex", segment.range.map(|(_, last)| hex(last)));
-    let number = segment.max_number.or_else(|| range_length(segment.range));
-    put("maxNumber", "maxNumber", number.map(|number| number.to_string()));
-    put("addressOffset", "PPOffset", segment.offset.as_deref().map(address_offset));
-    put("bitAlignment", "bitAlignment", segment.bit_alignment.map(|bits| bits.to_string()));
-    attributes
+    let length = segment.max_number.or_else(|| range_length(segment.range));
+    for (name, text) in [
+        (n::dataType, segment.data_type.map(|data_type| hex(data_type.0))),
+        (n::accessType, segment.direction.as_deref().map(word)),
+        (n::startIndex, segment.range.map(|(first, _)| hex(first))),
+        (n::endIndex, segment.range.map(|(_, last)| hex(last))),
+        (n::maxNumber, length.map(|number| number.to_string())),
+        (n::addressOffset, segment.offset.as_deref().map(address_offset)),
+        (n::bitAlignment, segment.bit_alignment.map(|bits| bits.to_string())),
+    ] {
+        let misfit = || Some(misfits.get(&channel_field(name, number))?.text.to_string());
+        if let Some(text) = text.or_else(misfit) {
+            out.attribute(name, &text);
+        }
+    }
 }
 
 /// The offset of a segment as pairs of hex digits, where it is a number: an EDS writes `0x100` or `256`.
@@ -156,19 +165,20 @@ fn transport_layers(info: &DeviceInfo, out: &mut Markup) {
     if words.is_empty() {
         words.push(bit_rate(defaults::BIT_RATE));
     }
-    out.open("TransportLayers");
-    out.open("PhysicalLayer");
-    out.open("baudRate");
-    let mut attributes = Attributes::default();
+    out.open(&TRANSPORT_LAYERS);
+    out.open(&PHYSICAL_LAYER);
+    out.open(&BAUD_RATE);
     let default = info.default_baud_rate.map(|rate| match rate {
         DefaultBaudRate::Kbit(kbit) => bit_rate(kbit),
         DefaultBaudRate::Auto => AUTO.to_owned(),
     });
-    attributes.put("defaultValue", default.or_else(|| misfit(&info.misfits, &default_rate_field())));
-    attributes.write(out);
+    let misfit = || Some(info.misfits.get(&default_rate_field())?.text.to_string());
+    if let Some(default) = default.or_else(misfit) {
+        out.attribute(n::defaultValue, &default);
+    }
     for word in words {
-        out.open("supportedBaudRate");
-        out.attribute("value", &word);
+        out.open(&SUPPORTED_BAUD_RATE);
+        out.attribute(n::value, &word);
         out.close();
     }
     for _ in 0..3 {
@@ -181,53 +191,4 @@ const AUTO: &str = "auto-baudRate";
 
 fn bit_rate(kbit: u16) -> String {
     format!("{kbit} Kbps")
-}
-
-fn general_features(info: &DeviceInfo) -> Attributes<'_> {
-    let mut attributes = Attributes::of(&info.misfits);
-    attributes.flag("groupMessaging", &Field::GroupMessaging, info.group_messaging);
-    attributes.number("dynamicChannels", &Field::DynamicChannelsSupported, info.dynamic_channels_supported);
-    attributes.flag("selfStartingDevice", &Field::Named("selfStartingDevice".into()), info.self_starting);
-    attributes.flag("SDORequestingDevice", &Field::Named("SDORequestingDevice".into()), info.sdo_requesting);
-    attributes.number("granularity", &Field::Granularity, info.granularity);
-    attributes.number("nrOfRxPDO", &Field::NrOfRxPdo, info.rpdo_count);
-    attributes.number("nrOfTxPDO", &Field::NrOfTxPdo, info.tpdo_count);
-    attributes.flag("bootUpSlave", &Field::SimpleBootUpSlave, info.simple_boot_up_slave);
-    attributes.flag("layerSettingServiceSlave", &Field::LssSupported, info.lss_supported);
-    attributes
-}
-
-fn master_features(info: &DeviceInfo) -> Attributes<'_> {
-    let mut attributes = Attributes::of(&info.misfits);
-    let mut named = |name: &'static str, flag| attributes.flag(name, &Field::Named(name.into()), flag);
-    named("flyingMaster", info.flying_master);
-    named("SDOManager", info.sdo_manager);
-    named("configurationManager", info.configuration_manager);
-    named("layerSettingServiceMaster", info.lss_master);
-    attributes.flag("bootUpMaster", &Field::SimpleBootUpMaster, info.simple_boot_up_master);
-    attributes
-}
-
-/// All six attributes, which the standard demands.
-fn commissioning(node: &Commissioning, out: &mut Markup) {
-    let text = |text: &Option<String>| text.clone().unwrap_or_else(|| defaults::NAME.to_owned());
-    let or = |text: Option<String>, field: Field, nothing: &str| {
-        Some(text.or_else(|| misfit(&node.misfits, &field)).unwrap_or_else(|| nothing.to_owned()))
-    };
-    let mut attributes = Attributes::default();
-    attributes.put("nodeID", or(node.node_id.map(|id| id.to_string()), Field::NodeId, defaults::NUMBER));
-    attributes.put("nodeName", Some(text(&node.node_name)));
-    attributes.put("actualBaudRate", or(node.baud_rate.map(bit_rate), Field::Baudrate, ""));
-    attributes.put(
-        "networkNumber",
-        or(node.net_number.map(|id| id.to_string()), Field::NetNumber, defaults::NUMBER),
-    );
-    attributes.put("networkName", Some(text(&node.network_name)));
-    attributes.put(
-        "CANopenManager",
-        or(node.manager.map(|is| is.to_string()), Field::CanOpenManager, defaults::FLAG),
-    );
-    out.open("deviceCommissioning");
-    attributes.write(out);
-    out.close();
 }

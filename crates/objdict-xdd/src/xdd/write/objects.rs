@@ -2,87 +2,76 @@
 
 use super::Writer;
 use crate::literal::{self, Spelling};
-use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, PdoMapping, Value};
-use crate::xdd::defaults;
+use crate::model::{DataType, Entry, Field, Object, ObjectList, Value};
 use crate::xdd::markup::Markup;
 use crate::xdd::read::{count, count_attribute};
-use crate::xdd::version::XddVersion;
+use crate::xdd::schema::{At, Attribute, Element, OBJECT, OBJECT_LIST, SUB_OBJECT};
+use crate::xdd::{defaults, fact};
+use crate::xml::n;
 
 /// The attribute that names the parameter of an entry. Among the unknown keys of an entry it names one of others.
-pub(super) const REFERENCE: &str = "uniqueIDRef";
-
-/// An attribute that version 1.0 does not have.
-const RANGE_SELECTOR: &str = "rangeSelector";
+pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
 impl Writer<'_> {
     /// `CANopenObjectList`, with the number of objects of each kind.
     pub(super) fn object_list(&self, out: &mut Markup) {
         let objects = &self.device.objects;
-        out.open("CANopenObjectList");
+        out.open(&OBJECT_LIST);
         for list in ObjectList::ALL {
             out.attribute(count_attribute(list), &count(objects.keys(), list).to_string());
         }
         for (&index, object) in objects {
-            self.object(index, object, out);
-        }
-        out.close();
-    }
-
-    fn object(&self, index: u16, object: &Object, out: &mut Markup) {
-        out.open("CANopenObject");
-        out.attribute("index", &format!("{index:04X}"));
-        let code = if object.orphan { defaults::ORPHAN } else { defaults::OBJECT_TYPE };
-        self.entry(index, None, &object.main, code, out);
-        let misfit = object.main.misfits.get(&Field::SubNumber).map(|misfit| misfit.text.to_string());
-        if let Some(number) = object.sub_number.map(|number| number.to_string()).or(misfit) {
-            out.attribute("subNumber", &number);
-        }
-        for (sub, entry) in object.subs.iter() {
-            out.open("CANopenSubObject");
-            out.attribute("subIndex", &format!("{sub:02X}"));
-            self.entry(index, Some(sub), entry, defaults::OBJECT_TYPE, out);
+            out.open(&OBJECT);
+            self.entry(&OBJECT, (index, None), &object.main, Some(object), out);
+            for (sub, entry) in object.subs.iter() {
+                out.open(&SUB_OBJECT);
+                self.entry(&SUB_OBJECT, (index, Some(sub)), entry, None, out);
+                out.close();
+            }
             out.close();
         }
         out.close();
     }
 
-    /// The attributes of an object or sub-object; `code` is the object type where none is stated.
-    fn entry(&self, index: u16, sub: Option<u8>, entry: &Entry, code: &str, out: &mut Markup) {
+    /// The attributes of an object or a sub-object.
+    fn entry(
+        &self,
+        element: &'static Element,
+        (index, sub): (u16, Option<u8>),
+        entry: &Entry,
+        object: Option<&Object>,
+        out: &mut Markup,
+    ) {
         let misfit = |field: &Field| entry.misfits.get(field).map(|misfit| misfit.text.to_string());
-        let value = |value: Option<&Value>, field: Field| value_text(index, entry, value, &field);
-        let mut put = |name: &str, text: Option<String>| {
-            if let Some(text) = text {
-                out.attribute(name, &text);
+        let text = |attribute: &Attribute| match attribute.name {
+            n::index => Some(format!("{index:04X}")),
+            n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
+            n::name => Some(entry.name.to_string()),
+            n::objectType => fact::text(entry, attribute).or_else(|| {
+                let is_orphan = object.is_some_and(|object| object.orphan);
+                Some(if is_orphan { defaults::ORPHAN } else { defaults::OBJECT_TYPE }.to_owned())
+            }),
+            // what is no data type stands there, though the parameter may tell the type
+            n::dataType => misfit(&Field::DataType).or_else(|| fact::text(entry, attribute)),
+            n::denotation => entry.configured.as_ref()?.denotation.as_deref().map(str::to_owned),
+            n::uniqueIDRef => {
+                let reference = entry.extra.get(REFERENCE).or_else(|| self.parameters.id(index, sub));
+                reference.map(str::to_owned)
             }
+            n::rangeSelector => entry.extra.get(attribute.name.text()).map(str::to_owned),
+            n::subNumber => {
+                let number = object?.sub_number.map(|number| number.to_string());
+                number.or_else(|| misfit(&Field::SubNumber))
+            }
+            _ => match attribute.at {
+                At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
+                _ => fact::text(entry, attribute),
+            },
         };
-        put("name", Some(entry.name.to_string()));
-        let object_type = entry.object_type.map(|object_type| object_type.code().to_string());
-        let object_type = object_type.or_else(|| misfit(&Field::ObjectType));
-        put("objectType", Some(object_type.unwrap_or_else(|| code.to_owned())));
-        let data_type = entry.data_type.map(|data_type| format!("{:04X}", data_type.0));
-        // what is no data type stands there, though the parameter may tell the type
-        put("dataType", misfit(&Field::DataType).or(data_type));
-        put("lowLimit", value(entry.low_limit.as_ref(), Field::LowLimit));
-        put("highLimit", value(entry.high_limit.as_ref(), Field::HighLimit));
-        let access = entry.access.map(|access| attribute_access(access).to_owned());
-        put("accessType", access.or_else(|| misfit(&Field::AccessType)));
-        put("defaultValue", value(entry.default.as_ref(), Field::DefaultValue));
-        put("actualValue", value(entry.configured_value(), Field::ParameterValue));
-        let denotation = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
-        put("denotation", denotation.map(str::to_owned));
-        let mapping = entry.pdo_mapping.map(|mapping| mapping_word(mapping).to_owned());
-        put("PDOmapping", mapping.or_else(|| misfit(&Field::PdoMapping)));
-        let flags = entry.flags.map(|flags| match flags.0 {
-            flags @ 0..=0xFFFF => format!("{flags:04X}"),
-            flags => format!("{flags:08X}"),
-        });
-        put("objFlags", flags.or_else(|| misfit(&Field::ObjFlags)));
-        let reference = entry.extra.get(REFERENCE).or_else(|| self.parameters.id(index, sub));
-        put(REFERENCE, reference.map(str::to_owned));
-        if out.version() == XddVersion::V1_1
-            && let Some(selector) = entry.extra.get(RANGE_SELECTOR)
-        {
-            out.attribute(RANGE_SELECTOR, selector);
+        for attribute in element.attributes {
+            if let Some(text) = text(attribute) {
+                out.attribute(attribute.name, &text);
+            }
         }
     }
 }
@@ -109,22 +98,4 @@ fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
 
 fn is_quoted(text: &str) -> bool {
     text.len() > 1 && text.starts_with('"') && text.ends_with('"')
-}
-
-/// The access type of an attribute, which knows nothing of process inputs and outputs; the parameter does.
-const fn attribute_access(access: Access) -> &'static str {
-    match access {
-        Access::Rwr | Access::Rww => Access::Rw.name(),
-        access => access.name(),
-    }
-}
-
-const fn mapping_word(mapping: PdoMapping) -> &'static str {
-    match mapping {
-        PdoMapping::No => "no",
-        PdoMapping::Default => "default",
-        PdoMapping::Optional => "optional",
-        PdoMapping::Tpdo => "TPDO",
-        PdoMapping::Rpdo => "RPDO",
-    }
 }

@@ -1,0 +1,388 @@
+//! What an EDS has too: attributes to fields of the model and back.
+
+use std::any::Any;
+use std::borrow::Cow;
+
+use super::defaults;
+use super::schema::{self, At, Attribute, Kind};
+use crate::diagnostic::Findings;
+use crate::literal::{self, Quirks};
+use crate::model::{
+    Access, ClockTime, Commissioning, DataType, Date, DeviceClass, DeviceInfo, Entry, FileInfo, Misfits,
+    ObjFlags, ObjectType, PdoMapping, Reason, Value,
+};
+use crate::source::Span;
+use crate::xml::{self, Element, Name};
+
+/// A text with where it stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Text<'a> {
+    /// The text, without blanks at its ends where it is an element's.
+    pub(crate) text: Cow<'a, str>,
+    /// Where it stands.
+    pub(crate) at: Span,
+}
+
+/// A part with facts.
+pub(crate) trait Facts: Any {
+    /// What is no value of its field.
+    fn misfits(&self) -> &Misfits;
+
+    /// The same, for reading.
+    fn misfits_mut(&mut self) -> &mut Misfits;
+}
+
+macro_rules! facts {
+    ($($Part:ty),+) => {$(
+        impl Facts for $Part {
+            fn misfits(&self) -> &Misfits {
+                &self.misfits
+            }
+
+            fn misfits_mut(&mut self) -> &mut Misfits {
+                &mut self.misfits
+            }
+        }
+    )+};
+}
+
+facts! { Commissioning, DeviceInfo, Entry, FileInfo }
+
+/// A field that is spelled in one way in CiA 311, and in many in the files.
+pub(crate) trait Fact {
+    /// Takes a text that says something.
+    fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason>;
+
+    /// The text of the value; `None` where there is none.
+    fn text(&self, known: &Attribute) -> Option<String>;
+}
+
+/// Gives the text of an attribute to its field, and says whether it has one.
+pub(crate) fn take(
+    part: &mut impl Facts,
+    known: &Attribute,
+    text: &Text<'_>,
+    findings: &mut Findings,
+) -> bool {
+    let At::Fact(at) = known.at else { return false };
+    let is_unstated = at.unstated.is_some_and(|nothing| text.text == nothing || text.trimmed() == nothing);
+    if !is_unstated
+        && let Some(fact) = (at.lens.get_mut)(part)
+        && let Err(reason) = fact.take(text, known, findings)
+        && let Some(field) = known.field()
+    {
+        part.misfits_mut().push(field, &text.text, reason);
+    }
+    true
+}
+
+/// The text of an attribute that a field has: its value, else what is none.
+pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
+    let At::Fact(at) = known.at else { return None };
+    let value = (at.lens.get)(part).and_then(|fact| fact.text(known));
+    value.or_else(|| Some(part.misfits().get(&known.field()?)?.text.to_string()))
+}
+
+/// The attributes of an element that fields have, in their order; with what stands for nothing where that is demanded.
+pub(crate) fn texts(
+    part: &impl Facts,
+    element: &'static schema::Element,
+    is_demanded: bool,
+) -> Vec<(Name, String)> {
+    let unstated = |known: &Attribute| match known.at {
+        At::Fact(at) => at.unstated.filter(|_| is_demanded).map(str::to_owned),
+        _ => None,
+    };
+    let attributes = element.attributes.iter();
+    attributes
+        .filter_map(|known| Some((known.name, text(part, known).or_else(|| unstated(known))?)))
+        .collect()
+}
+
+impl<'a> Text<'a> {
+    /// The value of an attribute.
+    pub(crate) fn of(attribute: xml::Attribute<'a>) -> Self {
+        Self { text: attribute.value(), at: attribute.value_span() }
+    }
+
+    /// The text of an element, without blanks at its ends.
+    pub(crate) fn in_element(element: Element<'a>) -> Self {
+        let text = match element.text() {
+            Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
+            Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
+        };
+        Self { text, at: element.text_span() }
+    }
+
+    /// The text without blanks at its ends.
+    pub(crate) fn trimmed(&self) -> &str {
+        self.text.trim_ascii()
+    }
+
+    /// A whole number from 0 to `most`, in decimal or behind `0x` in hex; `None` for an empty text.
+    pub(crate) fn integer<T: TryFrom<i128>>(
+        &self,
+        most: u64,
+        findings: &mut Findings,
+    ) -> Result<Option<T>, Reason> {
+        let text = self.trimmed();
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let mut quirks = Quirks::default();
+        let number = literal::integer(text, 0, most, &mut quirks)?;
+        literal::spelling(text, self.at, quirks, None, findings);
+        Ok(T::try_from(number).ok())
+    }
+
+    /// A word that `find` knows; `None` for an empty text.
+    pub(crate) fn word<T>(
+        &self,
+        find: impl FnOnce(&str) -> Option<T>,
+        reason: Reason,
+    ) -> Result<Option<T>, Reason> {
+        match self.trimmed() {
+            "" => Ok(None),
+            text => find(text).map(Some).ok_or(reason),
+        }
+    }
+
+    /// A number in hex, with or without `0x`, of at most `digits` digits.
+    pub(crate) fn hex(&self, digits: usize) -> Result<Option<u32>, Reason> {
+        self.word(|text| hex(text, digits), Reason::NotANumber)
+    }
+
+    /// A value of a data type; an empty text is none.
+    pub(crate) fn value(
+        &self,
+        data_type: Option<DataType>,
+        findings: &mut Findings,
+    ) -> Result<Option<Value>, Reason> {
+        let Some(text) = value_text(&self.text, data_type) else { return Ok(None) };
+        let mut quirks = Quirks::default();
+        let value = literal::value(text, data_type, &mut quirks)?;
+        literal::spelling(text, self.at, quirks, Some(&value), findings);
+        Ok(Some(value))
+    }
+}
+
+/// Fields of one word, by how it is read, what a wrong one is, and how it is written.
+macro_rules! words {
+    ($($Value:ty: $reason:ident, $read:expr, $write:expr;)+) => {$(
+        impl Fact for Option<$Value> {
+            fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+                *self = None;
+                *self = text.word($read, Reason::$reason)?;
+                Ok(())
+            }
+
+            fn text(&self, _: &Attribute) -> Option<String> {
+                self.map($write)
+            }
+        }
+    )+};
+}
+
+words! {
+    bool: UnknownWord, boolean, |flag| flag.to_string();
+    // a time zone behind the date is allowed, and says nothing
+    Date: NotADate, |text| Date::from_iso(text.get(..10).unwrap_or(text)), Date::to_iso;
+    ClockTime: NotAClockTime, ClockTime::from_iso, |time| time.to_iso(true);
+    DeviceClass: UnknownWord, DeviceClass::from_name, |class| class.name().to_owned();
+    Access: UnknownWord, Access::from_name, |access| attribute_access(access).to_owned();
+    PdoMapping: UnknownWord, pdo_mapping, |mapping| mapping_word(mapping).to_owned();
+    ObjFlags: NotANumber, |text| hex(text, 8).map(ObjFlags), |flags| match flags.0 {
+        flags @ 0..=0xFFFF => format!("{flags:04X}"),
+        flags => format!("{flags:08X}"),
+    };
+    // two or four hex digits, or a name
+    DataType: NotANumber, data_type, |data_type| format!("{:04X}", data_type.0);
+}
+
+/// Numbers, and bit rates in kbit/s.
+macro_rules! numbers {
+    ($($Number:ty)+) => {$(
+        impl Fact for Option<$Number> {
+            fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason> {
+                *self = None;
+                let most = match known.at {
+                    At::Fact(schema::FactAt { most: Some(most), .. }) => most,
+                    _ => u64::from(<$Number>::MAX),
+                };
+                *self = match known.kind {
+                    Kind::Rate => text.word(|text| bit_rate(text)?.try_into().ok(), Reason::UnknownWord)?,
+                    _ => text.integer(most, findings)?,
+                };
+                Ok(())
+            }
+
+            fn text(&self, known: &Attribute) -> Option<String> {
+                self.map(|number| if let Kind::Rate = known.kind { format!("{number} Kbps") } else { number.to_string() })
+            }
+        }
+    )+};
+}
+
+numbers! { u8 u16 u32 }
+
+impl Fact for Option<String> {
+    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+        *self = Some(text.trimmed().to_owned());
+        Ok(())
+    }
+
+    fn text(&self, _: &Attribute) -> Option<String> {
+        self.clone()
+    }
+}
+
+/// Words with blanks between them.
+impl Fact for Vec<Box<str>> {
+    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+        *self = text.text.split_ascii_whitespace().map(Into::into).collect();
+        Ok(())
+    }
+
+    fn text(&self, _: &Attribute) -> Option<String> {
+        (!self.is_empty()).then(|| self.join(" "))
+    }
+}
+
+/// `version.revision`, or the version alone.
+impl Fact for FileInfo {
+    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+        // as they are written back
+        let plain = |text: &str| text.parse().ok().filter(|number: &u8| number.to_string() == text);
+        let (version, revision) = text.trimmed().split_once('.').unwrap_or((text.trimmed(), ""));
+        let has_revision = text.trimmed().contains('.');
+        let (number, second) = (plain(version), plain(revision));
+        if number.is_none() && !version.is_empty() || second.is_none() && has_revision {
+            return Err(Reason::NotANumber);
+        }
+        (self.file_version, self.file_revision) = (number, second);
+        Ok(())
+    }
+
+    fn text(&self, _: &Attribute) -> Option<String> {
+        let version = self.file_version.map(|version| version.to_string());
+        match self.file_revision {
+            Some(revision) => Some(format!("{}.{revision}", version.unwrap_or_default())),
+            None => version,
+        }
+    }
+}
+
+/// A decimal object code, or the name of one.
+impl Fact for Option<ObjectType> {
+    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+        let word = text.trimmed();
+        if matches!(word, "" | defaults::OBJECT_TYPE | defaults::ORPHAN) {
+            return Ok(());
+        }
+        let named = |object_type: &ObjectType| object_type.name().eq_ignore_ascii_case(word);
+        let code = || literal::integer(word, 0, 255, &mut Quirks::default());
+        *self = match (0..=9).filter_map(ObjectType::from_code).find(named) {
+            Some(named) => Some(named),
+            None => u8::try_from(code()?).ok().and_then(ObjectType::from_code),
+        };
+        self.map(|_| ()).ok_or(Reason::UnknownWord)
+    }
+
+    fn text(&self, _: &Attribute) -> Option<String> {
+        self.map(|object_type| object_type.code().to_string())
+    }
+}
+
+fn data_type(word: &str) -> Option<DataType> {
+    let index = hex(word, 4).and_then(|index| u16::try_from(index).ok());
+    index.map(DataType).or_else(|| DataType::from_name(word))
+}
+
+/// The access type of an attribute, which knows nothing of process inputs and outputs; the parameter does.
+const fn attribute_access(access: Access) -> &'static str {
+    match access {
+        Access::Rwr | Access::Rww => Access::Rw.name(),
+        access => access.name(),
+    }
+}
+
+const MAPPINGS: [(&str, PdoMapping); 5] = [
+    ("no", PdoMapping::No),
+    ("default", PdoMapping::Default),
+    ("optional", PdoMapping::Optional),
+    ("TPDO", PdoMapping::Tpdo),
+    ("RPDO", PdoMapping::Rpdo),
+];
+
+fn mapping_word(mapping: PdoMapping) -> &'static str {
+    MAPPINGS.iter().find(|(_, known)| *known == mapping).map_or("no", |(word, _)| word)
+}
+
+fn pdo_mapping(word: &str) -> Option<PdoMapping> {
+    let known = MAPPINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word));
+    // what an EDS writes
+    let flag = || boolean(word).map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
+    known.map(|(_, mapping)| mapping).or_else(flag)
+}
+
+/// The part of a text that is a value: blanks at its ends only belong to strings. `None` for an empty one.
+pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
+    let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
+    let text = if is_string { text } else { text.trim_ascii() };
+    Some(text).filter(|text| !text.is_empty())
+}
+
+/// A number in hex, with or without `0x`, of at most `digits` digits.
+pub(crate) fn hex(text: &str, digits: usize) -> Option<u32> {
+    let text = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
+    let is_hex = (1..=digits).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if is_hex { u32::from_str_radix(text, 16).ok() } else { None }
+}
+
+/// A truth value of XML Schema, in any case.
+pub(crate) fn boolean(text: &str) -> Option<bool> {
+    match () {
+        () if text == "1" || text.eq_ignore_ascii_case("true") => Some(true),
+        () if text == "0" || text.eq_ignore_ascii_case("false") => Some(false),
+        () => None,
+    }
+}
+
+/// A bit rate: `250 Kbps`, or as other tools spell it.
+pub(crate) fn bit_rate(text: &str) -> Option<u16> {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let unit = text[digits..].trim_ascii().to_ascii_lowercase();
+    let number: u32 = text[..digits].parse().ok()?;
+    let kbit = match unit.as_str() {
+        "" | "kbps" | "kbit/s" | "kbits/s" | "kb/s" | "kbit" | "kbaud" | "k" => number,
+        "mbps" | "mbit/s" => number.checked_mul(1000)?,
+        "bps" | "bit/s" if number.is_multiple_of(1000) => number / 1000,
+        _ => return None,
+    };
+    u16::try_from(kbit).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bit_rates_in_the_spellings_of_real_files() {
+        for text in ["250 Kbps", "250 kbit/s", "250Kbps", "250", "250000 bit/s"] {
+            assert_eq!(bit_rate(text), Some(250), "{text}");
+        }
+        assert_eq!(bit_rate("1 Mbit/s"), Some(1000));
+        for text in ["", "fast", "250 rpm", "70000 Kbps", "-5 Kbps", "1.5 Mbps"] {
+            assert_eq!(bit_rate(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn hex_digits_with_and_without_a_prefix() {
+        assert_eq!(hex("1018", 4), Some(0x1018));
+        assert_eq!(hex("0x1a", 4), Some(0x1A));
+        for text in ["", "0x", "1 8", "+18", "12345", "10G0"] {
+            assert_eq!(hex(text, 4), None, "{text}");
+        }
+    }
+}

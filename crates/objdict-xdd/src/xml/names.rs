@@ -1,0 +1,156 @@
+//! The names of CiA 311 as small numbers: a tree looks each name up once, when it is built, and whoever reads, checks or
+//! locates compares numbers.
+
+use super::tree::{Attribute, Element};
+
+/// A name of CiA 311. All other names are [`Name::OTHER`], which is the name of nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name(u16);
+
+/// What elements and attributes can be asked for: a name of CiA 311, or any text.
+pub trait Called: Copy {
+    /// Whether an element has the name, whatever its prefix.
+    fn is_element(self, element: Element<'_>) -> bool;
+
+    /// Whether an attribute has the name, whatever its prefix.
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool;
+}
+
+impl Called for Name {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.tag() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.tag() == self
+    }
+}
+
+impl Called for &str {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.name() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.name() == self
+    }
+}
+
+/// A power of two, several times the number of names.
+const PLACES: usize = 1024;
+
+/// The number of each name at the place of its hash, or at the next free one.
+static TABLE: [u16; PLACES] = {
+    let mut table = [0; PLACES];
+    let mut number = 1;
+    while number < WORDS.len() {
+        let mut place = hash(WORDS[number].as_bytes());
+        while table[place] != 0 {
+            place = (place + 1) % PLACES;
+        }
+        table[place] = number as u16;
+        number += 1;
+    }
+    table
+};
+
+/// Depends on the length and on the bytes at the ends and in the middle.
+const fn hash(name: &[u8]) -> usize {
+    let length = name.len();
+    if length == 0 {
+        return 0;
+    }
+    let ends = name[0] as usize * 31 + name[length - 1] as usize * 7;
+    let middle = name[length / 2] as usize * 131 + name[length / 4] as usize * 17;
+    (ends + middle + length * 67) % PLACES
+}
+
+impl Name {
+    /// Any name that CiA 311 does not have.
+    pub const OTHER: Self = Self(0);
+
+    /// The name in a text.
+    pub fn of(text: &str) -> Self {
+        let mut place = hash(text.as_bytes());
+        loop {
+            let number = TABLE[place];
+            if number == 0 || WORDS[number as usize] == text {
+                return Self(number);
+            }
+            place = (place + 1) % PLACES;
+        }
+    }
+
+    /// As CiA 311 spells it.
+    pub const fn text(self) -> &'static str {
+        WORDS[self.0 as usize]
+    }
+}
+
+/// Declares a constant for each name, called like it; a keyword has another text behind it.
+macro_rules! names {
+    ($($name:ident $($text:literal)?)+) => {
+        /// Each name by itself.
+        #[allow(non_upper_case_globals, missing_docs)]
+        pub mod n {
+            use super::Name;
+
+            #[allow(non_camel_case_types)]
+            enum Number { _Other, $($name),+ }
+            $(pub const $name: Name = Name(Number::$name as u16);)+
+        }
+
+        static WORDS: &[&str] = &["", $(names!(@ $name $($text)?)),+];
+    };
+    (@ $name:ident) => { stringify!($name) };
+    (@ $name:ident $text:literal) => { $text };
+}
+
+names! {
+    text "#text" access accessList accessType actualBaudRate actualValue AdditionalInformation address
+    addressing addressMax addressMin addressOffset allowedValues allowedValuesTemplate ApplicationLayers
+    ApplicationProcess array author baseIndex baudRate bitAlignment BITSTRING BOOL bootUpMaster bootUpSlave
+    buildDate BYTE CANopenGeneralFeatures CANopenManager CANopenMasterFeatures CANopenObject CANopenObjectList
+    CANopenSubObject capabilities category CHAR characteristic characteristicContent characteristicName
+    characteristicsList childID childIDRef combinedState communicationEntityType compliantWith
+    conditionalSupport configurationManager configVars conformanceClass connectedModule connectedModuleList
+    connection count dataType dataTypeIDRef dataTypeList date defaultValue denotation derived description
+    descriptionRef destination deviceClass deviceCommissioning deviceFamily DeviceFunction DeviceIdentity
+    DeviceManager dictID dictionary dictionaryList DINT dummy dummyUsage DWORD dynamicChannel dynamicChannels
+    endIndex entry r#enum "enum" enumValue ExternalProfileHandle file fileCreationDate fileCreationTime
+    fileCreator fileList fileModificationDate fileModificationTime fileModifiedBy fileName fileVersion
+    flashingPeriod flyingMaster formatName formatVersion functionInstance functionInstanceList functionType
+    functionTypeList granularity groupMessaging highLimit IASInterfaceType identity impulsWidth index
+    indicatorList initialValue inputVars instanceIDRef instanceName INT interface interfaceList
+    ISO15745Edition ISO15745Part ISO15745Profile ISO15745ProfileContainer ISO15745Reference kindOfAccess label
+    labelRef lang layerSettingServiceMaster layerSettingServiceSlave LED LEDcolor LEDcolors LEDList LEDstate
+    LEDstateRef LEDtype LINT lowerLimit lowLimit LREAL LWORD mandatoryObjects manufacturerObjects maxChilds
+    maxCount maxIndex maxNumber maxSubIndex maxValue memberRef minValue moduleInterface moduleInterfaceList
+    moduleManagement moduleType moduleTypeList multipleChilds multiplier name NetworkManagement networkName
+    networkNumber NodeID nodeID nodeName nrOfRxPDO nrOfTxPDO number numberOfImpulses objectType objFlags
+    offset optionalObjects orderNumber organization outputVars package parameter parameterGroup
+    parameterGroupList parameterList parameterRef parameterTemplate paramIDRef PDOmapping persistent
+    PhysicalLayer picture picturesList position productFamily productID productName productText ProfileBody
+    ProfileClassID ProfileDate ProfileHeader ProfileIdentification ProfileLocation ProfileName ProfileRevision
+    ProfileSource ProfileTechnology property range rangeList rangeSelector readOnly REAL SDOManager
+    SDORequestingDevice selfStartingDevice signed SINT size sortMode sortNumber sortStep source
+    specificationRevision standardComplianceList start startIndex state stateIDRef step STRING
+    r#struct "struct" subIndex subNumber subrange substituteValue support supportedBaudRate supportedLanguages
+    templateIDRef templateList textID TransportLayers r#type "type" typeIDRef UDINT UINT ULINT uniqueID
+    uniqueIDRef unit unitURI unusedSlots upperLimit URI USINT value varDeclaration variableIDRef variableRef
+    vendorID vendorName vendorText version versionInfo versionType WORD WSTRING
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_is_found() {
+        for (number, word) in (0..).zip(WORDS).skip(1) {
+            assert_eq!(Name::of(word), Name(number), "{word}");
+            assert_eq!(Name::of(&format!("{word}x")), Name::OTHER);
+        }
+        assert_eq!((Name::of(""), Name::of("r#type"), n::r#type.text()), (Name::OTHER, Name::OTHER, "type"));
+    }
+}
