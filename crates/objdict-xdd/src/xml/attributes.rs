@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::build::{Builder, MAX_NAME};
-use super::chars::prefix_length;
+use super::chars::{is_blank, plain_name_length, plain_value_length, prefix_length};
 use super::findings::{self as rules, shown};
 use super::names::Name;
 use super::namespaces::{XML, XMLNS};
@@ -20,6 +20,62 @@ const MAX_ATTRIBUTES: usize = 256;
 const FEW: usize = 16;
 
 impl<'a> Builder<'a, '_> {
+    /// Takes the attributes from `at` on where all are healthy, have names of CiA 311 without prefix and values without
+    /// references: nearly always. Gives the end of the tag, and whether it is `<a/>`; `None` where nothing was taken.
+    pub(super) fn plain_attributes(&mut self, at: usize) -> Option<(usize, bool)> {
+        let first = self.parts.attributes.len();
+        let found = self.plain_attributes_behind(first, at);
+        if found.is_none() {
+            self.parts.attributes.truncate(first);
+        }
+        found
+    }
+
+    fn plain_attributes_behind(&mut self, first: usize, mut at: usize) -> Option<(usize, bool)> {
+        let bytes = self.text.as_bytes();
+        loop {
+            let before = at;
+            while is_blank(*bytes.get(at)?) {
+                at += 1;
+            }
+            match bytes[at..] {
+                [b'>', ..] => return Some((at + 1, false)),
+                [b'/', b'>', ..] => return Some((at + 2, true)),
+                _ if at == before || self.parts.attributes.len() >= first + MAX_ATTRIBUTES => return None,
+                _ => {}
+            }
+            let length = plain_name_length(&bytes[at..]);
+            let tag = Name::of_bytes(&bytes[at..at + length]);
+            let (name, value) = (at, at + length + 2);
+            let &[b'=', quote @ (b'"' | b'\'')] = bytes.get(at + length..value)? else { return None };
+            let mut end = value;
+            let mut is_plain = true;
+            loop {
+                end += plain_value_length(bytes.get(end..)?);
+                match *bytes.get(end)? {
+                    byte if byte == quote => break,
+                    b'<' | b'&' => return None,
+                    byte => is_plain &= !matches!(byte, b'\t' | b'\n' | b'\r'),
+                }
+                end += 1;
+            }
+            let is_known = self.parts.attributes[first..].iter().any(|known| known.tag == tag);
+            if tag == Name::OTHER || is_known {
+                return None;
+            }
+            self.parts.attributes.push(AttributeRecord {
+                name: name as u32,
+                value: value as u32,
+                value_end: end as u32,
+                name_length: length as u16,
+                prefix_length: 0,
+                tag,
+                is_plain,
+            });
+            at = end + 1;
+        }
+    }
+
     /// Collects the attributes of the tag with this name. Gives the end of the tag, and whether it is `<a/>`.
     pub(super) fn tag(&mut self, name: Range<usize>, is_read: bool) -> (usize, bool) {
         let text = self.text;
@@ -121,6 +177,12 @@ impl<'a> Builder<'a, '_> {
             }
         }
         self.raw = raw;
+        self.name_element(name);
+        self.check_prefixes(first);
+    }
+
+    /// Finds the name and the namespace of the newest element, whose attributes were taken.
+    pub(super) fn name_element(&mut self, name: Range<usize>) {
         let (element_prefix, tag) = self.prefix_of(Self::span(name.start, name.end));
         let namespace = self.namespace_of(Self::span(name.start, name.end), element_prefix);
         if let Some(record) = self.parts.elements.last_mut() {
@@ -128,7 +190,6 @@ impl<'a> Builder<'a, '_> {
             record.namespace = namespace;
             record.tag = tag;
         }
-        self.check_prefixes(first);
     }
 
     fn duplicate(&mut self, name: Span, known: Span) {
@@ -207,7 +268,8 @@ impl<'a> Builder<'a, '_> {
 
     /// The namespace of an element's or attribute's name.
     fn namespace_of(&mut self, name: Span, prefix_length: usize) -> u32 {
-        let prefix = &name.of(self.text)[..prefix_length.saturating_sub(1)];
+        let text = self.text;
+        let prefix = &name.of(text)[..prefix_length.saturating_sub(1)];
         let found = self.namespaces.of(prefix);
         if found.is_none() {
             self.report(&rules::UNBOUND_PREFIX, || {

@@ -188,15 +188,13 @@ impl<'a, 'f> Builder<'a, 'f> {
     /// Reads the text from `start` up to the next tag; says where to go on.
     fn run(&mut self, start: usize) -> usize {
         let rest = &self.text.as_bytes()[start..];
+        let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();
+        if rest.get(blanks).is_none_or(|&byte| byte == b'<') {
+            return start + blanks;
+        }
         let length = memchr::memchr(b'<', rest).unwrap_or(rest.len());
         if self.open.is_empty() || self.is_skipping() {
-            if rest[..length].iter().all(|&byte| is_blank(byte)) {
-                return start + length;
-            }
             return self.by_reader(start);
-        }
-        if rest[..length].iter().all(|&byte| is_blank(byte)) {
-            return start + length;
         }
         self.mark_text();
         self.text_event(start, start + length);
@@ -380,7 +378,9 @@ impl<'a, 'f> Builder<'a, 'f> {
             return self.lone_less_than(start);
         }
         let is_read = self.may_open(start, name.len());
-        let (end, is_empty) = self.tag(name.clone(), is_read);
+        let first = self.parts.attributes.len();
+        let plain = if is_read { self.plain_attributes(name.end) } else { None };
+        let (end, is_empty) = plain.unwrap_or_else(|| self.tag(name.clone(), is_read));
         if !is_read {
             self.skip_tag(start, end, is_empty);
             return end;
@@ -400,14 +400,17 @@ impl<'a, 'f> Builder<'a, 'f> {
             end: end as u32,
             parent: parent_id,
             next: NONE,
-            attributes: self.parts.attributes.len() as u32,
+            attributes: first as u32,
             namespace: NONE,
             name_length: name.len() as u16,
             prefix_length: 0,
             tag: Name::OTHER,
             has_text: false,
         });
-        self.attributes(name.clone());
+        match plain {
+            Some(_) => self.name_element(name.clone()),
+            None => self.attributes(name.clone()),
+        }
         if is_empty {
             self.namespaces.forget(namespaces);
         } else {
@@ -482,6 +485,15 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     /// Reads the end tag at `start`; says where to go on.
     fn end_tag(&mut self, start: usize) -> usize {
+        let bytes = self.text.as_bytes();
+        if let (Some(open), None) = (self.open.last(), &self.skip) {
+            let name = &bytes[open.name.start as usize..open.name.end as usize];
+            let end = start + 2 + name.len();
+            if bytes.get(start + 2..end) == Some(name) && bytes.get(end) == Some(&b'>') {
+                self.close(start, end + 1);
+                return end + 1;
+            }
+        }
         let name = start + 2..start + 2 + name_length(&self.text.as_bytes()[start + 2..]);
         let behind = self.find(name.end, |byte| !is_blank(byte));
         let stop = self.find(behind, |byte| matches!(byte, b'<' | b'>'));

@@ -9,6 +9,9 @@ const NAME_START: u8 = 4;
 /// An ASCII character that names have.
 const NAME: u8 = 8;
 
+/// Ends the value of an attribute, or says that it means something else than it says.
+const STOP: u8 = 16;
+
 /// What each byte is.
 const CLASSES: [u8; 256] = {
     let mut classes = [0; 256];
@@ -21,6 +24,9 @@ const CLASSES: [u8; 256] = {
         }
         if matches!(character, '=' | '>' | '<' | '/' | '"' | '\'' | '?') {
             class |= ENDS_NAME;
+        }
+        if matches!(character, '"' | '\'' | '<' | '&' | '\t' | '\n' | '\r') {
+            class |= STOP;
         }
         if is_name_start(character) {
             class |= NAME_START;
@@ -42,6 +48,16 @@ pub(super) const fn is_blank(byte: u8) -> bool {
 /// Whether a byte ends a name in a tag, be it a good name or not.
 pub(super) const fn ends_name(byte: u8) -> bool {
     CLASSES[byte as usize] & ENDS_NAME != 0
+}
+
+/// How many bytes from the start are of names in ASCII without colon.
+pub(super) fn plain_name_length(bytes: &[u8]) -> usize {
+    bytes.iter().take_while(|byte| CLASSES[usize::from(**byte)] & NAME != 0).count()
+}
+
+/// How many bytes from the start are of a value that means what it says.
+pub(super) fn plain_value_length(bytes: &[u8]) -> usize {
+    bytes.iter().take_while(|byte| CLASSES[usize::from(**byte)] & STOP == 0).count()
 }
 
 /// Whether `text` is nothing but white space.

@@ -71,10 +71,15 @@ impl Name {
 
     /// The name in a text.
     pub fn of(text: &str) -> Self {
-        let mut place = hash(text.as_bytes());
+        Self::of_bytes(text.as_bytes())
+    }
+
+    /// The name in the bytes of a text.
+    pub(super) fn of_bytes(text: &[u8]) -> Self {
+        let mut place = hash(text);
         loop {
             let number = TABLE[place];
-            if number == 0 || WORDS[number as usize] == text {
+            if number == 0 || WORDS[number as usize].as_bytes() == text {
                 return Self(number);
             }
             place = (place + 1) % PLACES;

@@ -15,6 +15,8 @@ pub(super) struct Namespaces<'a> {
     /// The namespace of each prefix; that of the empty one is the default.
     current: HashMap<&'a str, u32>,
     default: u32,
+    /// The prefix that was asked for last, and its namespace: most elements have the same.
+    last: Option<(&'a str, u32)>,
     /// What a declaration hid, for the end of its element.
     hidden: Vec<(&'a str, Option<u32>)>,
     uris: Vec<Box<str>>,
@@ -26,6 +28,7 @@ impl<'a> Namespaces<'a> {
         let mut namespaces = Self {
             current: HashMap::new(),
             default: NONE,
+            last: None,
             hidden: Vec::new(),
             uris: Vec::new(),
             numbers: HashMap::new(),
@@ -36,12 +39,20 @@ impl<'a> Namespaces<'a> {
     }
 
     /// The namespace of a prefix, [`NONE`] for none; `None` for a prefix that is not declared.
-    pub(super) fn of(&self, prefix: &str) -> Option<u32> {
-        if prefix.is_empty() { Some(self.default) } else { self.current.get(prefix).copied() }
+    pub(super) fn of(&mut self, prefix: &'a str) -> Option<u32> {
+        match self.last {
+            _ if prefix.is_empty() => return Some(self.default),
+            Some((last, number)) if last == prefix => return Some(number),
+            _ => {}
+        }
+        let number = self.current.get(prefix).copied()?;
+        self.last = Some((prefix, number));
+        Some(number)
     }
 
     /// Takes a declaration, until [`forget`](Self::forget) goes back behind it.
     pub(super) fn declare(&mut self, prefix: &'a str, uri: &str) {
+        self.last = None;
         let number = if uri.is_empty() { NONE } else { self.number(uri) };
         if prefix.is_empty() {
             self.hidden.push((prefix, Some(self.default)));
@@ -59,6 +70,7 @@ impl<'a> Namespaces<'a> {
     /// Takes back the declarations since `mark`.
     pub(super) fn forget(&mut self, mark: usize) {
         while self.hidden.len() > mark {
+            self.last = None;
             match self.hidden.pop() {
                 Some(("", before)) => self.default = before.unwrap_or(NONE),
                 Some((prefix, Some(before))) => {

@@ -95,7 +95,7 @@ pub struct Element<'a> {
 pub struct Attribute<'a> {
     tree: &'a Tree,
     element: u32,
-    record: AttributeRecord,
+    number: u32,
 }
 
 impl Tree {
@@ -161,12 +161,15 @@ impl Tree {
         ((id as usize) < self.parts.elements.len()).then_some(Element { tree: self, id })
     }
 
+    fn attribute_numbers(&self, id: u32) -> std::ops::Range<u32> {
+        let first = |id: u32| self.parts.elements.get(id as usize).map(|record| record.attributes);
+        let end = || self.parts.attributes.len() as u32;
+        first(id).unwrap_or_else(end)..first(id + 1).unwrap_or_else(end)
+    }
+
     fn attributes_of(&self, id: u32) -> &[AttributeRecord] {
-        let first = |id: usize| self.parts.elements.get(id).map(|record| record.attributes as usize);
-        let id = id as usize;
-        let start = first(id).unwrap_or(0);
-        let end = first(id + 1).unwrap_or(self.parts.attributes.len());
-        self.parts.attributes.get(start..end).unwrap_or_default()
+        let numbers = self.attribute_numbers(id);
+        self.parts.attributes.get(numbers.start as usize..numbers.end as usize).unwrap_or_default()
     }
 }
 
@@ -246,17 +249,13 @@ impl<'a> Element<'a> {
 
     /// The attributes in their order, without those that declare namespaces.
     pub fn attributes(self) -> impl Iterator<Item = Attribute<'a>> {
-        let attributes = self.tree.attributes_of(self.id).iter().filter(|record| !record.declares());
-        attributes.map(move |&record| Attribute { tree: self.tree, element: self.id, record })
+        self.all_attributes().filter(|attribute| !attribute.record().declares())
     }
 
     /// The attributes in their order, those that declare namespaces among them.
     pub(super) fn all_attributes(self) -> impl Iterator<Item = Attribute<'a>> {
-        let attributes = self.tree.attributes_of(self.id).iter();
-        attributes.map(move |&record| {
-            let record = AttributeRecord { prefix_length: record.prefix_length & !DECLARES, ..record };
-            Attribute { tree: self.tree, element: self.id, record }
-        })
+        let numbers = self.tree.attribute_numbers(self.id);
+        numbers.map(move |number| Attribute { tree: self.tree, element: self.id, number })
     }
 
     /// The first attribute of this local name, whatever its prefix.
@@ -383,21 +382,26 @@ impl fmt::Debug for Element<'_> {
 }
 
 impl<'a> Attribute<'a> {
+    fn record(self) -> &'a AttributeRecord {
+        &self.tree.parts.attributes[self.number as usize]
+    }
+
     /// The local name.
     pub fn name(self) -> &'a str {
         let name = self.name_span();
-        Span::new(name.start + u32::from(self.record.prefix_length), name.end).of(self.tree.text())
+        Span::new(name.start + u32::from(self.record().prefix_length & !DECLARES), name.end)
+            .of(self.tree.text())
     }
 
     /// The local name, if it is one of CiA 311.
     pub fn tag(self) -> Name {
-        self.record.tag
+        self.record().tag
     }
 
     /// The prefix; empty where there is none.
     pub fn prefix(self) -> &'a str {
-        let start = self.record.name;
-        let end = (start + u32::from(self.record.prefix_length)).saturating_sub(1);
+        let start = self.record().name;
+        let end = (start + u32::from(self.record().prefix_length & !DECLARES)).saturating_sub(1);
         Span::new(start, end).of(self.tree.text())
     }
 
@@ -416,7 +420,7 @@ impl<'a> Attribute<'a> {
 
     /// The value: references resolved, literal line ends and tabs made blanks.
     pub fn value(self) -> Cow<'a, str> {
-        if self.record.is_plain {
+        if self.record().is_plain {
             return Cow::Borrowed(self.value_span().of(self.tree.text()));
         }
         self.tree.parts.entities.value(self.value_span().of(self.tree.text()))
@@ -424,19 +428,19 @@ impl<'a> Attribute<'a> {
 
     /// From the name to the closing quote.
     pub fn span(self) -> Span {
-        let end = self.record.value_end as usize;
+        let end = self.record().value_end as usize;
         let is_quoted = matches!(self.tree.text().as_bytes().get(end), Some(b'"' | b'\''));
-        Span::new(self.record.name, self.record.value_end + u32::from(is_quoted))
+        Span::new(self.record().name, self.record().value_end + u32::from(is_quoted))
     }
 
     /// The name with its prefix.
     pub fn name_span(self) -> Span {
-        Span::new(self.record.name, self.record.name + u32::from(self.record.name_length))
+        Span::new(self.record().name, self.record().name + u32::from(self.record().name_length))
     }
 
     /// The value without its quotes.
     pub fn value_span(self) -> Span {
-        Span::new(self.record.value, self.record.value_end)
+        Span::new(self.record().value, self.record().value_end)
     }
 }
 
