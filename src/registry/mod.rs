@@ -10,7 +10,7 @@ use crate::{format, lint};
 
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {
-    let of_linter = lint::RULES.iter().map(|rule| &rule.info);
+    let of_linter = lint::rules().map(|rule| &rule.info);
     let mut rules: Vec<_> = format::rules().chain(of_linter).chain(own::RULES.iter().copied()).collect();
     rules.sort_by_key(|rule| rule.id);
     rules

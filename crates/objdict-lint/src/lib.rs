@@ -29,7 +29,7 @@ pub use options::Options;
 pub(crate) use respell::{nearest_access, respell};
 pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
-pub use rules::RULES;
+pub use rules::rules;
 pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
 pub(crate) use supply::{ListFixes, sub_0, with_members};
@@ -61,15 +61,14 @@ pub fn check(device: &Device, options: &Options) -> Findings {
 /// The rules that look at a device: those about other tools where it is asked for tools.
 fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
     let for_tools = !options.tools.is_empty();
-    RULES.iter().copied().filter(move |rule| for_tools || rule.info.group() != PORTABILITY)
+    rules().filter(move |rule| for_tools || rule.info.group() != PORTABILITY)
 }
 
 /// One walk over what documents demand, for all rules of their groups.
 fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
     let applied = demands::applied(facts.device, facts.options);
     for one in &applied {
-        let rules = RULES.iter().filter(|rule| rule.info.group() == one.profile.group);
-        let rules: Vec<&Rule> = rules.copied().collect();
+        let rules: Vec<&Rule> = rules().filter(|rule| rule.info.group() == one.profile.group).collect();
         for rule in &rules {
             if let Check::Applied(check) = rule.check {
                 check(&rule.info, facts, one, findings);

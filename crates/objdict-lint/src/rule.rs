@@ -118,13 +118,11 @@ pub(crate) fn with_others(finding: Diagnostic, places: impl Iterator<Item = (Pla
     finding
 }
 
-/// Declares a rule about the model: a `static RULE` whose page is its doc comment.
-///
-/// `rule! { /// page … "cia306/name", Error, Entry(check), fix Safe }`; without the part `fix` for a rule that mends nothing.
-macro_rules! rule {
+/// A [`Rule`]: its page as doc comment, `"cia306/name", Error, Entry(check), fix Safe`; without the part `fix` for a rule that
+/// mends nothing.
+macro_rules! one {
     ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
-        $(#[doc = $doc])+
-        pub(crate) static RULE: $crate::Rule = $crate::Rule {
+        $crate::Rule {
             info: objdict_model::diagnostic::RuleInfo {
                 id: $id,
                 severity: objdict_model::diagnostic::Severity::$severity,
@@ -132,7 +130,27 @@ macro_rules! rule {
                 docs: concat!($($doc, "\n"),+),
             },
             check: $crate::Check::$kind($check),
-        };
+        }
+    };
+}
+pub(crate) use one;
+
+/// Declares the rule of a file: a `static RULE`. `rule! { /// page … "cia306/name", Error, Entry(check), fix Safe }`
+macro_rules! rule {
+    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
+        $(#[doc = $doc])+
+        pub(crate) static RULE: $crate::Rule =
+            $crate::rule::one! { $(#[doc = $doc])+ $id, $severity, $kind($check) $(, fix $safety)? };
     };
 }
 pub(crate) use rule;
+
+/// Declares the rules of a group that are a page each, for a look that groups share: a `static RULES` of rows as in
+/// [`rule!`], each with a `;` behind it.
+macro_rules! demands {
+    ($($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;)+) => {
+        pub(crate) static RULES: &[&$crate::Rule] =
+            &[$(&$crate::rule::one! { $(#[doc = $doc])+ $id, $severity, $kind($check) $(, fix $safety)? },)+];
+    };
+}
+pub(crate) use demands;
