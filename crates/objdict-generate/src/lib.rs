@@ -21,11 +21,19 @@
 //! # Ok::<(), objdict_generate::GenerateError>(())
 //! ```
 
+// what several targets share is not used in full by each
+#![cfg_attr(not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")), allow(dead_code))]
+
+#[cfg(feature = "c")]
 mod c;
 mod c_code;
+#[cfg(feature = "stacks")]
 mod canopen_rs;
+#[cfg(feature = "stacks")]
 mod canopen_stack;
+#[cfg(feature = "stacks")]
 mod canopennode;
+#[cfg(feature = "stacks")]
 mod concise;
 mod defaults;
 mod dictionary;
@@ -34,27 +42,34 @@ mod frames;
 mod hooks;
 mod meanings;
 mod memory;
+#[cfg(feature = "stacks")]
 mod microcanopen;
 mod names;
 mod notes;
+#[cfg(feature = "stacks")]
 mod objdict_macros;
 mod options;
+#[cfg(feature = "toml")]
 mod renames;
 mod resolve;
 mod rom;
+#[cfg(feature = "rust")]
 mod rust;
 mod size;
 mod stored;
 mod table;
 #[cfg(feature = "template")]
 mod template;
+#[cfg(feature = "stacks")]
 mod variables;
+#[cfg(feature = "stacks")]
 mod zencan;
 
 use std::borrow::Cow;
 use std::fmt;
 
 pub use options::{CTable, Choice, Derive, Group, Names, Options};
+#[cfg(feature = "toml")]
 pub use renames::{ChoiceError, renames};
 pub use size::{ObjectSize, Size, SizeReport, Sizes};
 
@@ -77,16 +92,25 @@ macro_rules! targets {
 }
 
 targets! {
+    #[cfg(feature = "rust")]
     RUST = rust::Rust,
+    #[cfg(feature = "c")]
     C = c::C,
+    #[cfg(feature = "stacks")]
     CONCISE = concise::Concise,
+    #[cfg(feature = "stacks")]
     CANOPEN_RS = canopen_rs::CanopenRs,
+    #[cfg(feature = "stacks")]
     CANOPEN_STACK = canopen_stack::CanopenStack,
+    #[cfg(feature = "stacks")]
     ZENCAN = zencan::Zencan,
+    #[cfg(feature = "stacks")]
     CANOPENNODE = canopennode::CanOpenNode,
     #[cfg(feature = "template")]
     TEMPLATE = template::Template,
+    #[cfg(feature = "stacks")]
     MICROCANOPEN = microcanopen::MicroCanopen,
+    #[cfg(feature = "stacks")]
     OBJDICT_MACROS = objdict_macros::ObjdictMacros,
 }
 

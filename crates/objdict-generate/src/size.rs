@@ -1,13 +1,13 @@
 //! How much flash and RAM the tables of a target take: rows, defaults, limits and values, not the code that serves them.
 
-use serde::Serialize;
 
 use super::resolve::Shape;
 use super::table::{Row, Table, TableField};
 use crate::model::TypeKind;
 
 /// What tables take, in bytes, for a processor that aligns numbers to their size, at most to eight bytes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Size {
     /// In flash: rows of the table, defaults and limits.
     pub flash: usize,
@@ -16,7 +16,8 @@ pub struct Size {
 }
 
 /// What an object takes.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ObjectSize {
     /// Its index.
     pub index: u16,
@@ -25,12 +26,13 @@ pub struct ObjectSize {
     /// Its entries.
     pub entries: usize,
     /// What they take. Defaults and limits that several objects share are counted with the first.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub size: Size,
 }
 
 /// What the tables of a target take, object by object.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SizeReport {
     /// What is counted, and for which processor: a line in lower case.
     pub counted: &'static str,

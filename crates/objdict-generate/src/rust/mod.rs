@@ -6,6 +6,7 @@ mod pdo;
 mod stored;
 mod view;
 
+#[cfg(feature = "stacks")]
 pub(super) use view::{value_of, word_type};
 
 use super::defaults::constants;

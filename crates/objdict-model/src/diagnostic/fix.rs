@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
 
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
@@ -21,8 +20,9 @@ pub struct Fix {
 }
 
 /// Whether a fix may be applied without a person who reads it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Safety {
     /// The description means the same to every tool afterwards, or what no tool could have understood is gone.
     Safe,

@@ -13,7 +13,6 @@ mod words;
 use std::borrow::Cow;
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
 
 use crate::model::Place;
 pub use crate::source::Span;
@@ -28,8 +27,9 @@ pub use tool::Tool;
 pub use words::{counted, listing, nearest, one_line, series, sub_index, visible};
 
 /// How grave a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Severity {
     /// A matter of style or of portability to a tool.
     Note,

@@ -1,6 +1,6 @@
 //! Texts to values.
 
-use crate::model::{DataType, Reason, Time, TypeKind, Value, hex_text};
+use crate::model::{DataType, Reason, Time, TypeKind, Value, hex};
 
 /// A spelling that is understood but is not the standard's, or that other tools read differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -288,12 +288,12 @@ fn unquote<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
 }
 
 fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
-    if let Some(bytes) = hex_text::parse(text) {
+    if let Some(bytes) = hex::parse(text) {
         return Ok(Value::Bytes(bytes));
     }
     let plain: String = strip_comment(text, quirks).split_ascii_whitespace().collect();
     let plain = plain.strip_prefix("0x").or_else(|| plain.strip_prefix("0X")).unwrap_or(&plain);
-    let bytes = hex_text::parse(plain).ok_or(Reason::NotHexBytes)?;
+    let bytes = hex::parse(plain).ok_or(Reason::NotHexBytes)?;
     quirks.add(Quirk::DecoratedBytes);
     Ok(Value::Bytes(bytes))
 }
@@ -308,7 +308,7 @@ fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
         let milliseconds = integer(milliseconds.trim_ascii(), 0, 0x0FFF_FFFF, quirks).ok();
         let milliseconds = milliseconds.and_then(|milliseconds| u32::try_from(milliseconds).ok());
         days.zip(milliseconds).map(|(days, milliseconds)| Time { days, milliseconds })
-    } else if let Some(bytes) = hex_text::parse(text).filter(|bytes| bytes.len() == 6) {
+    } else if let Some(bytes) = hex::parse(text).filter(|bytes| bytes.len() == 6) {
         wire_time(&bytes)
     } else {
         let number =

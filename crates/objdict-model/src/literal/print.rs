@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::model::{Value, hex_text};
+use crate::model::{Value, hex};
 
 /// How REAL numbers are spelled. No spelling suits all readers: CiA 306-1 is silent, and some read a hex number as bits,
 /// others only decimals.
@@ -45,7 +45,7 @@ pub fn print(value: &Value, spelling: Spelling) -> String {
         Value::Text(text) | Value::Raw(text) => text.to_string(),
         // an empty text would be no value at all
         Value::Bytes(bytes) if bytes.is_empty() => "0x".to_owned(),
-        Value::Bytes(bytes) => hex_text::print(bytes),
+        Value::Bytes(bytes) => hex::print(bytes),
         Value::Time(time) => format!("{} {}", time.days, time.milliseconds),
         // also for 0: python-canopen cannot read `$NODEID` alone
         Value::NodeId(offset) => format!("$NODEID+0x{offset:X}"),

@@ -1,6 +1,5 @@
 //! The application process: data types, functions, parameters and their groups (CiA 311 §6.4).
 
-use serde::{Deserialize, Serialize};
 
 use super::part::{part, words};
 use super::{
@@ -189,43 +188,44 @@ part! {
 }
 
 /// What a data type is made of.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case", deny_unknown_fields))]
 pub enum TypeShape {
     /// Elements of one type, in as many dimensions as there are ranges.
     Array {
         /// `subrange`.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         ranges: Vec<Subrange>,
         /// The type of an element.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         element: Option<DataTypeRef>,
     },
     /// Members of any types.
     Struct {
         /// `varDeclaration`.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         members: Vec<VarDeclaration>,
     },
     /// Values with names.
     Enum {
         /// `size`: the number of values.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         size: Option<Box<str>>,
         /// `enumValue`.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         values: Vec<EnumValue>,
         /// The type of a value.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         base: Option<SimpleType>,
     },
     /// Another name of a type.
     Derived {
         /// `count`: the number of elements.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         count: Option<Box<Count>>,
         /// The type.
-        #[serde(default)]
+        #[cfg_attr(feature = "serde", serde(default))]
         base: Option<DataTypeRef>,
     },
 }
@@ -237,8 +237,9 @@ impl Default for TypeShape {
 }
 
 /// The data type of a parameter, a member or an element.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DataTypeRef {
     /// A type of IEC 61131-3.
     Simple(SimpleType),

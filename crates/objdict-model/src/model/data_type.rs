@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::serial::HexText;
 
 /// A data type, named by the index of its definition in the object dictionary.
 ///
@@ -177,25 +175,6 @@ impl fmt::Display for DataType {
             Some(name) => f.write_str(name),
             None => write!(f, "{:04X}h", self.0),
         }
-    }
-}
-
-/// The name, or, where it has none, the index as `0x0060`.
-impl Serialize for DataType {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.name() {
-            Some(name) => serializer.serialize_str(name),
-            None => HexText(self.0).serialize(serializer),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for DataType {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let data_type = Self::from_name(&text).or_else(|| HexText::parse(&text).map(Self));
-        let error = || format!("`{text}` is no data type such as `UNSIGNED8` or `0x0040`");
-        data_type.ok_or_else(|| serde::de::Error::custom(error()))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
 
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
@@ -11,70 +10,72 @@ use super::{
 };
 
 /// A device description, whatever format it came from.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Device {
     /// Whether this describes a device type or one configured node.
     pub kind: DeviceKind,
     /// Facts about the file; `None` when it has none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub file_info: Option<FileInfo>,
     /// Facts about the device; `None` when the file has none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub device_info: Option<DeviceInfo>,
     /// Which data types may be dummies in an RPDO; `None` when the file does not say.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dummy_usage: Option<DummyUsage>,
     /// The lines of `Comments`; `None` when the file has none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub comments: Option<Vec<String>>,
     /// The node that the device was configured for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub commissioning: Option<Commissioning>,
     /// The lists that name the objects.
-    #[serde(skip_serializing_if = "super::is_default")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub lists: ObjectLists,
     /// The objects by index.
-    #[serde(with = "super::index_keys")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_keys"))]
     pub objects: BTreeMap<u16, Object>,
     /// The modules of a modular device; `None` when it is not one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub modules: Option<Modules>,
     /// The dynamic channels (CiA 302-4).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dynamic_channels: Option<DynamicChannels>,
     /// The tools that can be started from the description.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub tools: Vec<Tool>,
     /// What the profiles say of themselves (CiA 311).
-    #[serde(skip_serializing_if = "super::is_default")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub headers: ProfileHeaders,
     /// Who made the device, as far as `device_info` has no field for it (CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub identity: Option<Box<DeviceIdentity>>,
     /// What the communication network profile says of the same, where it says more or else.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub network_identity: Option<Box<NetworkIdentity>>,
     /// Indicators and module interfaces (CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub manager: Option<Box<DeviceManager>>,
     /// What the device does, in words (CiA 311).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub functions: Vec<DeviceFunction>,
     /// Data types, functions and the parameters that belong to no entry (CiA 311).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub application: Vec<ApplicationProcess>,
     /// How the objects of modules lie in the dictionary (CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub module_objects: Option<Box<ModuleObjects>>,
     /// Sections that the model does not know.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub extra: Vec<ExtraSection>,
 }
 
 /// What a description describes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DeviceKind {
     /// A type of device (EDS, XDD).
     #[default]
@@ -84,17 +85,18 @@ pub enum DeviceKind {
 }
 
 /// The lists that name a device's objects; `None` for a list that the file does not have.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ObjectLists {
     /// `MandatoryObjects`.
-    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
     pub mandatory: Option<Vec<u16>>,
     /// `OptionalObjects`.
-    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
     pub optional: Option<Vec<u16>>,
     /// `ManufacturerObjects`.
-    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
     pub manufacturer: Option<Vec<u16>>,
 }
 
@@ -142,17 +144,18 @@ impl ObjectLists {
 }
 
 /// Which data types may be dummies in an RPDO (CiA 306-1 §4.6.2).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DummyUsage {
     /// Data types with whether they may.
-    #[serde(with = "super::unique_keys")]
+    #[cfg_attr(feature = "serde", serde(with = "super::unique_keys"))]
     pub types: BTreeMap<DataType, bool>,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
     /// Keys that the model does not know.
-    #[serde(skip_serializing_if = "super::Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::Extra::is_empty"))]
     pub extra: super::Extra,
 }
 

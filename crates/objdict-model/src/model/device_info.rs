@@ -1,132 +1,133 @@
 //! Facts about the device (CiA 306-1 §4.5).
 
-use serde::{Deserialize, Serialize};
 
 use super::{DefaultBaudRate, Extra, Field, Misfits};
 
 /// Vendor, product and general features of the device.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DeviceInfo {
     /// `VendorName`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub vendor_name: Option<String>,
     /// `VendorNumber`: the vendor-ID, as in 1018h sub-index 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub vendor_number: Option<u32>,
     /// `ProductName`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub product_name: Option<String>,
     /// `ProductNumber`: the product code, as in 1018h sub-index 2.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub product_number: Option<u32>,
     /// `RevisionNumber`, as in 1018h sub-index 3.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub revision_number: Option<u32>,
     /// `OrderCode`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub order_code: Option<String>,
     /// `BaudRate_x`: which bit rates the device supports.
-    #[serde(skip_serializing_if = "super::is_default")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub baud_rates: BaudRates,
     /// `SimpleBootUpMaster`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub simple_boot_up_master: Option<bool>,
     /// `SimpleBootUpSlave`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub simple_boot_up_slave: Option<bool>,
     /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 when the mapping is fixed.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub granularity: Option<u8>,
     /// `DynamicChannelsSupported` (CiA 302-4); 0 for no.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dynamic_channels_supported: Option<u8>,
     /// `GroupMessaging`: whether the device supports multiplexed PDOs.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub group_messaging: Option<bool>,
     /// `NrOfRXPDO`: number of RPDOs, implicit ones included.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub rpdo_count: Option<u16>,
     /// `NrOfTXPDO`: number of TPDOs, implicit ones included.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub tpdo_count: Option<u16>,
     /// `LSS_Supported`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub lss_supported: Option<bool>,
     /// `CompactPDO`: bit n is set when sub-index n + 1 of the communication record of an implicit PDO exists.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub compact_pdo: Option<u8>,
     /// `CANopenSafetySupported` (CiA 306-1 annex A).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub safety_supported: Option<bool>,
     /// `conformanceClass` (CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub conformance_class: Option<String>,
     /// `communicationEntityType` (CiA 311), such as `slave`; words as they are written.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub communication_entities: Vec<Box<str>>,
     /// `selfStartingDevice` (CiA 311): whether the device goes to operational by itself.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub self_starting: Option<bool>,
     /// `SDORequestingDevice` (CiA 311, CiA 302-5).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub sdo_requesting: Option<bool>,
     /// `flyingMaster` (CiA 311, CiA 302-2).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub flying_master: Option<bool>,
     /// `SDOManager` (CiA 311, CiA 302-5).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub sdo_manager: Option<bool>,
     /// `configurationManager` (CiA 311, CiA 302-3).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub configuration_manager: Option<bool>,
     /// `layerSettingServiceMaster` (CiA 311, CiA 305).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub lss_master: Option<bool>,
     /// The bit rate of a new device (`baudRate` / `defaultValue` of CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub default_baud_rate: Option<DefaultBaudRate>,
     /// Keys that the model does not know, the ones left over from EDS 3.0 among them.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
 }
 
 /// What a description says of each bit rate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct BaudRates {
     /// 10 kbit/s.
-    #[serde(rename = "10", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "10", skip_serializing_if = "Option::is_none"))]
     pub kbit_10: Option<bool>,
     /// 20 kbit/s.
-    #[serde(rename = "20", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "20", skip_serializing_if = "Option::is_none"))]
     pub kbit_20: Option<bool>,
     /// 50 kbit/s.
-    #[serde(rename = "50", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "50", skip_serializing_if = "Option::is_none"))]
     pub kbit_50: Option<bool>,
     /// 100 kbit/s, which CiA 311 has and CiA 301 has not.
-    #[serde(rename = "100", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "100", skip_serializing_if = "Option::is_none"))]
     pub kbit_100: Option<bool>,
     /// 125 kbit/s.
-    #[serde(rename = "125", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "125", skip_serializing_if = "Option::is_none"))]
     pub kbit_125: Option<bool>,
     /// 250 kbit/s.
-    #[serde(rename = "250", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "250", skip_serializing_if = "Option::is_none"))]
     pub kbit_250: Option<bool>,
     /// 500 kbit/s.
-    #[serde(rename = "500", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "500", skip_serializing_if = "Option::is_none"))]
     pub kbit_500: Option<bool>,
     /// 800 kbit/s.
-    #[serde(rename = "800", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "800", skip_serializing_if = "Option::is_none"))]
     pub kbit_800: Option<bool>,
     /// 1000 kbit/s.
-    #[serde(rename = "1000", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "1000", skip_serializing_if = "Option::is_none"))]
     pub kbit_1000: Option<bool>,
     /// Detection of the bit rate.
-    #[serde(rename = "auto", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(rename = "auto", skip_serializing_if = "Option::is_none"))]
     pub auto: Option<bool>,
 }
 

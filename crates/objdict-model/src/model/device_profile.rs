@@ -1,6 +1,5 @@
 //! What CiA 311 says of a device and an EDS has no key for: identity, indicators, module interfaces, functions.
 
-use serde::{Deserialize, Serialize};
 
 use super::part::{part, words};
 use super::{Date, FileInfo, Labels};
@@ -335,8 +334,9 @@ words! {
 }
 
 /// The bit rate that a device has when it is new.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DefaultBaudRate {
     /// So many kbit/s.
     Kbit(u16),

@@ -1,50 +1,52 @@
 //! Dynamic channels and tools (CiA 302-4, CiA 306-3).
 
-use serde::{Deserialize, Serialize};
 
 use super::{DataType, Extra, Misfits};
 
 /// The segments of the process image that network variables live in (CiA 302-4).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DynamicChannels {
     /// The segments, in the order of the file.
     pub segments: Vec<Segment>,
     /// Keys that the model does not know.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
 }
 
 /// A range of indexes for network variables of one data type and direction.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Segment {
     /// `TypeN`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub data_type: Option<DataType>,
     /// `DirN`: `ro` for data to the network, `rww` or `wo` for data from it.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub direction: Option<Box<str>>,
     /// `RangeN`: first and last index.
-    #[serde(with = "super::index_list", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
     pub range: Option<(u16, u16)>,
     /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub offset: Option<Box<str>>,
     /// `maxNumber` (CiA 311): the largest number of objects.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub max_number: Option<u32>,
     /// `bitAlignment` (CiA 311), in bits.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub bit_alignment: Option<u8>,
 }
 
 /// A program that a configuration tool can start.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Tool {
     /// `Name`.
     pub name: String,

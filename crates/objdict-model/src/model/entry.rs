@@ -1,64 +1,65 @@
 //! Entries: what a sub-index holds.
 
-use serde::{Deserialize, Serialize};
 
 use super::{
     Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
 };
 
 /// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "super::flat::EntryForm")]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "super::flat::EntryForm"))]
 pub struct Entry {
     /// `ParameterName`; empty when missing.
     pub name: Box<str>,
     /// `ObjectType`; missing means VAR.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub object_type: Option<ObjectType>,
     /// `DataType`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub data_type: Option<DataType>,
     /// `AccessType`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub access: Option<Access>,
     /// `PDOMapping`; missing means no.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub pdo_mapping: Option<PdoMapping>,
     /// `DefaultValue`: the value after the defaults were restored.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub default: Option<Value>,
     /// `LowLimit`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub low_limit: Option<Value>,
     /// `HighLimit`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub high_limit: Option<Value>,
     /// `ObjFlags`; missing means none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub flags: Option<ObjFlags>,
     /// What a DCF adds.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub configured: Option<Box<Configured>>,
     /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub safety: Option<Box<Safety>>,
     /// What the application process says of the entry (CiA 311).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub parameter: Option<Box<Parameter>>,
     /// What the description says to the generators of CANopenNode.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub stack: Option<Box<StackOptions>>,
     /// Keys that the model does not know.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
 }
 
 /// How a configuration tool treats an entry (CiA 306-1 §4.6.3.3).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ObjFlags(pub u32);
 
 impl ObjFlags {
@@ -74,35 +75,37 @@ impl ObjFlags {
 }
 
 /// What a DCF says of an entry (CiA 306-1 §5.3).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Configured {
     /// `ParameterValue`: the value that the node shall have.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub value: Option<Value>,
     /// `Denotation`: the name in the application.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub denotation: Option<Box<str>>,
     /// `UploadFile`: where data read from a DOMAIN go.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub upload_file: Option<Box<str>>,
     /// `DownloadFile`: where data written to a DOMAIN come from.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub download_file: Option<Box<str>>,
     /// `ParamRefd`: the reference designator of the parameter.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub reference_designator: Option<Box<str>>,
 }
 
 /// What a safety device says of an entry (CiA 306-1 annex A).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Safety {
     /// `SRDOMapping`: whether an SRDO may carry the entry.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub srdo_mapping: Option<bool>,
     /// `InvertedSRAD`: index (upper 16 bits) and sub-index of the entry with the inverted value.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub inverted_srad: Option<u32>,
 }
 

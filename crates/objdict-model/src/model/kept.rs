@@ -1,6 +1,5 @@
 //! What a description says and the model has no field for, so that nothing is lost.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Field;
 
@@ -49,36 +48,22 @@ impl Extra {
     }
 }
 
-impl Serialize for Extra {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.iter())
-    }
-}
-
-impl<'de> Deserialize<'de> for Extra {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut extra = Self::default();
-        for (key, value) in Vec::<(String, String)>::deserialize(deserializer)? {
-            extra.push(&key, &value);
-        }
-        Ok(extra)
-    }
-}
-
 /// A section that the model does not know.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct ExtraSection {
     /// The name, without brackets.
     pub name: Box<str>,
     /// What stands in it.
-    #[serde(default, skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Extra::is_empty"))]
     pub entries: Extra,
 }
 
 /// Why a text is no value of its field.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Reason {
     /// Not a number in any spelling.
     NotANumber,
@@ -112,8 +97,9 @@ pub enum Reason {
 }
 
 /// A text that stands in a known field and is no value of it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Misfit {
     /// The field.
     pub field: Field,
@@ -124,15 +110,23 @@ pub struct Misfit {
 }
 
 /// The misfits of one part of the model. The typed fields hold no value for them.
-#[derive(Clone, Debug, Default, Eq, Serialize)]
+#[derive(Clone, Debug, Default, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[allow(
     clippy::box_collection,
     reason = "every entry has them, mostly none: a pointer instead of three words"
 )]
-#[serde(transparent)]
+#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct Misfits(Option<Box<Vec<Misfit>>>);
 
 /// In whatever order they stand.
+impl FromIterator<Misfit> for Misfits {
+    fn from_iter<I: IntoIterator<Item = Misfit>>(misfits: I) -> Self {
+        let misfits: Vec<Misfit> = misfits.into_iter().collect();
+        Self((!misfits.is_empty()).then(|| Box::new(misfits)))
+    }
+}
+
 impl PartialEq for Misfits {
     fn eq(&self, other: &Self) -> bool {
         self.iter().len() == other.iter().len()
@@ -175,9 +169,3 @@ impl Misfits {
     }
 }
 
-impl<'de> Deserialize<'de> for Misfits {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let misfits = Vec::<Misfit>::deserialize(deserializer)?;
-        Ok(Self(Some(Box::new(misfits)).filter(|misfits| !misfits.is_empty())))
-    }
-}

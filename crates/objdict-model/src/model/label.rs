@@ -1,15 +1,16 @@
 //! Texts for people, in several languages (CiA 311, `g_labels`).
 
-use serde::{Deserialize, Serialize};
 
 /// The names and descriptions of a part of the profile, in the order of the file.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(transparent)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct Labels(pub Vec<Label>);
 
 /// A name or description, or where it stands.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case", deny_unknown_fields))]
 pub enum Label {
     /// `label`: a name in one language.
     Name {
@@ -23,10 +24,10 @@ pub enum Label {
         /// The language.
         lang: Box<str>,
         /// The text; it may have several lines.
-        #[serde(default, skip_serializing_if = "super::is_default")]
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "super::is_default"))]
         text: Box<str>,
         /// `URI`: where more about it stands.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         uri: Option<Box<str>>,
     },
     /// `labelRef`: a name in a text resource.
@@ -36,15 +37,16 @@ pub enum Label {
 }
 
 /// A text in a text resource file (CiA 311, `dictionaryList`).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct TextRef {
     /// `dictID`: the dictionary.
     pub dictionary: Box<str>,
     /// `textID`: the text in it.
     pub text_id: Box<str>,
     /// What stands inside the element: mostly a URI, mostly nothing.
-    #[serde(skip_serializing_if = "super::is_default")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub uri: Box<str>,
 }
 

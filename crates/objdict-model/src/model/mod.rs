@@ -21,7 +21,9 @@ mod entry;
 mod expand;
 mod field;
 mod file_info;
+#[cfg(feature = "serde")]
 mod flat;
+pub mod hex;
 mod identity;
 mod implicit_pdo;
 mod kept;
@@ -36,8 +38,11 @@ mod part;
 mod parts;
 mod pdo;
 mod place;
+#[cfg(feature = "serde")]
 mod serial;
 mod services;
+#[cfg(feature = "serde")]
+mod spelled;
 mod stack;
 mod value;
 
@@ -82,9 +87,12 @@ pub use parameter::{
 };
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
-pub use serial::{
-    hex_number, hex_text, index_keys, index_list, is_default, real_text, sub_list, unique_keys,
+#[cfg(feature = "serde")]
+pub(crate) use serial::{
+    index_keys, index_list, is_default, real_text, sub_list, unique_keys,
 };
+#[cfg(feature = "serde")]
+pub use serial::{hex_number, hex_text};
 pub use services::{HeartbeatConsumer, SdoChannel, Services};
 pub use stack::{SrdoAccess, StackOptions};
 pub use value::{Time, Value};

@@ -2,88 +2,91 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
 
 use super::{Entry, Extra, Misfits, Object};
 
 /// The modules that a bus coupler supports and those that are plugged in.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Modules {
     /// `NrOfEntries` of `SupportedModules`, as the description states it.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub declared: Option<u16>,
     /// The modules by number, counted from 1.
-    #[serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty"))]
     pub supported: BTreeMap<u16, Module>,
     /// `ConnectedModules` of a DCF: the numbers of the modules in their physical order.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub connected: Option<Vec<u16>>,
     /// Texts of `SupportedModules` and `ConnectedModules` that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
     /// Keys of `SupportedModules` and `ConnectedModules` that the model does not know.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
 
 /// A module and what it adds to the coupler's dictionary.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Module {
     /// `ProductName`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub product_name: Option<String>,
     /// `ProductVersion`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub product_version: Option<u8>,
     /// `ProductRevision`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub product_revision: Option<u8>,
     /// `OrderCode`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub order_code: Option<String>,
     /// The lines of `MxComments`.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub comments: Vec<String>,
     /// `MxFixedObjects`: the list of objects that exist once when such a module is plugged in.
-    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub fixed_list: Vec<u16>,
     /// `MxFixedxxxx`: the description of those objects.
-    #[serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty"))]
     pub fixed: BTreeMap<u16, Object>,
     /// `MxSubExtends`: the list of objects that get new sub-indexes from each such module.
-    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub extension_list: Vec<u16>,
     /// `MxSubExtxxxx`: what the new sub-indexes are.
-    #[serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty"))]
     pub extensions: BTreeMap<u16, Extension>,
     /// Keys that the model does not know.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
 }
 
 /// The sub-indexes that a module adds to an object.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "super::flat::ExtensionForm")]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "super::flat::ExtensionForm"))]
 pub struct Extension {
     /// What each new sub-index holds.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub entry: Entry,
     /// `Count`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub count: Option<ExtensionCount>,
     /// `ObjExtend`: the highest sub-index after which the next index goes on; 0 or missing for none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub obj_extend: Option<u8>,
 }
 
 /// How many sub-indexes a module adds (`Count`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ExtensionCount {
     /// `n`: so many new sub-indexes.
     Subs(u8),

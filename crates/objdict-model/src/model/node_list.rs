@@ -1,56 +1,58 @@
 //! Node lists: which nodes a network has, and which configuration each of them (CiA 306-3).
 
-use serde::{Deserialize, Serialize};
 
 use super::Extra;
 
 /// The networks of a project.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct NodeList {
     /// The networks, in the order of the file: `Topology`, `Topology2` and so on.
     pub networks: Vec<Network>,
 }
 
 /// One network.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Network {
     /// `NetName`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
     /// `NetRefd`: the reference designator of the network.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub reference_designator: Option<String>,
     /// `Nodes`: the number of nodes, as the file states it.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub stated_count: Option<u8>,
     /// `EDSBaseName`: the folder of the descriptions.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eds_folder: Option<String>,
     /// The nodes that the file speaks of, in ascending order of their node-IDs.
     pub nodes: Vec<NetworkNode>,
     /// Keys that the standard does not have; manufacturers may add theirs.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
 
 /// One node of a network, or the place of one that is not there.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct NetworkNode {
     /// Node-ID, 1 to 127.
     pub id: u8,
     /// `NodeXPresent`: whether the node is in the network.
     pub present: bool,
     /// `NodeXName`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
     /// `NodeXRefd`: the reference designator of the node.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub reference_designator: Option<String>,
     /// `NodeXDCFName`: the file with the node's configuration, seen from the folder of the node list.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dcf: Option<String>,
 }
 

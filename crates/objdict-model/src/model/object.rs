@@ -2,9 +2,7 @@
 
 use std::borrow::Cow;
 
-use serde::{Deserialize, Deserializer, Serialize};
 
-use super::serial::HexText;
 use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
 
 /// An object of the dictionary.
@@ -12,26 +10,27 @@ use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Val
 /// The value of a VAR or DOMAIN is described by [`main`](Self::main); an ARRAY, RECORD or DEFSTRUCT describes its
 /// entries in [`subs`](Self::subs), or, stored compactly, in [`compact`](Self::compact). [`Object::entries`] shows all
 /// of them alike.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "super::flat::ObjectForm")]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "super::flat::ObjectForm"))]
 pub struct Object {
     /// Whether only sub-indexes are described and the object itself is not: a defect of the description.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
     pub orphan: bool,
     /// What stands in the object's own section; of an ARRAY or RECORD mostly just name and object type.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub main: Entry,
     /// `SubNumber`: the number of described sub-indexes, FFh not counted, as the description states it.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub sub_number: Option<u8>,
     /// `CompactSubObj` and what goes with it; `None` where it is missing or 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub compact: Option<Box<Compact>>,
     /// The described entries.
-    #[serde(skip_serializing_if = "Subs::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Subs::is_empty"))]
     pub subs: Subs,
     /// `ObjectLinks`: indexes that belong to this object, for the eyes of a tool (CiA 306-1 §4.6.4).
-    #[serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub links: Vec<u16>,
 }
 
@@ -107,37 +106,28 @@ impl FromIterator<(u8, Entry)> for Subs {
 
 /// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` are alike but for
 /// names and values.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
-    #[serde(deserialize_with = "compact_count_of_json")]
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]
     pub count: u8,
     /// Names of single entries; the others are called like the object with their number behind it.
-    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub names: Vec<(u8, Box<str>)>,
     /// Configured values of single entries (DCF).
-    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub values: Vec<(u8, Value)>,
     /// Denotations of single entries (DCF).
-    #[serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub denotations: Vec<(u8, Box<str>)>,
     /// Texts that are no values of their fields.
-    #[serde(skip_serializing_if = "Misfits::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
     pub misfits: Misfits,
     /// Keys that the model does not know.
-    #[serde(skip_serializing_if = "Extra::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-}
-
-fn compact_count_of_json<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u8, D::Error> {
-    let count = u8::deserialize(deserializer)?;
-    if (1..=254).contains(&count) {
-        return Ok(count);
-    }
-    Err(serde::de::Error::custom(format!(
-        "`{count}` is no count of compactly stored entries: there are 1 to 254"
-    )))
 }
 
 fn of_sub<T>(list: &[(u8, T)], sub: u8) -> Option<&T> {
@@ -287,20 +277,6 @@ fn merge_by_sub<'a>(
         (_, Some(_)) => right.next(),
         (_, None) => left.next(),
     })
-}
-
-/// Keys such as `0x0A`: a text, for JSON has no other keys.
-impl Serialize for Subs {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.iter().map(|(sub, entry)| (HexText(sub), entry)))
-    }
-}
-
-impl<'de> Deserialize<'de> for Subs {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let entries = super::unique_keys::deserialize::<HexText<u8>, Entry, D>(deserializer)?;
-        Ok(entries.into_iter().map(|(HexText(sub), entry)| (sub, entry)).collect())
-    }
 }
 
 #[cfg(test)]

@@ -5,10 +5,11 @@
 macro_rules! part {
     ($($(#[$about:meta])* pub struct $Name:ident { $($(#[$of_field:meta])* pub $field:ident: $Type:ty,)* })+) => {$(
         $(#[$about])*
-        #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-        #[serde(default, deny_unknown_fields)]
+        #[derive(Clone, Debug, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
         pub struct $Name {
-            $($(#[$of_field])* #[serde(skip_serializing_if = "crate::model::is_default")] pub $field: $Type,)*
+            $($(#[$of_field])* #[cfg_attr(feature = "serde", serde(skip_serializing_if = "crate::model::is_default"))] pub $field: $Type,)*
         }
     )+};
 }
@@ -18,9 +19,10 @@ pub(super) use part;
 macro_rules! words {
     ($($(#[$about:meta])* pub enum $Name:ident { $($(#[$of_word:meta])* $Word:ident = $text:literal,)+ })+) => {$(
         $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub enum $Name {
-            $($(#[$of_word])* #[serde(rename = $text)] $Word,)+
+            $($(#[$of_word])* #[cfg_attr(feature = "serde", serde(rename = $text))] $Word,)+
         }
 
         impl $Name {

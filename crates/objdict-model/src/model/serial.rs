@@ -9,7 +9,7 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Whether a value is nothing special and need not be written.
-pub fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
@@ -93,7 +93,7 @@ pub mod hex_number {
 }
 
 /// A list of indexes, perhaps missing, or the two ends of a range.
-pub mod index_list {
+pub(crate) mod index_list {
     use super::{Deserialize, Deserializer, HexText, Serializer};
 
     /// What is a list of indexes.
@@ -153,7 +153,7 @@ pub mod index_list {
 }
 
 /// Objects by index: keys such as `0x1018`, none of them twice.
-pub mod index_keys {
+pub(crate) mod index_keys {
     use super::{BTreeMap, Deserialize, Deserializer, HexText, Serialize, Serializer};
 
     /// Writes an object with keys of four upper-case hex digits behind `0x`.
@@ -174,7 +174,7 @@ pub mod index_keys {
 }
 
 /// Maps of which no key may stand twice; the second would silently win.
-pub mod unique_keys {
+pub(crate) mod unique_keys {
     use super::{
         BTreeMap, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer, Visitor,
         fmt,
@@ -221,7 +221,7 @@ pub mod unique_keys {
 }
 
 /// Items of single sub-indexes in the order of the file: keys such as `0x0A`, none of them twice.
-pub mod sub_list {
+pub(crate) mod sub_list {
     use super::{
         BTreeSet, Deserialize, Deserializer, Error, HexText, MapAccess, PhantomData, Serialize, Serializer,
         Visitor, fmt,
@@ -266,7 +266,7 @@ pub mod sub_list {
 }
 
 /// REAL numbers: the shortest decimal text that reads back to the same bits, and the bits where they are not finite.
-pub mod real_text {
+pub(crate) mod real_text {
     use std::fmt::Debug;
     use std::str::FromStr;
 
@@ -312,13 +312,13 @@ pub mod real_text {
 
 /// Bytes as hex digits.
 pub mod hex_text {
-    use std::fmt::Write;
 
+    use super::super::hex;
     use super::{Deserialize, Deserializer, Error, Serializer};
 
     /// Writes two upper-case digits a byte.
     pub fn serialize<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&print(bytes))
+        serializer.serialize_str(&hex::print(bytes))
     }
 
     /// Reads what [`serialize`] wrote.
@@ -326,26 +326,10 @@ pub mod hex_text {
         deserializer: D,
     ) -> Result<T, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let bytes = parse(&text);
+        let bytes = hex::parse(&text);
         let bytes =
             bytes.ok_or_else(|| D::Error::custom(format!("`{text}` is not made of pairs of hex digits")));
         bytes.map(T::from)
-    }
-
-    /// Two upper-case hex digits a byte.
-    pub fn print(bytes: &[u8]) -> String {
-        let mut text = String::with_capacity(2 * bytes.len());
-        for byte in bytes {
-            let _ = write!(text, "{byte:02X}"); // a String takes every text
-        }
-        text
-    }
-
-    /// The bytes of a text of hex digits, two a byte.
-    pub fn parse(text: &str) -> Option<Box<[u8]>> {
-        let digit = |byte: u8| char::from(byte).to_digit(16);
-        let pairs = text.as_bytes().chunks(2);
-        pairs.map(|pair| u8::try_from(digit(pair[0])? << 4 | digit(*pair.get(1)?)?).ok()).collect()
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
 
 use super::{DataType, TypeKind};
 
@@ -10,8 +9,9 @@ use super::{DataType, TypeKind};
 ///
 /// The variant follows from the entry's data type. A text that is no value of its type is not here but among the
 /// [`Misfits`](super::Misfits) of the entry.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Value {
     /// BOOLEAN.
     Boolean(bool),
@@ -20,25 +20,26 @@ pub enum Value {
     /// UNSIGNEDn.
     Unsigned(u64),
     /// REAL32.
-    Real32(#[serde(with = "super::real_text")] f32),
+    Real32(#[cfg_attr(feature = "serde", serde(with = "super::real_text"))] f32),
     /// REAL64.
-    Real64(#[serde(with = "super::real_text")] f64),
+    Real64(#[cfg_attr(feature = "serde", serde(with = "super::real_text"))] f64),
     /// VISIBLE_STRING and UNICODE_STRING.
     Text(Box<str>),
     /// OCTET_STRING and DOMAIN.
-    Bytes(#[serde(with = "super::hex_text")] Box<[u8]>),
+    Bytes(#[cfg_attr(feature = "serde", serde(with = "super::hex_text"))] Box<[u8]>),
     /// TIME_OF_DAY and TIME_DIFFERENCE.
     Time(Time),
     /// The node-ID plus this number (CiA 306-1 §4.3: `$NODEID+n`), for integer types.
-    #[serde(rename = "node_id_plus")]
+    #[cfg_attr(feature = "serde", serde(rename = "node_id_plus"))]
     NodeId(u64),
     /// A text whose data type is not a static one, kept as it was written.
     Raw(Box<str>),
 }
 
 /// A TIME_OF_DAY or TIME_DIFFERENCE (CiA 301 §7.1.6.5).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Time {
     /// Whole days; of TIME_OF_DAY since 1984-01-01.
     pub days: u16,

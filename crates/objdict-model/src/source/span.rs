@@ -1,11 +1,11 @@
 //! Byte ranges of a source text.
 
-use serde::{Deserialize, Serialize};
 
 /// A half-open byte range `start..end` of the decoded text of a [`SourceFile`](super::SourceFile).
 ///
 /// Four-byte offsets: no source is larger than 4 GiB, and the line records of a large file stay small.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Span {
     /// Offset of the first byte.
     pub start: u32,

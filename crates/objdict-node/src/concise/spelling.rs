@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::model::hex_text;
+use crate::model::hex;
 
 /// Bytes of a line.
 const PER_LINE: usize = 16;
@@ -46,7 +46,7 @@ impl BlobSpelling {
 /// The bytes of a text of hex digits with blanks and line ends between them; `None` where it is something else.
 pub fn of_hex(text: &str) -> Option<Vec<u8>> {
     let digits: String = text.split_whitespace().collect();
-    if digits.is_empty() { None } else { hex_text::parse(&digits).map(Vec::from) }
+    if digits.is_empty() { None } else { hex::parse(&digits).map(Vec::from) }
 }
 
 fn lines(stream: &[u8], byte: impl Fn(u8) -> String, between: &str, before: &str) -> String {

@@ -11,7 +11,7 @@ use std::fmt::{self, Write};
 
 use crate::download::{ConciseDcf, Download};
 use crate::literal::{self, Quirks, Spelling};
-use crate::model::{Address, DataType, TypeKind, Value, hex_text};
+use crate::model::{Address, DataType, TypeKind, Value, hex};
 
 /// The word for bytes whose type is not known, or that are no value of it.
 const BYTES: &str = "BYTES";
@@ -272,7 +272,7 @@ fn unquoted(text: &str) -> Result<String, Wrong> {
 /// Pairs of hex digits, with blanks between them or not.
 fn hex(text: &str) -> Result<Vec<u8>, Wrong> {
     let digits: String = text.split_whitespace().collect();
-    match hex_text::parse(&digits) {
+    match hex::parse(&digits) {
         Some(bytes) => Ok(bytes.into()),
         None => Err((
             format!("`{text}` are no pairs of hex digits"),

@@ -23,6 +23,7 @@
 //! ```
 
 mod entry;
+#[cfg(feature = "toml")]
 mod file;
 mod heartbeat;
 mod pdo;
@@ -33,6 +34,7 @@ use std::fmt;
 
 use crate::model::{Assignment, Device, Value};
 
+#[cfg(feature = "toml")]
 pub use file::{SettingsFile, SettingsFileError};
 pub use setting::{CanId, NoSetting, PdoName, Setting};
 

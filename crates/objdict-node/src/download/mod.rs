@@ -16,8 +16,9 @@ mod verify;
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
 
+use crate::model::hex;
+#[cfg(feature = "serde")]
 use crate::model::{hex_number, hex_text};
 
 pub use difference::{Difference, Differences};
@@ -29,23 +30,25 @@ pub use transfer::{bytes_of, transferred_type};
 pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
 /// One SDO download: bytes for an entry, as the transfer carries them.
-#[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Download {
     /// Index of the object.
-    #[serde(with = "hex_number")]
+    #[cfg_attr(feature = "serde", serde(with = "hex_number"))]
     pub index: u16,
     /// Sub-index of the entry.
-    #[serde(with = "hex_number")]
+    #[cfg_attr(feature = "serde", serde(with = "hex_number"))]
     pub sub: u8,
     /// The value: little-endian, text without terminator.
-    #[serde(with = "hex_text")]
+    #[cfg_attr(feature = "serde", serde(with = "hex_text"))]
     pub data: Vec<u8>,
 }
 
 /// Downloads in the order in which a node gets them. The same entry may be written more than once.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(transparent)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ConciseDcf(pub Vec<Download>);
 
 impl Download {
@@ -58,6 +61,6 @@ impl Download {
 /// As in `1017:00 FA00`.
 impl fmt::Debug for Download {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:04X}:{:02X} {}", self.index, self.sub, hex_text::print(&self.data))
+        write!(f, "{:04X}:{:02X} {}", self.index, self.sub, hex::print(&self.data))
     }
 }

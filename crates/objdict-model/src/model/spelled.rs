@@ -1,0 +1,120 @@
+//! The parts of the model that JSON has as one text, or as a map or list of their own.
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::serial::{HexText, unique_keys};
+use super::{ClockTime, DataType, Date, Entry, Extra, Field, Misfit, Misfits, Subs};
+
+/// Keys such as `0x0A`: a text, for JSON has no other keys.
+impl Serialize for Subs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter().map(|(sub, entry)| (HexText(sub), entry)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Subs {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let entries = unique_keys::deserialize::<HexText<u8>, Entry, D>(deserializer)?;
+        Ok(entries.into_iter().map(|(HexText(sub), entry)| (sub, entry)).collect())
+    }
+}
+
+impl Serialize for Field {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for Field {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer).map(|name| Self::from_name(&name))
+    }
+}
+
+/// The name, or, where it has none, the index as `0x0060`.
+impl Serialize for DataType {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.name() {
+            Some(name) => serializer.serialize_str(name),
+            None => HexText(self.0).serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for DataType {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let data_type = Self::from_name(&text).or_else(|| HexText::parse(&text).map(Self));
+        let error = || format!("`{text}` is no data type such as `UNSIGNED8` or `0x0040`");
+        data_type.ok_or_else(|| D::Error::custom(error()))
+    }
+}
+
+impl Serialize for Extra {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for Extra {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut extra = Self::default();
+        for (key, value) in Vec::<(String, String)>::deserialize(deserializer)? {
+            extra.push(&key, &value);
+        }
+        Ok(extra)
+    }
+}
+
+impl<'de> Deserialize<'de> for Misfits {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let misfits = Vec::<Misfit>::deserialize(deserializer)?;
+        Ok(misfits.into_iter().collect())
+    }
+}
+
+/// In JSON as in ISO 8601: `2024-03-04`.
+impl Serialize for Date {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.to_iso())
+    }
+}
+
+impl<'de> Deserialize<'de> for Date {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let date = Self::from_iso(&text);
+        date.ok_or_else(|| D::Error::custom(format!("`{text}` is no date such as `2024-03-04`")))
+    }
+}
+
+/// In JSON as in ISO 8601: `14:40`.
+impl Serialize for ClockTime {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.to_iso(false))
+    }
+}
+
+impl<'de> Deserialize<'de> for ClockTime {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let time = Self::from_iso(&text);
+        time.ok_or_else(|| D::Error::custom(format!("`{text}` is no time such as `14:40`")))
+    }
+}
+
+/// How many entries an object has that are stored compactly.
+pub(super) mod compact_count {
+    use super::{Deserialize, Deserializer, Error};
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u8, D::Error> {
+        let count = u8::deserialize(deserializer)?;
+        if (1..=254).contains(&count) {
+            return Ok(count);
+        }
+        Err(D::Error::custom(format!(
+            "`{count}` is no count of compactly stored entries: there are 1 to 254"
+        )))
+    }
+}
