@@ -186,19 +186,26 @@
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 //! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).
 
+// a build of some features has no use for all that serves several of them
+#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports, unused_variables))]
+
+#[cfg(feature = "json")]
 pub mod baseline;
 pub mod build_script;
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "json")]
 pub mod compare;
 pub mod compat;
+#[cfg(feature = "lint")]
 pub mod config;
 pub mod format;
 mod mend;
 mod production;
 pub mod registry;
 pub mod report;
+#[cfg(feature = "lint")]
 pub mod skeleton;
 
 pub use check::{check, check_with};
@@ -208,6 +215,7 @@ pub use objdict_document::{self as document, decoded};
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
 pub use objdict_model::{Language, diagnostic, model, source};
+#[cfg(feature = "node")]
 pub use objdict_node::{configure, download, modular};
 pub use objdict_profile as profile;
 

@@ -8,13 +8,16 @@ use std::path::{Path, PathBuf};
 use super::cargo::Cargo;
 use super::{Built, Error};
 use crate::diagnostic::{Severity, counted};
-use crate::format::input::{FileKind, bytes_of};
+use crate::format::ReadError;
+use crate::format::input::FileKind;
 use crate::generate::{CTable, Derive, Group, Names, Target};
 use crate::lint::Level;
 use crate::model::Address;
-use crate::production::{Configuration, Judged, Production, Request, said, save};
+#[cfg(feature = "lint")]
+use crate::production::Configuration;
+use crate::production::{Judged, Production, Request, said, save};
 use crate::registry;
-use crate::source::Encoding;
+use crate::source::{self, Encoding};
 
 /// So many warnings are told of a description, and so many notes of a target, unless somebody says otherwise.
 const MAX_WARNINGS: usize = 20;
@@ -107,6 +110,7 @@ impl Builder {
     }
 
     /// A file with other names to make identifiers of: lines as `"2000sub1" = "target speed"`.
+    #[cfg(feature = "lint")]
     pub fn rename(mut self, file: impl AsRef<Path>) -> Self {
         self.request.rename = Some(file.as_ref().to_owned());
         self
@@ -207,12 +211,14 @@ impl Builder {
     }
 
     /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
+    #[cfg(feature = "lint")]
     pub fn config(mut self, file: impl AsRef<Path>) -> Self {
         self.request.judging.config = Configuration::At(file.as_ref().to_owned());
         self
     }
 
     /// Looks for no configuration.
+    #[cfg(feature = "lint")]
     pub fn no_config(mut self) -> Self {
         self.request.judging.config = Configuration::Off;
         self
@@ -273,7 +279,7 @@ impl Builder {
 
     fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Production), Error> {
         let Request { file, reading, .. } = &self.request;
-        let bytes = bytes_of(file, reading.max_size)?;
+        let bytes = source::read(file, reading.max_size).map_err(ReadError::from)?;
         let judged = self.request.judge(&file.display().to_string(), bytes, files)?;
         let production = self.request.produce(&judged, files)?;
         Ok((judged, production))

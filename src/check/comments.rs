@@ -2,6 +2,7 @@
 
 use crate::format::Description;
 use crate::format::ini::{Document, LineKind};
+#[cfg(feature = "xdd")]
 use crate::format::xml::{self, Tree};
 use crate::source::Span;
 
@@ -58,11 +59,11 @@ pub(super) fn directives(description: &Description) -> Vec<Directive> {
     if !places.any(is_keyword) {
         return Vec::new();
     }
-    match (description.document(), description.tree()) {
-        (Some(document), _) => in_lines(document),
-        (_, Some(tree)) => in_elements(tree),
-        (None, None) => Vec::new(),
+    #[cfg(feature = "xdd")]
+    if let Some(tree) = description.tree() {
+        return in_elements(tree);
     }
+    description.document().map_or_else(Vec::new, in_lines)
 }
 
 /// A comment holds for the section that comes next, and before the first one for all of them.
@@ -102,6 +103,7 @@ fn end_at(directives: &mut [Directive], end: u32) {
 }
 
 /// A comment holds for the element that comes next, and before the root for the whole file.
+#[cfg(feature = "xdd")]
 fn in_elements(tree: &Tree) -> Vec<Directive> {
     let text = tree.text();
     let directive = |comment: Span| {

@@ -6,6 +6,7 @@ mod suppression;
 
 use crate::compat;
 use crate::diagnostic::Findings;
+#[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
 use crate::lint::{self, Options};
@@ -29,6 +30,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings());
         findings = compat::react(findings, description, &options.tools);
     }
+    #[cfg(feature = "xdd")]
     if is_xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
     }

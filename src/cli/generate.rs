@@ -12,7 +12,7 @@ use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, tell};
 use crate::diagnostic::Severity;
-use crate::format::input::InputError;
+use crate::format::ReadError;
 use crate::generate::{Options, Target};
 use crate::production::{Error, Judged, Production, Request, Room, depfile, told};
 use crate::report::Tally;
@@ -146,7 +146,7 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
             Failure::new(error).help("mend them; `--severity` makes findings of a rule milder, `--force` generates all the same").print();
             Ok(Outcome::Findings)
         }
-        Error::Input(error @ InputError::SeveralDevices { .. }) => Err(error.into()),
+        Error::Input(error @ ReadError::SeveralDevices { .. }) => Err(error.into()),
         Error::Profile(error) => Err(error.into()),
         error @ Error::TooLarge { .. } => {
             Failure { help: error.help(), ..Failure::new(error) }.print();

@@ -6,10 +6,10 @@ use std::path::Path;
 use clap::Args;
 
 use super::Failure;
+use crate::format::input::Reading;
 pub(super) use crate::format::input::{FileKind, Input};
-use crate::format::input::{InputError, Reading, bytes_of, read_bounded};
-use crate::format::{self, Description};
-use crate::source::{DEFAULT_MAX_SIZE, Encoding};
+use crate::format::{self, Description, ReadError};
+use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 
 /// What reports call the standard input.
 const STDIN: &str = "<stdin>";
@@ -74,20 +74,17 @@ impl InputArgs {
     pub(super) fn candidate(&self, path: &Path) -> Result<Candidate, Failure> {
         let bytes = self.size.bytes(path)?;
         let name = name_of(path);
-        let kind = match self.reading().kind(&name, &bytes) {
-            Ok(kind) => kind,
-            Err(InputError::Foreign { name, found }) => {
+        let (kind, source) = match self.reading().recognised(&name, bytes) {
+            Ok(recognised) => recognised,
+            Err(ReadError::Foreign { name, found }) => {
                 let technology = found.technology.as_ref().map(|name| format!(" ({name})"));
                 let called = format!("{}{}", found.kind.name(), technology.unwrap_or_default());
-                return Ok(Candidate::Foreign(called, InputError::Foreign { name, found }.into()));
+                return Ok(Candidate::Foreign(called, ReadError::Foreign { name, found }.into()));
             }
             Err(error) => return Err(error.into()),
         };
         match kind.format() {
-            Some(format) => {
-                let source = self.reading().source(&name, bytes).map_err(Failure::new)?;
-                Ok(Candidate::Description(Box::new(format::read(source, format))))
-            }
+            Some(format) => Ok(Candidate::Description(Box::new(format::read(source, format)))),
             None => {
                 let message = format!(
                     "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
@@ -104,9 +101,10 @@ impl SizeArgs {
     /// The bytes of a file as they are.
     pub(super) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
         if path == Path::new("-") {
-            return read_bounded(io::stdin().lock(), STDIN, self.max_size, Vec::new()).map_err(Failure::new);
+            let bytes = source::read_stream(io::stdin().lock(), STDIN, self.max_size, Vec::new());
+            return Ok(bytes.map_err(ReadError::from)?);
         }
-        Ok(bytes_of(path, self.max_size)?)
+        Ok(source::read(path, self.max_size).map_err(ReadError::from)?)
     }
 }
 
@@ -115,9 +113,18 @@ pub(super) fn name_of(path: &Path) -> String {
     if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
 }
 
-impl From<InputError> for Failure {
-    fn from(error: InputError) -> Self {
-        Self { help: error.help(), ..Self::new(error) }
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        let help = match &error {
+            ReadError::Source(SourceError::TooLarge { .. }) => {
+                Some("raise the limit with `--max-size`".to_owned())
+            }
+            ReadError::SeveralDevices { .. } => {
+                Some("say which one with `--device`, counted from 1".to_owned())
+            }
+            error => error.help(),
+        };
+        Self { help, ..Self::new(error) }
     }
 }
 

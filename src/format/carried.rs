@@ -51,7 +51,13 @@ text_rule! {
     STALE_CARRIED_DATA = "objdict/stale-carried-data", Note
 }
 
-/// Brings what is carried in a device to its place. What does not belong to the device as it is stays, and is told.
+/// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is told.
+pub(super) fn restored(mut device: Device, mut findings: Findings) -> (Device, Findings) {
+    restore(&mut device, &mut findings);
+    (device, findings)
+}
+
+/// As [`restored`].
 pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
     let changes = extract(device);
     if changes.is_empty() {

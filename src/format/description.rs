@@ -2,9 +2,12 @@
 
 use std::sync::OnceLock;
 
+#[cfg(feature = "json")]
+use super::carried;
 use super::ini::Document;
-use super::xml::Tree;
-use super::{Format, Syntax, carried, eds, ini, xdd};
+use super::{Format, Syntax, eds, ini};
+#[cfg(feature = "xdd")]
+use super::{xdd, xml::Tree};
 use crate::diagnostic::{At, Change, Findings, Fix};
 use crate::model::{Commissioning, Device, DeviceKind, Place};
 use crate::source::{EditError, Encoding, SourceFile, Span};
@@ -26,26 +29,31 @@ enum Text {
     /// Lines of an INI file.
     Ini(Document, OnceLock<eds::Locator>),
     /// Elements of XML.
+    #[cfg(feature = "xdd")]
     Xml(Tree, OnceLock<xdd::Locator>),
 }
 
 impl Description {
     pub(super) fn read(source: SourceFile, format: Format) -> Self {
-        let (text, (mut device, mut findings)) = match format.syntax() {
-            Syntax::Ini => {
-                let document = Document::new(source);
-                let read = eds::read(&document, format.kind());
-                (Text::Ini(document, OnceLock::new()), read)
-            }
+        let (text, device, findings) = match format.syntax() {
+            #[cfg(feature = "xdd")]
             Syntax::Xml => {
                 let mut damage = Findings::new();
                 let tree = Tree::new(source, &mut damage);
                 let (device, findings) = xdd::read(&tree, 0, format.kind());
                 damage.append(findings);
-                (Text::Xml(tree, OnceLock::new()), (device, damage))
+                (Text::Xml(tree, OnceLock::new()), device, damage)
+            }
+            // a build without XDD finds nothing but junk in one
+            _ => {
+                let document = Document::new(source);
+                let (device, findings) = eds::read(&document, format.kind());
+                (Text::Ini(document, OnceLock::new()), device, findings)
             }
         };
-        carried::restore(&mut device, &mut findings);
+        #[cfg(feature = "json")]
+        let (device, findings) = carried::restored(device, findings);
+        let mut findings = findings;
         let read = Self { format, text, number: 0, device, findings: Findings::new() };
         if read.device_count() == 1 {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
@@ -58,6 +66,7 @@ impl Description {
     pub fn device_count(&self) -> usize {
         match &self.text {
             Text::Ini(..) => 1,
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::containers(tree).len().max(1),
         }
     }
@@ -67,9 +76,11 @@ impl Description {
     pub fn select(self, number: usize) -> Option<Self> {
         match self.text {
             _ if number == self.number => Some(self),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if number < xdd::containers(&tree).len() => {
-                let (mut device, mut findings) = xdd::read(&tree, number, self.format.kind());
-                carried::restore(&mut device, &mut findings);
+                let (device, findings) = xdd::read(&tree, number, self.format.kind());
+                #[cfg(feature = "json")]
+                let (device, findings) = carried::restored(device, findings);
                 Some(Self { text: Text::Xml(tree, OnceLock::new()), number, device, findings, ..self })
             }
             _ => None,
@@ -90,6 +101,7 @@ impl Description {
     pub fn source(&self) -> &SourceFile {
         match &self.text {
             Text::Ini(document, _) => document.source(),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => tree.source(),
         }
     }
@@ -98,14 +110,17 @@ impl Description {
     pub fn document(&self) -> Option<&Document> {
         match &self.text {
             Text::Ini(document, _) => Some(document),
+            #[cfg(feature = "xdd")]
             Text::Xml(..) => None,
         }
     }
 
     /// The text as elements; `None` for one that is no XML.
+    #[cfg(feature = "xdd")]
     pub fn tree(&self) -> Option<&Tree> {
         match &self.text {
             Text::Ini(..) => None,
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => Some(tree),
         }
     }
@@ -114,6 +129,7 @@ impl Description {
     pub fn print(&self) -> Vec<u8> {
         match &self.text {
             Text::Ini(document, _) => document.print(),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => tree.source().to_bytes(),
         }
     }
@@ -134,6 +150,7 @@ impl Description {
             Text::Ini(document, locator) => {
                 locator.get_or_init(|| eds::Locator::new(document)).locate(document, place)
             }
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, locator) => {
                 locator.get_or_init(|| xdd::Locator::new(tree, self.number)).locate(tree, place)
             }
@@ -154,11 +171,13 @@ impl Description {
     ///
     /// # Errors
     /// When an edited text cannot be written in the encoding of the file.
+    #[cfg(feature = "json")]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         let last_eds = self.source().name().rsplit(['/', '\\']).next();
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
         match &self.text {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => {
                 let edited = xdd::to_xdc(tree, file_name, node);
                 edited.unwrap_or_else(|| Ok(self.anew(file_name, Some(node))))
@@ -171,9 +190,11 @@ impl Description {
     ///
     /// # Errors
     /// When an edited text cannot be written in the encoding of the file.
+    #[cfg(feature = "json")]
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => {
                 xdd::to_xdd(tree, file_name).unwrap_or_else(|| Ok(self.anew(file_name, None)))
             }
@@ -182,6 +203,7 @@ impl Description {
 
     /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
     /// without communication network profile.
+    #[cfg(all(feature = "json", feature = "xdd"))]
     fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Vec<u8> {
         let mut device = self.device.clone();
         if let Some(info) = &mut device.file_info {
@@ -229,6 +251,7 @@ impl Description {
                 let locator = locator.get_or_init(|| eds::Locator::new(document));
                 eds::edits(document, locator, &self.device, &fix.changes)
             }
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, locator) => {
                 let locator = locator.get_or_init(|| xdd::Locator::new(tree, self.number));
                 xdd::edits(tree, locator, &fix.changes)
@@ -263,7 +286,7 @@ impl Description {
     /// What the text shows that other tools choke on; see `compat`.
     pub(crate) fn portability_findings(&self) -> Findings {
         let mut findings = Findings::new();
-        if let Text::Ini(document, _) = &self.text {
+        if let Some(document) = self.document() {
             eds::portability::check(document, &self.device, &mut findings);
         }
         findings
@@ -275,7 +298,9 @@ impl Description {
         let mut findings = Findings::new();
         match &self.text {
             Text::Ini(document, _) => ini::findings::check(document, &mut findings),
+            #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
+            #[cfg(feature = "xdd")]
             Text::Xml(..) => {}
         }
         findings

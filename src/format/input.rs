@@ -1,18 +1,19 @@
 //! Any file that commands and build scripts read: what it is, and what is in it.
 
 use std::error::Error;
-use std::fs::File;
-use std::io::{self, Read};
 use std::num::NonZeroUsize;
 use std::path::Path;
 
-use super::identify::{ContentKind, Identification, identify};
-use super::json::Kind;
-use super::{Description, Format, concise, json, nodelist};
+use super::identify::{ContentKind, Identification, identify_source};
+#[cfg(feature = "json")]
+use super::json::{self, Kind};
+use super::{Description, Format, Syntax};
+#[cfg(feature = "node")]
+use super::{concise, nodelist};
 use crate::diagnostic::counted;
-use crate::download::ConciseDcf;
-use crate::model::{Device, NodeList};
-use crate::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
+use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
+#[cfg(feature = "json")]
+use objdict_node::download::ConciseDcf;
 
 /// A kind of file that commands and build scripts read or write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,6 +90,16 @@ impl FileKind {
         }
     }
 
+    /// The feature of this crate with which it is read.
+    const fn feature(self) -> &'static str {
+        match self {
+            Self::Eds | Self::Dcf => "default",
+            Self::Xdd | Self::Xdc => "xdd",
+            Self::Json | Self::Cdcf => "json",
+            Self::CdcfText | Self::Cpj => "node",
+        }
+    }
+
     /// What people call it.
     pub const fn name(self) -> &'static str {
         match self {
@@ -121,11 +132,14 @@ pub enum Input {
     /// A device as text: EDS, DCF, XDD or XDC.
     Description(Box<Description>),
     /// A device as JSON.
-    Device(Box<Device>),
+    #[cfg(feature = "json")]
+    Device(Box<crate::model::Device>),
     /// The downloads of a concise DCF, as such or as JSON.
+    #[cfg(feature = "json")]
     Concise(ConciseDcf),
     /// The nodes of networks.
-    NodeList(NodeList),
+    #[cfg(feature = "node")]
+    NodeList(crate::model::NodeList),
 }
 
 /// How a file is read.
@@ -149,19 +163,13 @@ impl Default for Reading {
     }
 }
 
-/// Why there is nothing to be had of a file.
+/// Why a file is not read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum InputError {
-    /// It could not be opened.
+pub enum ReadError {
+    /// It could not be opened, or is too large.
     #[error(transparent)]
     Source(#[from] SourceError),
-    /// It is a directory.
-    #[error("`{path}` is a directory")]
-    Directory {
-        /// The directory.
-        path: String,
-    },
     /// It is a look-alike of another technology, or a file of CANopen that nothing here reads.
     #[error("`{name}` {}", .found.verdict())]
     Foreign {
@@ -204,16 +212,29 @@ pub enum InputError {
         /// What it was read as.
         kind: FileKind,
     },
+    /// It is of a kind that this build of the library does not read.
+    #[error("`{name}` is read as {}, for which this build of objdict has no reader", kind.name())]
+    NotBuilt {
+        /// The file.
+        name: String,
+        /// What it is.
+        kind: FileKind,
+    },
 }
 
-impl InputError {
-    /// What to do about it, where that is known; options are those of the command line.
+impl ReadError {
+    /// What to do about it, where that is known.
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::Directory { path } => Some(format!("name files, such as `{path}/*.eds`")),
+            Self::Source(SourceError::Directory { path }) => {
+                Some(format!("name files, such as `{path}/*.eds`"))
+            }
             Self::Foreign { found, .. } => found.advice().map(str::to_owned),
-            Self::SeveralDevices { .. } => Some("say which one with `--device`, counted from 1".to_owned()),
+            Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),
+            Self::NotBuilt { kind, .. } => {
+                Some(format!("enable the feature `{}` of the crate `objdict`", kind.feature()))
+            }
             Self::Source(_) | Self::Content { .. } | Self::NoSuchDevice { .. } => None,
         }
     }
@@ -223,61 +244,68 @@ impl Reading {
     /// What is in a file, and as what kind it was read.
     ///
     /// # Errors
-    /// When there is nothing to be had of it, see [`InputError`]. What is wrong in a description is among its findings.
-    pub fn open(&self, path: &Path) -> Result<(FileKind, Input), InputError> {
-        let bytes = bytes_of(path, self.max_size)?;
-        self.read(&path.display().to_string(), bytes)
+    /// When there is nothing to be had of it, see [`ReadError`]. What is wrong in a description is among its findings.
+    pub fn open(&self, path: &Path) -> Result<(FileKind, Input), ReadError> {
+        self.read(&path.display().to_string(), source::read(path, self.max_size)?)
     }
 
     /// What is in the bytes of a file of this name, and as what kind they were read.
     ///
     /// # Errors
     /// As [`open`](Self::open).
-    pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), InputError> {
-        let kind = self.kind(name, &bytes)?;
-        let damaged =
-            |error: Box<dyn Error + Send + Sync>| InputError::Content { name: name.to_owned(), error };
-        let input = match kind {
-            FileKind::Eds | FileKind::Dcf | FileKind::Xdd | FileKind::Xdc => {
-                let format = kind.format().unwrap_or(Format::Eds);
-                Input::Description(Box::new(super::read(self.source(name, bytes)?, format)))
-            }
-            FileKind::Json => {
-                let source = self.source(name, bytes)?;
-                let text = source.text();
-                match json::kind(text).map_err(|error| damaged(error.into()))? {
-                    Kind::Device => json::read_device(text).map(|device| Input::Device(Box::new(device))),
-                    Kind::ConciseDcf => json::read_configuration(text).map(Input::Concise),
-                }
-                .map_err(|error| damaged(error.into()))?
-            }
-            FileKind::Cdcf => {
-                let configuration = ConciseDcf::parse(&bytes).map_err(|error| damaged(error.into()))?;
-                Input::Concise(configuration)
-            }
-            FileKind::CdcfText => {
-                let source = self.source(name, bytes)?;
-                let configuration = concise::parse(source.text(), self.node_id);
-                Input::Concise(configuration.map_err(|error| damaged(error.into()))?)
-            }
-            FileKind::Cpj => {
-                let source = self.source(name, bytes)?;
-                Input::NodeList(nodelist::read(&source).map_err(|error| damaged(error.into()))?)
-            }
+    pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
+        let (kind, source) = self.recognised(name, bytes)?;
+        let input = match kind.format() {
+            Some(format) => Input::Description(Box::new(super::read(source, format))),
+            None => self.content(kind, &source)?,
         };
         Ok((kind, input))
+    }
+
+    /// What a source of another kind than a description holds.
+    fn content(&self, kind: FileKind, source: &SourceFile) -> Result<Input, ReadError> {
+        let damaged = |error: Box<dyn Error + Send + Sync>| ReadError::Content {
+            name: source.name().to_owned(),
+            error,
+        };
+        match kind {
+            #[cfg(feature = "json")]
+            FileKind::Json => match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
+                Kind::Device => {
+                    json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
+                }
+                Kind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
+            }
+            .map_err(|error| damaged(error.into())),
+            #[cfg(feature = "json")]
+            FileKind::Cdcf => {
+                let configuration = ConciseDcf::parse(&source.to_bytes());
+                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
+            }
+            #[cfg(feature = "node")]
+            FileKind::CdcfText => {
+                let configuration = concise::parse(source.text(), self.node_id);
+                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
+            }
+            #[cfg(feature = "node")]
+            FileKind::Cpj => {
+                nodelist::read(source).map(Input::NodeList).map_err(|error| damaged(error.into()))
+            }
+            kind => Err(ReadError::NotBuilt { name: source.name().to_owned(), kind }),
+        }
     }
 
     /// As [`read`](Self::read), of several devices the one that was asked for.
     ///
     /// # Errors
     /// As [`open`](Self::open), and when there is no such device, or several and none was asked for.
-    pub fn read_one(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), InputError> {
+    pub fn read_one(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
         let (kind, input) = self.read(name, bytes)?;
         Ok(match input {
             Input::Description(description) => {
                 (kind, Input::Description(Box::new(self.select(name, *description)?)))
             }
+            #[cfg(feature = "json")]
             input => (kind, input),
         })
     }
@@ -286,77 +314,64 @@ impl Reading {
     ///
     /// # Errors
     /// When there is no such device, or several and none was asked for.
-    pub fn select(&self, name: &str, description: Description) -> Result<Description, InputError> {
+    pub fn select(&self, name: &str, description: Description) -> Result<Description, ReadError> {
         let count = description.device_count();
         let name = name.to_owned();
         match self.device {
             None if count == 1 => Ok(description),
-            None => Err(InputError::SeveralDevices { name, count }),
+            None => Err(ReadError::SeveralDevices { name, count }),
             Some(number) => {
-                description.select(number.get() - 1).ok_or(InputError::NoSuchDevice { name, number, count })
+                description.select(number.get() - 1).ok_or(ReadError::NoSuchDevice { name, number, count })
             }
         }
     }
 
-    /// What a file is: what the user says, else what its content shows, else its name, else an EDS.
+    /// The source in the bytes of a file, and what kind of file it is: what the user says, else what its content shows, else
+    /// its name, else an EDS.
     ///
     /// # Errors
-    /// When it is something that nothing here reads: [`InputError::Foreign`].
-    pub fn kind(&self, name: &str, bytes: &[u8]) -> Result<FileKind, InputError> {
-        if let Some(kind) = self.from {
-            return Ok(kind);
-        }
-        let found = identify(name, bytes);
-        match FileKind::of_content(found.kind) {
-            Some(kind) => Ok(kind),
-            None if found.kind == ContentKind::Unknown => {
-                Ok(FileKind::of(Path::new(name)).unwrap_or(FileKind::Eds))
-            }
-            None => Err(InputError::Foreign { name: name.to_owned(), found: Box::new(found) }),
-        }
-    }
-
-    /// The text in the bytes of a file of this name.
-    ///
-    /// # Errors
-    /// When there are too many.
-    pub fn source(&self, name: &str, bytes: Vec<u8>) -> Result<SourceFile, SourceError> {
+    /// When it is something that nothing here reads: [`ReadError::Foreign`]; when there are too many bytes.
+    pub fn recognised(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, SourceFile), ReadError> {
         let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
-        SourceFile::from_bytes(name.to_owned(), bytes, &options)
+        let source = SourceFile::from_bytes(name, bytes, &options)?;
+        let kind = match self.from {
+            Some(kind) => kind,
+            None => self::kind(&source)?,
+        };
+        let is_xml = kind.format().is_some_and(|format| format.syntax() == Syntax::Xml);
+        if is_xml && !cfg!(feature = "xdd") {
+            return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+        }
+        Ok((kind, source))
     }
 }
 
-/// The bytes of a file as they are, not more than `limit`.
-pub(crate) fn bytes_of(path: &Path, limit: u64) -> Result<Vec<u8>, InputError> {
-    let name = || path.display().to_string();
-    let unreadable = |error: io::Error| match path.is_dir() {
-        true => InputError::Directory { path: name() },
-        false => SourceError::Io { path: name(), error }.into(),
-    };
-    let file = File::open(path).map_err(unreadable)?;
-    let size = file.metadata().map_err(unreadable)?.len();
-    if size > limit {
-        return Err(SourceError::TooLarge { path: name(), size, limit }.into());
+/// What kind of file a source is.
+fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
+    let found = identify_source(source);
+    match FileKind::of_content(found.kind) {
+        Some(kind) => Ok(kind),
+        None if found.kind == ContentKind::Unknown => {
+            Ok(FileKind::of(Path::new(source.name())).unwrap_or(FileKind::Eds))
+        }
+        None => Err(ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) }),
     }
-    let mut bytes = Vec::new();
-    bytes.reserve_exact(usize::try_from(size).unwrap_or_default());
-    read_bounded(file, &name(), limit, bytes).map_err(|error| match error {
-        SourceError::Io { error, .. } => unreadable(error),
-        error => error.into(),
-    })
 }
 
-/// The rest of a stream, not more than `limit` bytes.
-pub(crate) fn read_bounded(
-    stream: impl Read,
-    name: &str,
-    limit: u64,
-    mut bytes: Vec<u8>,
-) -> Result<Vec<u8>, SourceError> {
-    let mut stream = stream.take(limit.saturating_add(1));
-    stream.read_to_end(&mut bytes).map_err(|error| SourceError::Io { path: name.to_owned(), error })?;
-    let size = bytes.len() as u64;
-    if size > limit { Err(SourceError::TooLarge { path: name.to_owned(), size, limit }) } else { Ok(bytes) }
+/// Reads the description at `path` as what its content shows it to be ([`identify()`](super::identify::identify)). Where that
+/// is not known, as in a damaged file, the name decides, and an unknown name is taken for an EDS. Of a file with several
+/// devices it is the first.
+///
+/// # Errors
+/// When the file cannot be opened, or is something else for certain. What is wrong in a description is among the findings.
+pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
+    let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
+    let name = path.display().to_string();
+    let (kind, source) = reading.recognised(&name, source::read(path, options.max_size)?)?;
+    match kind.format() {
+        Some(format) => Ok(super::read(source, format)),
+        None => Err(ReadError::NoDevice { name, kind }),
+    }
 }
 
 #[cfg(test)]

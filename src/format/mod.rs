@@ -1,74 +1,46 @@
 //! Description files: what a file is, and from its bytes to the model.
 
+#[cfg(feature = "json")]
 pub(crate) mod carried;
+#[cfg(feature = "node")]
 mod configured;
 mod description;
 pub mod identify;
 pub mod input;
+#[cfg(feature = "json")]
 pub mod json;
+#[cfg(feature = "node")]
 pub mod nodelist;
+#[cfg(feature = "json")]
 mod write;
 
-use std::path::Path;
-
+#[cfg(feature = "node")]
 pub use self::configured::{Configured, NodeSettings};
 pub use self::description::Description;
-use self::identify::Identification;
-use self::identify::identify_source;
+pub use self::input::{ReadError, open};
+#[cfg(feature = "json")]
 pub use self::write::{Fate, Loss, WriteOptions, Written};
-use crate::diagnostic::{Findings, RuleInfo};
+#[cfg(feature = "xdd")]
+use crate::diagnostic::Findings;
+use crate::diagnostic::RuleInfo;
+#[cfg(feature = "json")]
 use crate::model::Device;
 pub use crate::source::EditError;
-use crate::source::{Encoding, SourceError, SourceFile, SourceOptions};
+#[cfg(feature = "json")]
+use crate::source::Encoding;
+use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
 pub use objdict_eds::eds::Style;
 pub use objdict_eds::ini;
 pub use objdict_model::{Format, Syntax, literal};
+#[cfg(feature = "node")]
 pub use objdict_node::concise;
+#[cfg(feature = "xdd")]
 pub(crate) use objdict_xdd::xdd;
+#[cfg(feature = "xdd")]
 pub use objdict_xdd::xdd::XddVersion;
+#[cfg(feature = "xdd")]
 pub use objdict_xdd::xml;
-
-/// Why a file is no description.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReadError {
-    /// It could not be opened.
-    #[error(transparent)]
-    Source(#[from] SourceError),
-    /// It is something else: a look-alike of another technology, or a file of CANopen that describes no device.
-    #[error("`{name}` {}", .found.verdict())]
-    Foreign {
-        /// The file.
-        name: String,
-        /// What it is.
-        found: Box<Identification>,
-    },
-}
-
-impl ReadError {
-    /// What to do about it, where that is known.
-    pub fn help(&self) -> Option<&'static str> {
-        match self {
-            Self::Source(_) => None,
-            Self::Foreign { found, .. } => found.advice(),
-        }
-    }
-}
-
-/// Reads the file at `path` as what its content shows it to be ([`identify()`](identify::identify)). Where that is not
-/// known, as in a damaged file, the name decides, and an unknown name is taken for an EDS.
-///
-/// # Errors
-/// When the file cannot be opened, or is something else for certain. What is wrong in a description is among the findings.
-pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
-    let source = SourceFile::open(path, options)?;
-    let found = identify_source(&source);
-    match found.format(source.name()) {
-        Some(format) => Ok(read(source, format)),
-        None => Err(ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) }),
-    }
-}
 
 /// Reads a source in a format.
 pub fn read(source: SourceFile, format: Format) -> Description {
@@ -77,17 +49,20 @@ pub fn read(source: SourceFile, format: Format) -> Description {
 
 /// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
 /// With it comes what the text does not give back: the differences of the device and what is read of the text.
+#[cfg(feature = "json")]
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
     write::write(device, format, options)
 }
 
 /// What a text of a format, in an encoding, does not give back of the device that it was made of.
+#[cfg(feature = "json")]
 pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     write::losses(device, bytes, format, encoding)
 }
 
 /// What is wrong with the structure of an XML document, held against CiA 311: all rules of the group `cia311`. A document
 /// without a container of CiA 311 has none to be held against.
+#[cfg(feature = "xdd")]
 pub fn check_structure(tree: &xml::Tree) -> Findings {
     let mut findings = Findings::new();
     xdd::findings::check(tree, &mut findings);
@@ -96,13 +71,11 @@ pub fn check_structure(tree: &xml::Tree) -> Findings {
 
 /// The rules that the readers raise themselves.
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    ini::findings::RULES
-        .iter()
-        .chain(literal::RULES)
-        .chain(xml::findings::RULES)
-        .chain(eds::findings::RULES)
-        .chain(eds::portability::RULES)
-        .chain(carried::RULES)
-        .copied()
-        .chain(xdd::findings::rules())
+    let of_lines = ini::findings::RULES.iter().chain(literal::RULES).chain(eds::findings::RULES);
+    let rules = of_lines.chain(eds::portability::RULES).copied();
+    #[cfg(feature = "json")]
+    let rules = rules.chain(carried::RULES.iter().copied());
+    #[cfg(feature = "xdd")]
+    let rules = rules.chain(xml::findings::RULES.iter().copied()).chain(xdd::findings::rules());
+    rules
 }

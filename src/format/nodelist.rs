@@ -5,6 +5,7 @@
 
 use ini::{Ini, ParseOption, Properties};
 
+use super::identify::is_topology;
 use super::ini::Lines;
 use crate::format::literal::{self, Quirks};
 use crate::model::{Network, NetworkNode, NodeList};
@@ -76,12 +77,6 @@ fn parse(text: &str) -> Result<Ini, NodeListError> {
     let options = ParseOption { enabled_quote: false, enabled_escape: false, ..ParseOption::default() };
     Ini::load_from_str_opt(&lines, options)
         .map_err(|error| NodeListError::Ini { line: error.line, message: error.msg.into_owned() })
-}
-
-/// `Topology`, `Topology2` …
-pub(crate) fn is_topology(name: &str) -> bool {
-    let number = name.get(.."Topology".len()).filter(|word| word.eq_ignore_ascii_case("Topology"));
-    number.is_some_and(|word| name[word.len()..].bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 fn network(section: &str, properties: &Properties) -> Result<Network, NodeListError> {

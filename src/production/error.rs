@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use crate::diagnostic::counted;
 use crate::diagnostic::one_line;
-use crate::format::input::InputError;
+use crate::format::ReadError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
 use crate::profile::OpenError;
@@ -22,7 +22,7 @@ use crate::source::SourceError;
 pub enum Error {
     /// There is nothing to be had of the description.
     #[error(transparent)]
-    Input(#[from] InputError),
+    Input(#[from] ReadError),
     /// A configuration cannot be opened.
     #[error(transparent)]
     Config(#[from] SourceError),
@@ -122,7 +122,7 @@ impl Error {
     /// What to do about it, where that is known.
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::Input(InputError::SeveralDevices { .. }) => {
+            Self::Input(ReadError::SeveralDevices { .. }) => {
                 Some("say which one with `device`, counted from 1".to_owned())
             }
             Self::Input(error) => error.help(),

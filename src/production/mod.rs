@@ -20,14 +20,14 @@ pub(crate) use self::error::told;
 #[cfg(feature = "cli")]
 pub(crate) use self::save::Saved;
 pub(crate) use self::save::save;
+#[cfg(feature = "lint")]
 use crate::config::{Config, Project};
 use crate::diagnostic::one_line;
 use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
-use crate::format::input::{Input, InputError, Reading};
-use crate::generate::{
-    self, Generated, Note, Options, Size, Sizes, Target, files_of, renames, without_effect,
-};
+use crate::format::ReadError;
+use crate::format::input::{Input, Reading};
+use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files_of, without_effect};
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
@@ -53,6 +53,7 @@ pub(crate) struct Request {
     /// What to generate; what is there twice counts once.
     pub(crate) targets: Vec<Target>,
     /// A file with names, which are added to those of the options.
+    #[cfg(feature = "lint")]
     pub(crate) rename: Option<PathBuf>,
     /// The options; the names of files and the hash are found out.
     pub(crate) options: Options,
@@ -65,6 +66,7 @@ pub(crate) struct Request {
 /// What a check is told.
 #[derive(Debug, Default)]
 pub(crate) struct Judging {
+    #[cfg(feature = "lint")]
     pub(crate) config: Configuration,
     pub(crate) severities: Severities,
     /// Documents that the device shall follow though it does not say so: numbers, or paths of files.
@@ -72,6 +74,7 @@ pub(crate) struct Judging {
 }
 
 /// Which configuration holds.
+#[cfg(feature = "lint")]
 #[derive(Debug, Default)]
 pub(crate) enum Configuration {
     /// The nearest, in the folder of the description or above.
@@ -99,6 +102,7 @@ pub(crate) struct Judged {
 #[derive(Debug)]
 enum Described {
     Text(Box<Description>),
+    #[cfg(feature = "json")]
     Model(Box<Device>),
 }
 
@@ -134,21 +138,39 @@ impl Request {
         let (kind, input) = self.reading.read_one(name, bytes)?;
         let described = match input {
             Input::Description(description) => Described::Text(description),
+            #[cfg(feature = "json")]
             Input::Device(device) => Described::Model(device),
-            Input::Concise(_) | Input::NodeList(_) => {
-                return Err(InputError::NoDevice { name: name.to_owned(), kind }.into());
-            }
+            #[cfg(feature = "json")]
+            _ => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
         };
-        let project = self.project(files)?;
-        let options = self.check_options(project.as_ref(), files)?;
-        let of_config = project.map(|project| config_findings(&project, &options)).transpose()?;
+        #[cfg(feature = "lint")]
+        let (options, of_config) = self.configured(files)?;
+        #[cfg(not(feature = "lint"))]
+        let (options, of_config) = (self.check_options(lint::Options::default(), files)?, Vec::new());
         let findings = match &described {
             Described::Text(description) => crate::check_with(description, &options),
+            #[cfg(feature = "json")]
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
-        Ok(Judged { name: name.to_owned(), described, findings, of_config: of_config.unwrap_or_default() })
+        Ok(Judged { name: name.to_owned(), described, findings, of_config })
     }
 
+    /// The options of the check, and what is wrong with the configuration that they come from.
+    #[cfg(feature = "lint")]
+    fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
+        let severities = &self.judging.severities;
+        let Some(project) = self.project(files)? else {
+            let options = lint::Options { severities: severities.clone(), ..lint::Options::default() };
+            return Ok((self.check_options(options, files)?, Vec::new()));
+        };
+        let mut options = project.config.options(&self.file, severities);
+        options.profiles.extend(project.profiles.iter().cloned());
+        let options = self.check_options(options, files)?;
+        let findings = config_findings(&project, &options)?;
+        Ok((options, findings))
+    }
+
+    #[cfg(feature = "lint")]
     fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
         let path = match &self.judging.config {
             Configuration::Off => return Ok(None),
@@ -170,16 +192,10 @@ impl Request {
 
     fn check_options(
         &self,
-        project: Option<&Project>,
+        mut options: lint::Options,
         files: &mut Vec<PathBuf>,
     ) -> Result<lint::Options, Error> {
-        let severities = &self.judging.severities;
-        let mut options = match project {
-            Some(project) => project.config.options(&self.file, severities),
-            None => lint::Options { severities: severities.clone(), ..lint::Options::default() },
-        };
         options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
-        options.profiles.extend(project.iter().flat_map(|project| &project.profiles).cloned());
         for name in &self.judging.profiles {
             options.profiles.push(self.profile(name, files)?);
         }
@@ -237,10 +253,13 @@ impl Request {
     fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
         let mut options = self.options.clone();
         options.file_stem = stem(&self.file);
-        if let Described::Text(description) = &judged.described {
-            options.source_hash = Some(hash(description.source().text().as_bytes()));
-        }
+        options.source_hash = match &judged.described {
+            Described::Text(description) => Some(hash(description.source().text().as_bytes())),
+            #[cfg(feature = "json")]
+            Described::Model(_) => None,
+        };
         files.extend(options.template.clone());
+        #[cfg(feature = "lint")]
         if let Some(path) = &self.rename {
             files.push(path.clone());
             options.renamed.extend(names_in(path)?);
@@ -290,6 +309,7 @@ impl Judged {
     fn device(&self) -> &Device {
         match &self.described {
             Described::Text(description) => description.device(),
+            #[cfg(feature = "json")]
             Described::Model(device) => device,
         }
     }
@@ -301,6 +321,7 @@ impl Judged {
         }
         refusal(&self.name, &self.findings, |errors| match &self.described {
             Described::Text(description) => text_of((&**description).into(), errors),
+            #[cfg(feature = "json")]
             Described::Model(_) => {
                 errors.iter().map(|error| without_text(&self.name, error) + "\n").collect()
             }
@@ -311,6 +332,7 @@ impl Judged {
     pub(crate) fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
             Described::Text(description) => line((&**description).into(), finding),
+            #[cfg(feature = "json")]
             Described::Model(_) => without_text(&self.name, finding),
         }
     }
@@ -318,6 +340,7 @@ impl Judged {
 
 /// What is wrong with a configuration, a line each; errors are a reason to stop whatever is forced, for nobody knows what
 /// was to be checked.
+#[cfg(feature = "lint")]
 fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
     let findings = options.severities.apply(project.findings.clone());
     let subject = Subject::Text(project.config.source());
@@ -364,10 +387,11 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
 }
 
 /// The names that a file gives to objects and entries.
+#[cfg(feature = "lint")]
 fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
     let text =
         std::fs::read_to_string(path).map_err(|error| Error::Unreadable { path: path.to_owned(), error })?;
-    renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
+    generate::renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
 }
 
 /// The file's name without its last ending.

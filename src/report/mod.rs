@@ -2,14 +2,19 @@
 //! the findings of a thousand files are never in memory at once.
 
 mod concise;
+#[cfg(feature = "json")]
 mod fingerprint;
 mod github;
+#[cfg(feature = "json")]
 mod gitlab;
+#[cfg(feature = "json")]
 mod json;
+#[cfg(feature = "xdd")]
 mod junit;
 mod path;
 #[cfg(any(test, not(feature = "cli")))]
 mod plain;
+#[cfg(feature = "json")]
 mod sarif;
 mod statistics;
 mod subject;
@@ -26,13 +31,18 @@ use crate::model::Place;
 use crate::source::{LineColumn, Span};
 
 pub use concise::Concise;
+#[cfg(feature = "json")]
 pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use github::Github;
+#[cfg(feature = "json")]
 pub use gitlab::Gitlab;
+#[cfg(feature = "json")]
 pub use json::Json;
+#[cfg(feature = "xdd")]
 pub use junit::Junit;
 #[cfg(not(feature = "cli"))]
 pub(crate) use plain::{listed, problem};
+#[cfg(feature = "json")]
 pub use sarif::Sarif;
 pub use statistics::{Detail, Statistic, Statistics};
 pub use subject::Subject;

@@ -4,8 +4,6 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use serde::Serialize;
-
 use super::Subject;
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 
@@ -38,7 +36,8 @@ pub struct Statistics {
 }
 
 /// How often a rule found something.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Statistic {
     /// The rule's id.
     pub rule: &'static str,

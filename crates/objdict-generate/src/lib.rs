@@ -22,7 +22,10 @@
 //! ```
 
 // what several targets share is not used in full by each
-#![cfg_attr(not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")), allow(dead_code))]
+#![cfg_attr(
+    not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")),
+    allow(dead_code)
+)]
 
 #[cfg(feature = "c")]
 mod c;
@@ -49,7 +52,6 @@ mod notes;
 #[cfg(feature = "stacks")]
 mod objdict_macros;
 mod options;
-#[cfg(feature = "toml")]
 mod renames;
 mod resolve;
 mod rom;
@@ -69,8 +71,9 @@ use std::borrow::Cow;
 use std::fmt;
 
 pub use options::{CTable, Choice, Derive, Group, Names, Options};
+pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
-pub use renames::{ChoiceError, renames};
+pub use renames::renames;
 pub use size::{ObjectSize, Size, SizeReport, Sizes};
 
 use objdict_model::{diagnostic, model};

@@ -1,11 +1,14 @@
 //! Names that somebody chose for identifiers: `"2000sub1" = "speed"`, a line each, in TOML.
 
+#[cfg(feature = "toml")]
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use super::Group;
-use crate::model::{Address, NoAddress};
+use crate::model::Address;
+#[cfg(feature = "toml")]
+use crate::model::NoAddress;
 
 /// Why a text of the user is no choice.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -27,6 +30,7 @@ impl ChoiceError {
 ///
 /// # Errors
 /// When the file is no TOML, or has anything else than addresses and names in it.
+#[cfg(feature = "toml")]
 pub fn renames(text: &str) -> Result<BTreeMap<Address, String>, ChoiceError> {
     let line_of = |at: usize| Some(text.get(..at).unwrap_or(text).matches('\n').count() + 1);
     let table: BTreeMap<toml::Spanned<String>, String> = toml::from_str(text).map_err(|error| {

@@ -1,6 +1,5 @@
 //! How much flash and RAM the tables of a target take: rows, defaults, limits and values, not the code that serves them.
 
-
 use super::resolve::Shape;
 use super::table::{Row, Table, TableField};
 use crate::model::TypeKind;

@@ -52,8 +52,8 @@ fn stream_of(
     }
     // what nothing shows to be something else is a stream, and what is wrong with it is worth telling
     let reading = Reading { node_id, ..input.reading() };
-    let kind = match reading.kind(name, &bytes) {
-        Ok(kind @ (FileKind::CdcfText | FileKind::Json | FileKind::Cdcf)) => kind,
+    let kind = match reading.recognised(name, bytes.clone()) {
+        Ok((kind @ (FileKind::CdcfText | FileKind::Json | FileKind::Cdcf), _)) => kind,
         _ => FileKind::Cdcf,
     };
     match (Reading { from: Some(kind), ..reading }).read(name, bytes)? {

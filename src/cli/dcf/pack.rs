@@ -58,7 +58,7 @@ fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
     let bytes = args.input.size.bytes(&args.file)?; // once: it may be the standard input
     let reading = args.input.reading();
     let is_stream = hex_of(&bytes, &args.input).is_some()
-        || matches!(reading.kind(&name, &bytes)?, FileKind::Cdcf | FileKind::CdcfText);
+        || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);
     if is_stream {
         let node_id = node_id(args, None, eds);
         return stream_of(&name, bytes, &args.input, node_id).map(Content::Stream);

@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use super::{Content, ContentKind, Identification, list, quoted};
+use crate::format::Format;
 use crate::format::eds::SectionName;
 use crate::format::ini::{LineKind, Lines};
 use crate::format::literal::{self, Quirks};
-use crate::format::{Format, nodelist};
 use crate::model::Part;
 
 /// Sections that a reason names.
@@ -104,7 +104,7 @@ impl<'a> Signs<'a> {
                 self.canopen.push(name);
                 return true;
             }
-            _ if nodelist::is_topology(name) => {
+            _ if is_topology(name) => {
                 self.topology.get_or_insert(name);
             }
             _ => self.io_info |= name.eq_ignore_ascii_case("IO_Info"),
@@ -179,4 +179,10 @@ impl<'a> Signs<'a> {
             None => "CIP (DeviceNet, EtherNet/IP, ControlNet)",
         }
     }
+}
+
+/// `Topology`, `Topology2` …
+pub(crate) fn is_topology(name: &str) -> bool {
+    let number = name.get(.."Topology".len()).filter(|word| word.eq_ignore_ascii_case("Topology"));
+    number.is_some_and(|word| name[word.len()..].bytes().all(|byte| byte.is_ascii_digit()))
 }

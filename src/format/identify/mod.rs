@@ -3,17 +3,19 @@
 //! The name is asked only where the content cannot tell: an EDS and a DCF, or an XDD and an XDC, may have the same text.
 //! No content is damaged so badly that anything here fails; what is not recognised is [`ContentKind::Unknown`].
 
+#[cfg(feature = "json")]
 mod binary;
 mod ini;
 mod kind;
 mod text;
+#[cfg(feature = "xdd")]
 mod xml;
 
 use std::borrow::Cow;
 use std::fmt;
 
-use serde::Serialize;
-
+#[cfg(feature = "node")]
+pub(super) use self::ini::is_topology;
 pub use self::kind::ContentKind;
 use super::Format;
 use crate::source::{Encoding, SourceFile};
@@ -25,25 +27,26 @@ const HEAD: usize = 1 << 16;
 const QUOTED: usize = 100;
 
 /// What a file is, and why it is taken for that.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Identification {
     /// What it holds.
     pub kind: ContentKind,
     /// The technology that it belongs to, such as `CANopen` or `EtherNet/IP`; `None` where it is not known.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     pub technology: Option<String>,
     /// The version of its format, as the file states it: `4.0` of an EDS, `1.1` of an XDD.
-    #[serde(rename = "format_version", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(rename = "format_version", skip_serializing_if = "Option::is_none"))]
     pub version: Option<String>,
     /// The namespace of an XML file.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     pub namespace: Option<String>,
     /// How many devices a network of XDD or XDC describes.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     pub devices: Option<usize>,
     /// The node-ID that a DCF or XDC states.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     pub node_id: Option<u8>,
     /// What shows it, as a clause: "the root element is …".
     pub reason: String,
@@ -58,8 +61,11 @@ pub fn identify(name: &str, bytes: &[u8]) -> Identification {
         return of_text(&Content::new(name, text.as_bytes()));
     }
     let content = Content::new(name, bytes);
-    let found = if content.looks_binary() { binary::identify(bytes) } else { None };
-    found.unwrap_or_else(|| of_text(&content))
+    #[cfg(feature = "json")]
+    if let Some(found) = content.looks_binary().then(|| binary::identify(bytes)).flatten() {
+        return found;
+    }
+    of_text(&content)
 }
 
 /// What an opened file is; as [`identify`].
@@ -223,7 +229,10 @@ fn of_text(content: &Content<'_>) -> Identification {
         let reason = if content.bytes.is_empty() { "the file is empty" } else { "there are only blanks" };
         return Identification::new(ContentKind::Unknown, reason);
     }
+    #[cfg(feature = "xdd")]
     let xml = xml::identify(content, text);
+    #[cfg(not(feature = "xdd"))]
+    let xml = of_xml(text);
     if let Some(found) = &xml
         && found.kind != ContentKind::OtherXml
     {
@@ -233,8 +242,23 @@ fn of_text(content: &Content<'_>) -> Identification {
     ini::identify(content)
         .or(xml)
         .or_else(|| text::identify(content, text))
-        .or_else(|| xml::behind_junk(content))
+        .or_else(|| behind_junk(content))
         .unwrap_or_else(|| unknown(content))
+}
+
+#[cfg(feature = "xdd")]
+use self::xml::behind_junk;
+
+/// XML, which a build without the feature `xdd` does not look into.
+#[cfg(not(feature = "xdd"))]
+fn of_xml(text: &str) -> Option<Identification> {
+    let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
+    text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
+}
+
+#[cfg(not(feature = "xdd"))]
+fn behind_junk(_: &Content<'_>) -> Option<Identification> {
+    None
 }
 
 fn unknown(content: &Content<'_>) -> Identification {

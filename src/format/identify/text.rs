@@ -1,14 +1,18 @@
 //! Other texts: JSON, YAML, and the look-alikes that are neither INI nor XML.
 
 use super::{Content, ContentKind, Identification, list, quoted};
-use crate::format::concise::looks_like;
+#[cfg(feature = "json")]
+use objdict_node::concise::looks_like;
 
 pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identification> {
     if text.starts_with('{') {
         return json(text);
     }
-    concise(text)
-        .or_else(|| gsd(text))
+    #[cfg(feature = "json")]
+    if let Some(found) = concise(text) {
+        return Some(found);
+    }
+    gsd(text)
         .or_else(|| dbc(text))
         .or_else(|| fpga_constraints(text))
         .or_else(|| bus_configuration(content, text))
@@ -30,6 +34,7 @@ fn json(text: &str) -> Option<Identification> {
 }
 
 /// Our text of a concise DCF: the first line has an entry and a data type.
+#[cfg(feature = "json")]
 fn concise(text: &str) -> Option<Identification> {
     let reason = "its first line has an entry, a data type and a value, as the text of a download";
     looks_like(text).then(|| Identification::new(ContentKind::ConciseText, reason))

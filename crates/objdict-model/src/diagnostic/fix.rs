@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::fmt;
 
-
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
 

@@ -13,7 +13,6 @@ mod words;
 use std::borrow::Cow;
 use std::fmt;
 
-
 use crate::model::Place;
 pub use crate::source::Span;
 

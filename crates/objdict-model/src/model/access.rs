@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-
 /// Who may read and write an entry over the network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -1,6 +1,5 @@
 //! The application process: data types, functions, parameters and their groups (CiA 311 §6.4).
 
-
 use super::part::{part, words};
 use super::{
     AllowedValues, AllowedValuesTemplate, Labels, Parameter, ParameterAccess, ParameterGroup,

@@ -1,6 +1,5 @@
 //! What a DCF says of the node (CiA 306-1 §5.4).
 
-
 use super::{Extra, Misfits};
 
 /// The node that a device description was configured for: `DeviceComissioning`, as the standard spells it.

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-
-
 /// A data type, named by the index of its definition in the object dictionary.
 ///
 /// 0001h to 001Bh are the static types of CiA 301; 0020h to 0025h its predefined structures; from 0040h on a device or

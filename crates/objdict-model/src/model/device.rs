@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
     DynamicChannels, ExtraSection, FileInfo, Misfits, ModuleObjects, Modules, NetworkIdentity, Object,
@@ -90,13 +89,22 @@ pub enum DeviceKind {
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ObjectLists {
     /// `MandatoryObjects`.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
+    )]
     pub mandatory: Option<Vec<u16>>,
     /// `OptionalObjects`.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
+    )]
     pub optional: Option<Vec<u16>>,
     /// `ManufacturerObjects`.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
+    )]
     pub manufacturer: Option<Vec<u16>>,
 }
 

@@ -1,6 +1,5 @@
 //! Facts about the device (CiA 306-1 §4.5).
 
-
 use super::{DefaultBaudRate, Extra, Field, Misfits};
 
 /// Vendor, product and general features of the device.

@@ -1,6 +1,5 @@
 //! What CiA 311 says of a device and an EDS has no key for: identity, indicators, module interfaces, functions.
 
-
 use super::part::{part, words};
 use super::{Date, FileInfo, Labels};
 

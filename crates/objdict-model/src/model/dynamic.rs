@@ -1,6 +1,5 @@
 //! Dynamic channels and tools (CiA 302-4, CiA 306-3).
 
-
 use super::{DataType, Extra, Misfits};
 
 /// The segments of the process image that network variables live in (CiA 302-4).
@@ -30,7 +29,10 @@ pub struct Segment {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub direction: Option<Box<str>>,
     /// `RangeN`: first and last index.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
+    )]
     pub range: Option<(u16, u16)>,
     /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]

@@ -1,6 +1,5 @@
 //! Entries: what a sub-index holds.
 
-
 use super::{
     Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
 };

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::fmt;
 
-
 macro_rules! fields {
     ($($name:ident $text:literal,)*) => {
         /// A field of a part of the model. The names are the keys of CiA 306-1, for that is what the field calls them,
@@ -135,4 +134,3 @@ impl fmt::Display for Field {
         f.write_str(&self.name())
     }
 }
-

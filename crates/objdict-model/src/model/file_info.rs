@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-
 use super::{DeviceClass, Extra, Misfits};
 
 /// Who made the description, when, and of which version.

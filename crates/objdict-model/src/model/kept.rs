@@ -1,6 +1,5 @@
 //! What a description says and the model has no field for, so that nothing is lost.
 
-
 use super::Field;
 
 /// Keys and values that the model does not know, in the order of the file.
@@ -168,4 +167,3 @@ impl Misfits {
         self.iter().find(|misfit| misfit.field == *field)
     }
 }
-

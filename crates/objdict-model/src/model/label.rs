@@ -1,6 +1,5 @@
 //! Texts for people, in several languages (CiA 311, `g_labels`).
 
-
 /// The names and descriptions of a part of the profile, in the order of the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

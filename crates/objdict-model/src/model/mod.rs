@@ -88,11 +88,9 @@ pub use parameter::{
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
 #[cfg(feature = "serde")]
-pub(crate) use serial::{
-    index_keys, index_list, is_default, real_text, sub_list, unique_keys,
-};
-#[cfg(feature = "serde")]
 pub use serial::{hex_number, hex_text};
+#[cfg(feature = "serde")]
+pub(crate) use serial::{index_keys, index_list, is_default, real_text, sub_list, unique_keys};
 pub use services::{HeartbeatConsumer, SdoChannel, Services};
 pub use stack::{SrdoAccess, StackOptions};
 pub use value::{Time, Value};

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-
 use super::{Entry, Extra, Misfits, Object};
 
 /// The modules that a bus coupler supports and those that are plugged in.
@@ -14,7 +13,10 @@ pub struct Modules {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub declared: Option<u16>,
     /// The modules by number, counted from 1.
-    #[cfg_attr(feature = "serde", serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty")
+    )]
     pub supported: BTreeMap<u16, Module>,
     /// `ConnectedModules` of a DCF: the numbers of the modules in their physical order.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -51,13 +53,19 @@ pub struct Module {
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub fixed_list: Vec<u16>,
     /// `MxFixedxxxx`: the description of those objects.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
+    )]
     pub fixed: BTreeMap<u16, Object>,
     /// `MxSubExtends`: the list of objects that get new sub-indexes from each such module.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub extension_list: Vec<u16>,
     /// `MxSubExtxxxx`: what the new sub-indexes are.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
+    )]
     pub extensions: BTreeMap<u16, Extension>,
     /// Keys that the model does not know.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]

@@ -1,6 +1,5 @@
 //! Node lists: which nodes a network has, and which configuration each of them (CiA 306-3).
 
-
 use super::Extra;
 
 /// The networks of a project.

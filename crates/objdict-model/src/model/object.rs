@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-
 use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
 
 /// An object of the dictionary.

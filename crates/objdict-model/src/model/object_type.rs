@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-
 /// What kind of object an index holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-
 use super::{Device, Entry, Field};
 
 /// Where in a device description something stands, whatever its format: a part and, mostly, a field of it.

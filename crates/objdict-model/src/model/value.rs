@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-
 use super::{DataType, TypeKind};
 
 /// A value of an entry: a default, a limit, or what a DCF configures.

@@ -8,9 +8,10 @@ mod iso646;
 mod line_index;
 mod span;
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 use std::sync::OnceLock;
-use std::{fs, io};
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
@@ -54,10 +55,14 @@ pub enum SourceError {
         /// What the system said.
         error: io::Error,
     },
+    /// It is a directory.
+    #[error("`{path}` is a directory")]
+    Directory {
+        /// The directory.
+        path: String,
+    },
     /// The file is larger than allowed.
-    #[error(
-        "`{path}` has {size} bytes, more than the {limit} that are read; raise the limit with `--max-size`"
-    )]
+    #[error("`{path}` has {size} bytes, more than the {limit} that are read")]
     TooLarge {
         /// The file.
         path: String,
@@ -66,6 +71,47 @@ pub enum SourceError {
         /// The limit in bytes.
         limit: u64,
     },
+}
+
+/// The bytes of the file at `path`, not more than `limit` and never more than 1 GiB.
+///
+/// # Errors
+/// When the system cannot read it, or it is larger.
+pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
+    let name = path.display().to_string();
+    let unreadable = |error| match path.is_dir() {
+        true => SourceError::Directory { path: name.clone() },
+        false => SourceError::Io { path: name.clone(), error },
+    };
+    let limit = limit.min(HARD_LIMIT);
+    let file = File::open(path).map_err(unreadable)?;
+    let size = file.metadata().map_err(unreadable)?.len();
+    if size > limit {
+        return Err(SourceError::TooLarge { path: name, size, limit });
+    }
+    let mut bytes = Vec::new();
+    bytes.reserve_exact(usize::try_from(size).unwrap_or_default());
+    read_stream(file, &name, limit, bytes).map_err(|error| match error {
+        SourceError::Io { error, .. } => unreadable(error),
+        error => error,
+    })
+}
+
+/// The rest of a stream behind the `bytes` that are there, not more than `limit`; `name` is what errors call it.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_stream(
+    stream: impl Read,
+    name: &str,
+    limit: u64,
+    mut bytes: Vec<u8>,
+) -> Result<Vec<u8>, SourceError> {
+    let limit = limit.min(HARD_LIMIT);
+    let mut stream = stream.take(limit.saturating_add(1));
+    stream.read_to_end(&mut bytes).map_err(|error| SourceError::Io { path: name.to_owned(), error })?;
+    let size = bytes.len() as u64;
+    if size > limit { Err(SourceError::TooLarge { path: name.to_owned(), size, limit }) } else { Ok(bytes) }
 }
 
 /// A file's text with its name, its encoding and its line table.
@@ -85,15 +131,7 @@ impl SourceFile {
     /// # Errors
     /// When the system cannot read it or it is larger than `options.max_size`.
     pub fn open(path: &Path, options: &SourceOptions) -> Result<Self, SourceError> {
-        let name = path.display().to_string();
-        let io_error = |error| SourceError::Io { path: path.display().to_string(), error };
-        let limit = options.max_size.min(HARD_LIMIT);
-        let size = fs::metadata(path).map_err(io_error)?.len();
-        if size > limit {
-            return Err(SourceError::TooLarge { path: name, size, limit });
-        }
-        let bytes = fs::read(path).map_err(io_error)?;
-        Self::from_bytes(name, bytes, options)
+        Self::from_bytes(path.display().to_string(), read(path, options.max_size)?, options)
     }
 
     /// A source of the given bytes; `name` is what reports call it.

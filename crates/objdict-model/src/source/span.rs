@@ -1,6 +1,5 @@
 //! Byte ranges of a source text.
 
-
 /// A half-open byte range `start..end` of the decoded text of a [`SourceFile`](super::SourceFile).
 ///
 /// Four-byte offsets: no source is larger than 4 GiB, and the line records of a large file stay small.

@@ -16,7 +16,6 @@ mod verify;
 
 use std::fmt;
 
-
 use crate::model::hex;
 #[cfg(feature = "serde")]
 use crate::model::{hex_number, hex_text};
