@@ -191,6 +191,7 @@
 
 #[cfg(feature = "json")]
 pub mod baseline;
+#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 pub mod build_script;
 mod check;
 #[cfg(feature = "cli")]
@@ -202,6 +203,7 @@ pub mod compat;
 pub mod config;
 pub mod format;
 mod mend;
+#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 mod production;
 pub mod registry;
 pub mod report;

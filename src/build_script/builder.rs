@@ -42,7 +42,8 @@ impl Builder {
         Self { request, out_dir: None, max_warnings: MAX_WARNINGS, failure: None }
     }
 
-    /// What to generate; may be called several times. Without it, [`Target::RUST`].
+    /// What to generate; may be called several times. Without it, the first
+    /// that the features of this crate bring: `rust`, where it is among them.
     pub fn target(mut self, target: Target) -> Self {
         self.request.targets.push(target);
         self
@@ -236,6 +237,7 @@ impl Builder {
 
     /// A document that the device shall follow though it does not say so, such as `401`, or the path of a file with a
     /// profile of your own; may be called several times.
+    #[cfg(feature = "lint")]
     pub fn profile(mut self, name: impl Into<String>) -> Self {
         self.request.judging.profiles.push(name.into());
         self
@@ -264,7 +266,7 @@ impl Builder {
             return Err(error);
         }
         if self.request.targets.is_empty() {
-            self.request.targets.push(Target::RUST);
+            self.request.targets.extend(Target::all().next());
         }
         let mut cargo = Cargo::new(cargo);
         let mut files = vec![self.request.file.clone()];

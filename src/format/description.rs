@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use super::carried;
 use super::ini::Document;
 use super::{Format, Syntax, eds, ini};
@@ -51,7 +51,7 @@ impl Description {
                 (Text::Ini(document, OnceLock::new()), device, findings)
             }
         };
-        #[cfg(feature = "json")]
+        #[cfg(all(feature = "json", feature = "xdd"))]
         let (device, findings) = carried::restored(device, findings);
         let mut findings = findings;
         let read = Self { format, text, number: 0, device, findings: Findings::new() };
@@ -79,7 +79,7 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if number < xdd::containers(&tree).len() => {
                 let (device, findings) = xdd::read(&tree, number, self.format.kind());
-                #[cfg(feature = "json")]
+                #[cfg(all(feature = "json", feature = "xdd"))]
                 let (device, findings) = carried::restored(device, findings);
                 Some(Self { text: Text::Xml(tree, OnceLock::new()), number, device, findings, ..self })
             }
@@ -171,7 +171,7 @@ impl Description {
     ///
     /// # Errors
     /// When an edited text cannot be written in the encoding of the file.
-    #[cfg(feature = "json")]
+    #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         let last_eds = self.source().name().rsplit(['/', '\\']).next();
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
@@ -190,7 +190,7 @@ impl Description {
     ///
     /// # Errors
     /// When an edited text cannot be written in the encoding of the file.
-    #[cfg(feature = "json")]
+    #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),

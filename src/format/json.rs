@@ -9,8 +9,8 @@ use std::fmt;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::download::ConciseDcf;
 use crate::model::Device;
+use objdict_node::download::ConciseDcf;
 
 /// The version of the names. A change that older readers would not understand counts it up.
 pub const VERSION: u32 = 1;

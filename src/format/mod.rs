@@ -1,6 +1,6 @@
 //! Description files: what a file is, and from its bytes to the model.
 
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub(crate) mod carried;
 #[cfg(feature = "node")]
 mod configured;
@@ -11,22 +11,22 @@ pub mod input;
 pub mod json;
 #[cfg(feature = "node")]
 pub mod nodelist;
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 mod write;
 
 #[cfg(feature = "node")]
 pub use self::configured::{Configured, NodeSettings};
 pub use self::description::Description;
 pub use self::input::{ReadError, open};
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub use self::write::{Fate, Loss, WriteOptions, Written};
 #[cfg(feature = "xdd")]
 use crate::diagnostic::Findings;
 use crate::diagnostic::RuleInfo;
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use crate::model::Device;
 pub use crate::source::EditError;
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use crate::source::Encoding;
 use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
@@ -49,13 +49,13 @@ pub fn read(source: SourceFile, format: Format) -> Description {
 
 /// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
 /// With it comes what the text does not give back: the differences of the device and what is read of the text.
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
     write::write(device, format, options)
 }
 
 /// What a text of a format, in an encoding, does not give back of the device that it was made of.
-#[cfg(feature = "json")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     write::losses(device, bytes, format, encoding)
 }
@@ -73,7 +73,7 @@ pub fn check_structure(tree: &xml::Tree) -> Findings {
 pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let of_lines = ini::findings::RULES.iter().chain(literal::RULES).chain(eds::findings::RULES);
     let rules = of_lines.chain(eds::portability::RULES).copied();
-    #[cfg(feature = "json")]
+    #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(carried::RULES.iter().copied());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::RULES.iter().copied()).chain(xdd::findings::rules());

@@ -9,6 +9,7 @@ use crate::diagnostic::one_line;
 use crate::format::ReadError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
+#[cfg(feature = "lint")]
 use crate::profile::OpenError;
 use crate::report::problem;
 use crate::source::SourceError;
@@ -27,6 +28,7 @@ pub enum Error {
     #[error(transparent)]
     Config(#[from] SourceError),
     /// A profile that was asked for is none.
+    #[cfg(feature = "lint")]
     #[error(transparent)]
     Profile(#[from] OpenError),
     /// There are errors in the description or in the configuration.
@@ -126,6 +128,7 @@ impl Error {
                 Some("say which one with `device`, counted from 1".to_owned())
             }
             Self::Input(error) => error.help(),
+            #[cfg(feature = "lint")]
             Self::Profile(error) => error.help(),
             Self::Findings { .. } => Some(
                 "mend them; `severity` makes findings of a rule milder, `force` generates all the same"
@@ -159,6 +162,7 @@ impl Error {
     pub fn report(&self) -> Option<String> {
         match self {
             Self::Findings { report, .. } => Some(report.clone()),
+            #[cfg(feature = "lint")]
             Self::Profile(OpenError::Invalid { source_file, error }) => {
                 let help = error.help.as_deref();
                 error.span.map(|span| problem(source_file, span, &error.message, help))

@@ -70,6 +70,7 @@ pub(crate) struct Judging {
     pub(crate) config: Configuration,
     pub(crate) severities: Severities,
     /// Documents that the device shall follow though it does not say so: numbers, or paths of files.
+    #[cfg(feature = "lint")]
     pub(crate) profiles: Vec<String>,
 }
 
@@ -196,12 +197,14 @@ impl Request {
         files: &mut Vec<PathBuf>,
     ) -> Result<lint::Options, Error> {
         options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
+        #[cfg(feature = "lint")]
         for name in &self.judging.profiles {
             options.profiles.push(self.profile(name, files)?);
         }
         Ok(options)
     }
 
+    #[cfg(feature = "lint")]
     fn profile(&self, name: &str, files: &mut Vec<PathBuf>) -> Result<Arc<Profile>, Error> {
         if profile::named(name).is_none() && Path::new(name).is_file() {
             files.push(name.into());

@@ -9,7 +9,9 @@ mod constants;
 mod decode;
 pub mod default_mapping;
 mod facts;
+#[cfg(feature = "toml")]
 mod load;
+#[cfg(feature = "toml")]
 mod open;
 pub mod standard;
 #[doc(hidden)]
@@ -20,12 +22,16 @@ use std::borrow::Cow;
 pub use condition::{Condition, ConditionError};
 pub use decode::meaning;
 pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
+#[cfg(feature = "toml")]
 pub use load::ProfileError;
+#[cfg(feature = "toml")]
 pub use open::{OpenError, open};
 pub use standard::{for_all, of_number};
 pub use standard::{named, obsolete, standard};
 
-use objdict_model::{diagnostic, model, source};
+use objdict_model::model;
+#[cfg(feature = "toml")]
+use objdict_model::{diagnostic, source};
 
 use self::tables::Tables;
 use crate::model::Device;

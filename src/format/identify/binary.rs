@@ -1,7 +1,7 @@
 //! The stream of a concise DCF, and the same layout in Ethernet POWERLINK.
 
 use super::{ContentKind, Identification, list};
-use crate::download::{ConciseDcf, DecodeErrorKind, Download};
+use objdict_node::download::{ConciseDcf, DecodeErrorKind, Download};
 
 /// The count, and the least that each entry has.
 const COUNT: usize = 4;
