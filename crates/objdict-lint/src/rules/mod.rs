@@ -4,16 +4,24 @@
 use crate::Rule;
 
 macro_rules! rules {
-    ($($group:ident $(: $demands:ident)? { $($rule:ident,)* })*) => {
-        $(mod $group { $(pub(super) mod $demands;)? $(pub(super) mod $rule;)* })*
+    ($($(#[$when:meta])? $group:ident $(: $demands:ident)? { $($rule:ident,)* })*) => {
+        $(
+            $(#[$when])?
+            mod $group {
+                $(pub(super) mod $demands;)?
+                $(pub(super) mod $rule;)*
 
-        static RULES: &[&[&Rule]] = &[$($($group::$demands::RULES,)? &[$(&$group::$rule::RULE,)*],)*];
+                pub(super) static RULES: &[&[&crate::Rule]] = &[$($demands::RULES,)? &[$(&$rule::RULE,)*]];
+            }
+        )*
+
+        static RULES: &[&[&[&Rule]]] = &[$($(#[$when])? $group::RULES,)*];
     };
 }
 
 /// Every rule about the model.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().flatten().copied()
+    RULES.iter().copied().flatten().copied().flatten().copied()
 }
 
 rules! {
@@ -93,6 +101,7 @@ rules! {
         wrong_mapping_direction,
         wrong_mapping_length,
     }
+    #[cfg(feature = "catalogue")]
     cia302: demands {
         contradictory_startup,
         flying_master_time_slots,
@@ -101,6 +110,7 @@ rules! {
         master_without_slaves,
         self_starting_not_marked,
     }
+    #[cfg(feature = "catalogue")]
     cia304 {
         checksum_missing,
         cob_id_collision,
@@ -121,6 +131,7 @@ rules! {
         wrong_mapping_length,
         wrong_transmission_type,
     }
+    #[cfg(feature = "catalogue")]
     cia305 {
         incomplete_address,
         serial_number_in_eds,
@@ -206,6 +217,7 @@ rules! {
         wrong_pdo_count,
         wrong_structure_entry,
     }
+    #[cfg(feature = "catalogue")]
     cia401: demands {
         analogue_events_off,
         channels_not_in_device_type,
@@ -215,6 +227,7 @@ rules! {
         wrong_default_mapping,
         wrong_transmission_type,
     }
+    #[cfg(feature = "catalogue")]
     cia402: demands {
         axis_without_device_type,
         controlword_not_mappable,
@@ -242,10 +255,12 @@ rules! {
         unsupported_mode,
         zero_factor,
     }
+    #[cfg(feature = "catalogue")]
     cia404: demands {
         half_scaling,
         limit_min_above_max,
     }
+    #[cfg(feature = "catalogue")]
     cia406: demands {
         cyclic_timer_mismatch,
         different_measuring_range,
@@ -255,7 +270,9 @@ rules! {
         wrong_default_mapping,
         wrong_transmission_type,
     }
+    #[cfg(feature = "catalogue")]
     house: demands {}
+    #[cfg(feature = "catalogue")]
     naming {
         broken_numbering,
         duplicate_denotation,
@@ -268,6 +285,7 @@ rules! {
         type_in_name,
         wrong_pdo_direction,
     }
+    #[cfg(feature = "catalogue")]
     portability {
         auto_baud_rate,
         compact_denotations,
