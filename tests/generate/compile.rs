@@ -15,6 +15,9 @@ pub(crate) fn driver(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/drivers").join(name)
 }
 
+/// The driver of plain tables in Rust.
+pub(crate) const DRIVER: &str = include_str!("drivers/driver.rs");
+
 /// The compiler for C; `None`, with a word about it, where there is none and that is no failure.
 pub(crate) fn c_compiler() -> Option<String> {
     let name = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
@@ -41,11 +44,11 @@ pub(crate) fn generate_with(folder: &Path, device: &Device, target: &str, option
     generated
 }
 
-/// A command of the Rust compiler, for the file `od.rs` of a folder.
+/// A command of the Rust compiler in a folder.
 pub(crate) fn rustc(folder: &Path) -> Command {
     let mut command = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()));
     command.args(["--edition=2021", "-Dwarnings", "-Copt-level=0", "-Cdebuginfo=0"]);
-    command.env("OD_RS", folder.join("od.rs")).current_dir(folder);
+    command.current_dir(folder);
     command
 }
 

@@ -1,6 +1,6 @@
 //! The constants of identity and services: those that follow from the values of the objects, bit by bit, and no others.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -8,7 +8,8 @@ use std::process::Command;
 use objdict::generate::{CTable, Options, Target, generate};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
-use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{c_compiler, cc, succeed};
 use crate::{devices, for_all};
 
 /// The nodes that functions are asked for.
@@ -27,12 +28,15 @@ enum Expected {
 /// The constants of a device, by name.
 struct Constants<'a> {
     device: &'a Device,
+    /// What the table has.
+    entries: BTreeSet<(u16, u8)>,
     expected: BTreeMap<String, Expected>,
 }
 
 impl Constants<'_> {
     fn of(device: &Device) -> BTreeMap<String, Expected> {
-        let mut constants = Constants { device, expected: BTreeMap::new() };
+        let entries = crate::oracle::facts_of(device).map(|(address, _)| address).collect();
+        let mut constants = Constants { device, entries, expected: BTreeMap::new() };
         constants.put("heartbeat_cob_id", Expected::OfNode(NODES.map(|node| 0x700 | u32::from(node))));
         for (sub, name) in (1..).zip(["vendor_id", "product_code", "revision_number", "serial_number"]) {
             constants.number(0x1018, sub, name, u32::MAX);
@@ -67,21 +71,17 @@ impl Constants<'_> {
         assert!(self.expected.insert(name.to_owned(), expected).is_none(), "{name}");
     }
 
-    /// Whether the table has an entry.
-    fn has(&self, index: u16, sub: u8) -> bool {
-        crate::oracle::facts_of(self.device).any(|(address, _)| address == (index, sub))
-    }
-
     fn number(&mut self, index: u16, sub: u8, name: &str, most: u32) {
         let value = self.device.value(index, sub);
         let number = value.and_then(|value| u32::try_from(value.as_integer()?).ok());
-        if let Some(number) = number.filter(|&number| number <= most && self.has(index, sub)) {
+        if let Some(number) = number.filter(|&number| number <= most && self.entries.contains(&(index, sub)))
+        {
             self.put(name, Expected::Number(number));
         }
     }
 
     fn cob_id(&mut self, index: u16, sub: u8, name: &str, implied: Option<u32>, flags: &[(&str, u32, bool)]) {
-        if !self.has(index, sub) {
+        if !self.entries.contains(&(index, sub)) {
             return;
         }
         let on = |node: u8| match self.device.value(index, sub) {
@@ -109,7 +109,7 @@ impl Constants<'_> {
             let value = self.device.value(0x1016, sub).and_then(|value| value.as_integer());
             let number = value.and_then(|number| u32::try_from(number).ok()).unwrap_or(0);
             let (node, time) = ((number >> 16) & 0xFF, (number & 0xFFFF) as u16);
-            if (1..=127).contains(&node) && time != 0 && self.has(0x1016, sub) {
+            if (1..=127).contains(&node) && time != 0 && self.entries.contains(&(0x1016, sub)) {
                 consumers.push((node as u8, time));
             }
         }
@@ -130,7 +130,8 @@ fn names(text: &str, marks: &[&str]) -> Vec<String> {
     names
 }
 
-fn check_rust(folder: &Path, text: &str, expected: &BTreeMap<String, Expected>) -> Result<(), String> {
+/// A program that compares the constants; fails when they are not those that there should be.
+fn in_rust(text: &str, expected: &BTreeMap<String, Expected>) -> Result<String, String> {
     let (_, rest) = text.split_once("pub mod defaults {\n").ok_or("no module")?;
     let module = rest.split_once("\n}\n").ok_or("no end")?.0;
     let found = names(module, &["    pub const fn ", "    pub const "]);
@@ -138,7 +139,7 @@ fn check_rust(folder: &Path, text: &str, expected: &BTreeMap<String, Expected>) 
     if found != expected.keys().collect::<Vec<_>>() {
         return Err(format!("{found:?} in Rust where {:?} were expected", expected.keys()));
     }
-    let mut program = String::from("mod od { include!(env!(\"OD_RS\")); }\nuse od::defaults;\nfn main() {\n");
+    let mut program = String::from("mod od { include!(\"od.rs\"); }\nuse od::defaults;\nfn main() {\n");
     for (name, value) in expected {
         let upper = name.to_uppercase();
         match value {
@@ -159,9 +160,7 @@ fn check_rust(folder: &Path, text: &str, expected: &BTreeMap<String, Expected>) 
         }
     }
     program.push_str("}\n");
-    std::fs::write(folder.join("defaults.rs"), program).map_err(|error| error.to_string())?;
-    succeed(rustc(folder).args(["-o", "in-rust", "defaults.rs"]), "")?;
-    succeed(&mut Command::new(folder.join("in-rust")), "").map(drop)
+    Ok(program)
 }
 
 fn check_c(
@@ -269,16 +268,22 @@ fn constants_are_what_the_objects_say() {
     let compiler = c_compiler();
     let devices: Vec<(String, Device)> =
         devices().into_iter().chain([("services".to_owned(), odd())]).collect();
+    let text = |generated: &objdict::generate::Generated| {
+        String::from_utf8_lossy(&generated.files[0].contents).into_owned()
+    };
+    let mut batch = Batch::new();
+    for (name, device) in &devices {
+        let generated = generate(device, Target::RUST, &Options::default()).unwrap();
+        let program = in_rust(&text(&generated), &Constants::of(device));
+        batch.add(name, &generated, &program.unwrap_or_else(|error| panic!("{name}: {error}")));
+    }
+    batch.build(&[]);
     for_all(&devices, |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        batch.run(name, "").map_err(fail)?;
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let expected = Constants::of(device);
-        let fail = |error: String| format!("{name}: {error}");
-        let text = |generated: &objdict::generate::Generated| {
-            String::from_utf8_lossy(&generated.files[0].contents).into_owned()
-        };
-        let generated = generate_into(folder, device, "rust");
-        check_rust(folder, &text(&generated), &expected).map_err(fail)?;
         let Some(compiler) = &compiler else { return Ok(()) };
         for table in [CTable::Compact, CTable::Structs] {
             let mut options = Options::default();

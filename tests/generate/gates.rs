@@ -6,7 +6,8 @@ use std::process::Command;
 use objdict::generate::{Derive, Options, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{c_compiler, cc, succeed};
 use crate::{device, for_all, odd, support};
 
 /// What can be left out: the feature of Rust, the macro of C.
@@ -67,7 +68,7 @@ fn check_names(output: &str, device: &Device) -> Result<(), String> {
 }
 
 const RUST: &str = r#"
-mod od { include!(env!("OD_RS")); }
+mod od { include!("od.rs"); }
 fn main() {
     let mut data = od::Data::new(5);
     let _ = data.write(0x1000, 0, &[0; 4]);
@@ -99,44 +100,53 @@ int main(void)
 }
 "#;
 
+/// What is chosen of the gates, a bit each.
+fn chosen(combination: usize) -> impl Iterator<Item = (bool, &'static str, &'static str)> {
+    GATES.iter().enumerate().map(move |(bit, &(feature, name))| (combination >> bit & 1 == 1, feature, name))
+}
+
 #[test]
 fn every_combination_of_gates_compiles_and_names_are_those_of_the_description() {
-    let compiler = c_compiler();
+    let mut batch = Batch::new();
+    let mut options = Options::default();
+    options.feature_gates = true;
+    for (name, device) in devices() {
+        batch.add(&name, &generate(&device, Target::RUST, &options).unwrap(), RUST);
+    }
+    for combination in 0..8 {
+        let mut flags =
+            vec!["--check-cfg=cfg(feature, values(\"od-names\", \"od-pdo\", \"od-limits\"))".to_owned()];
+        let features = chosen(combination).filter(|(is_chosen, ..)| *is_chosen);
+        flags.extend(features.map(|(_, feature, _)| format!("--cfg=feature=\"{feature}\"")));
+        batch.build(&flags.iter().map(String::as_str).collect::<Vec<_>>());
+        for (name, device) in devices() {
+            let output = batch.run(&name, "");
+            let checked = output.and_then(|output| match combination & 1 {
+                1 => check_names(&output, &device),
+                _ => Ok(()),
+            });
+            checked.unwrap_or_else(|error| panic!("{name}, {combination:03b}: {error}"));
+        }
+    }
+}
+
+#[test]
+fn every_combination_of_macros_compiles_and_names_are_those_of_the_description() {
+    let Some(compiler) = c_compiler() else { return };
     for_all(&devices(), |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
-        generate_with(folder, device, Target::RUST, |options| options.feature_gates = true);
         let files = generate_with(folder, device, Target::C, |_| ()).len();
-        std::fs::write(folder.join("gates.rs"), RUST).map_err(|error| error.to_string())?;
         std::fs::write(folder.join("gates.c"), C).map_err(|error| error.to_string())?;
-        for chosen in 0..8_usize {
-            let fail = |error: String| format!("{name}, {chosen:03b}: {error}");
-            let mut rustc = rustc(folder);
-            rustc.args([
-                "--check-cfg=cfg(feature, values(\"od-names\", \"od-pdo\", \"od-limits\"))",
-                "-o",
-                "in-rust",
-                "gates.rs",
-            ]);
-            let mut cc = compiler.as_ref().map(|compiler| cc(compiler, folder));
-            for (bit, (feature, macro_name)) in GATES.iter().enumerate() {
-                if chosen >> bit & 1 == 1 {
-                    rustc.arg(format!("--cfg=feature=\"{feature}\""));
-                } else if let Some(cc) = &mut cc {
-                    cc.arg(format!("-D{macro_name}"));
-                }
-            }
-            succeed(&mut rustc, "").map_err(fail)?;
-            let output = succeed(&mut Command::new(folder.join("in-rust")), "").map_err(fail)?;
-            let has_names = chosen & 1 == 1;
-            if has_names {
-                check_names(&output, device).map_err(fail)?;
-            }
-            let Some(mut cc) = cc else { continue };
+        for combination in 0..8 {
+            let fail = |error: String| format!("{name}, {combination:03b}: {error}");
+            let mut cc = cc(&compiler, folder);
+            let macros = chosen(combination).filter(|(is_chosen, ..)| !is_chosen);
+            cc.args(macros.map(|(.., name)| format!("-D{name}")));
             cc.args(["-I.", "-o", "in-c", "od.c", "gates.c"]).args((files > 2).then_some("od_pdo.c"));
             succeed(&mut cc, "").map_err(fail)?;
             let output = succeed(&mut Command::new(folder.join("in-c")), "").map_err(fail)?;
-            if has_names {
+            if combination & 1 == 1 {
                 check_names(&output, device).map_err(fail)?;
             }
         }

@@ -6,7 +6,8 @@ use std::process::Command;
 use objdict::generate::{Options, Target, generate};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
-use crate::compile::{c_compiler, cc, driver, generate_with, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{DRIVER, c_compiler, cc, driver, generate_with, succeed};
 use crate::devices::{devices, for_all};
 use crate::{compare, script, support};
 
@@ -87,7 +88,7 @@ const SESSION: &[(&str, &[&str])] = &[
 
 const RUST: &str = r#"
 mod od {
-    include!(env!("OD_RS"));
+    include!("od.rs");
 }
 
 struct Application;
@@ -218,10 +219,10 @@ fn hooks_are_called_for_what_they_are_asked_for() {
     let input: String = SESSION.iter().map(|(line, _)| format!("{line}\n")).collect();
     let expected: Vec<&str> = SESSION.iter().flat_map(|(_, lines)| *lines).copied().collect();
 
-    generate_with(folder, &device, "rust", &options);
-    std::fs::write(folder.join("driver.rs"), RUST).unwrap();
-    succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").unwrap();
-    let output = succeed(&mut Command::new(folder.join("in-rust")), &input).unwrap();
+    let mut batch = Batch::new();
+    batch.add("hooks", &generate(&device, Target::RUST, &options).unwrap(), RUST);
+    batch.build(&[]);
+    let output = batch.run("hooks", &input).unwrap();
     assert_eq!(output.lines().collect::<Vec<_>>(), expected, "Rust");
 
     let Some(compiler) = c_compiler() else { return };
@@ -244,20 +245,26 @@ fn answers_are_the_same_with_hooks_and_groups() {
     assert_eq!(devices.len(), chosen.len());
     let path = support::fixtures().join("xdd/io-401.xdd");
     devices.push(("io-401.xdd".to_owned(), crate::devices::device(&path)));
-    for_all(&devices, |(name, device)| {
-        let fail = |error: String| format!("{name}: {error}");
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let folder = folder.path();
+    let options = |device: &Device| {
         let mut options = Options::default();
         options.hooks = device.objects.keys().map(|index| format!("{index:X}").parse().unwrap()).collect();
         options.groups = ["1000-31FF=COMM", "3300-34FF=OTHER"].map(|group| group.parse().unwrap()).to_vec();
+        options
+    };
+    let mut batch = Batch::new();
+    for (name, device) in &devices {
+        batch.add(name, &generate(device, Target::RUST, &options(device)).unwrap(), DRIVER);
+    }
+    batch.build(&[]);
+    for_all(&devices, |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
         let script = script::of(device);
-        generate_with(folder, device, "rust", &options);
-        succeed(rustc(folder).arg(driver("driver.rs")).args(["-o", "in-rust"]), "").map_err(fail)?;
-        let output = succeed(&mut Command::new(folder.join("in-rust")), &script.input).map_err(fail)?;
+        let output = batch.run(name, &script.input).map_err(fail)?;
         compare(name, "Rust", &script, &output)?;
         let Some(compiler) = c_compiler() else { return Ok(()) };
-        generate_with(folder, device, "c", &options);
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        generate_with(folder, device, "c", &options(device));
         let mut cc = cc(&compiler, folder);
         succeed(cc.args(["-O1", "-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
         let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;

@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod batch;
 mod bench_table;
 mod compile;
 mod crates;
@@ -26,13 +27,13 @@ mod support;
 #[cfg(feature = "template")]
 mod template;
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use objdict::generate::{Options, Target, generate};
 use objdict::model::Device;
 
-use compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
+use batch::Batch;
+use compile::{DRIVER, c_compiler, cc, driver, generate_into, rustc, succeed};
 use devices::{arbitrary_devices, device, devices, for_all};
 use processors::build;
 use script::Script;
@@ -63,20 +64,22 @@ fn rust_and_c_answer_as_the_description_says() {
     let compiler = c_compiler();
     let answers = AtomicUsize::new(0);
     let devices = [devices(), arbitrary_devices(8)].concat();
+    let mut batch = Batch::new();
+    for (name, device) in &devices {
+        batch.add(name, &generate(device, Target::RUST, &Options::default()).unwrap(), DRIVER);
+    }
+    batch.build(&[]);
     for_all(&devices, |(name, device)| {
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let folder = folder.path();
         let script = script::of(device);
         answers.fetch_add(script.expected.len(), Ordering::Relaxed);
         let fail = |error: String| format!("{name}: {error}");
 
-        generate_into(folder, device, "rust");
-        succeed(rustc(folder).arg(driver("driver.rs")).args(["-o", "in-rust"]), "").map_err(fail)?;
-        let in_rust =
-            succeed(&mut std::process::Command::new(folder.join("in-rust")), &script.input).map_err(fail)?;
+        let in_rust = batch.run(name, &script.input).map_err(fail)?;
         compare(name, "Rust", &script, &in_rust)?;
 
         let Some(compiler) = &compiler else { return Ok(()) };
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
         generate_into(folder, device, "c");
         let mut cc = cc(compiler, folder);
         cc.args(["-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c"));
@@ -94,32 +97,30 @@ fn what_damaged_and_arbitrary_descriptions_give_compiles() {
     let mut paths = support::files("broken", &["eds", "dcf"]);
     paths.extend(support::files("torture", &["eds"]));
     paths.extend(support::files("errata", &["eds"]));
-    let compiler = c_compiler();
-    let modules = Mutex::new(String::from("#![no_std]\n"));
     let damaged = paths.into_iter().map(|path| (path.display().to_string(), device(&path)));
     let devices: Vec<(String, Device)> = damaged.chain(arbitrary_devices(60)).collect();
-    let devices: Vec<(usize, (String, Device))> = devices.into_iter().enumerate().collect();
-    for_all(&devices, |(number, (name, device))| {
-        let fail = |error: String| format!("{name}: {error}");
-        let folder = folder.path().join(number.to_string());
-        std::fs::create_dir(&folder).map_err(|error| error.to_string())?;
-        for name in ["rust", "c"] {
-            match generate(device, Target::named(name).unwrap(), &Options::default()) {
-                Ok(_) => drop(generate_into(&folder, device, name)),
-                Err(error) => {
-                    assert!(!error.to_string().is_empty());
-                    return Ok(());
-                }
-            }
+    let (mut modules, mut sources) = (String::from("#![no_std]\n"), Vec::new());
+    for (number, (name, device)) in devices.iter().enumerate() {
+        // the name is in the path of what a compiler complains of
+        let stem = name.rsplit('/').next().unwrap().replace(|c: char| !c.is_ascii_alphanumeric(), "_");
+        let folder = folder.path().join(format!("{number}-{stem}"));
+        std::fs::create_dir(&folder).unwrap();
+        let is_refused = [Target::RUST, Target::C].into_iter().any(|target| {
+            let error = generate(device, target, &Options::default()).err();
+            error.is_some_and(|error| !error.to_string().is_empty())
+        });
+        if is_refused {
+            continue;
         }
-        let module = format!("pub mod od{number} {{ include!(\"{number}/od.rs\"); }}\n");
-        modules.lock().unwrap().push_str(&module);
-        let Some(compiler) = &compiler else { return Ok(()) };
-        succeed(cc(compiler, &folder).args(["-fsyntax-only", "od.c"]), "").map_err(fail).map(drop)
-    });
-    let modules = modules.into_inner().unwrap();
-    assert!(modules.lines().count() > devices.len() / 2, "hardly anything was generated");
+        generate_into(&folder, device, "rust");
+        generate_into(&folder, device, "c");
+        modules.push_str(&format!("pub mod od{number} {{ include!({:?}); }}\n", folder.join("od.rs")));
+        sources.push(folder.join("od.c"));
+    }
+    assert!(sources.len() > devices.len() / 2, "hardly anything was generated");
     std::fs::write(folder.path().join("all.rs"), modules).unwrap();
     let mut rustc = rustc(folder.path());
     succeed(rustc.args(["--crate-type=lib", "--emit=metadata", "all.rs"]), "").unwrap();
+    let Some(compiler) = c_compiler() else { return };
+    succeed(cc(&compiler, folder.path()).arg("-fsyntax-only").args(sources), "").unwrap();
 }

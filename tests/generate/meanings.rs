@@ -11,7 +11,8 @@ use objdict::model::{
     TypeShape, Value, VarDeclaration,
 };
 
-use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{c_compiler, cc, generate_into, succeed};
 use crate::{device, for_all, support};
 
 /// Words to try.
@@ -268,10 +269,11 @@ fn part_of_text<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
     text.split_once(from).and_then(|(_, rest)| rest.split_once(to)).map_or("", |(module, _)| module)
 }
 
-fn in_rust(folder: &Path, text: &str, device: &Device) -> Result<(), String> {
+/// A program that compares them; fails when they are not those that there should be.
+fn in_rust(text: &str, device: &Device) -> Result<String, String> {
     let (enums, words) = model(device);
     let mut program = String::from(
-        "mod od { include!(env!(\"OD_RS\")); }\n#[allow(unused_imports)]\nuse od::{Abort, Data};\nfn main() {\n",
+        "mod od { include!(\"od.rs\"); }\n#[allow(unused_imports)]\nuse od::{Abort, Data};\nfn main() {\n",
     );
     let generated = modules(part_of_text(text, "pub mod enums {\n", "\n}\n"), "    pub enum ");
     for (at, of_model) in &enums {
@@ -332,9 +334,7 @@ fn in_rust(folder: &Path, text: &str, device: &Device) -> Result<(), String> {
         }
     }
     program.push_str("}\n");
-    std::fs::write(folder.join("meanings.rs"), program).map_err(|error| error.to_string())?;
-    succeed(rustc(folder).args(["-o", "in-rust", "meanings.rs"]), "")?;
-    succeed(&mut Command::new(folder.join("in-rust")), "").map(drop)
+    Ok(program)
 }
 
 /// The macros below each comment of a part of the header.
@@ -432,15 +432,22 @@ fn in_c(folder: &Path, text: &str, compiler: &str, device: &Device) -> Result<()
 #[test]
 fn enumerations_and_bit_fields_are_those_of_the_model() {
     let compiler = c_compiler();
+    let text = |generated: &objdict::generate::Generated| {
+        String::from_utf8_lossy(&generated.files[0].contents).into_owned()
+    };
+    let mut batch = Batch::new();
+    for (name, device) in devices() {
+        let generated = generate(&device, Target::RUST, &Options::default()).unwrap();
+        let program = in_rust(&text(&generated), &device);
+        batch.add(&name, &generated, &program.unwrap_or_else(|error| panic!("{name}: {error}")));
+    }
+    batch.build(&[]);
     for_all(&devices(), |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        batch.run(name, "").map_err(fail)?;
+        let Some(compiler) = &compiler else { return Ok(()) };
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
-        let fail = |error: String| format!("{name}: {error}");
-        let text = |generated: &objdict::generate::Generated| {
-            String::from_utf8_lossy(&generated.files[0].contents).into_owned()
-        };
-        in_rust(folder, &text(&generate_into(folder, device, "rust")), device).map_err(fail)?;
-        let Some(compiler) = &compiler else { return Ok(()) };
         in_c(folder, &text(&generate_into(folder, device, "c")), compiler, device).map_err(fail)
     });
 }
@@ -469,11 +476,8 @@ fn what_has_no_meaning_in_code_is_noted() {
 #[test]
 fn the_valve_reads_as_people_would_write_it() {
     let valve = device(&support::fixtures().join("xdd/valve.xdd"));
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    generate_into(folder, &valve, "rust");
     let program = r#"
-        mod od { include!(env!("OD_RS")); }
+        mod od { include!("od.rs"); }
         use od::bits::status_word;
         use od::enums::{ChannelState, ValveMode};
         fn main() {
@@ -490,7 +494,8 @@ fn the_valve_reads_as_people_would_write_it() {
             assert_eq!(ChannelState::from_value(data.channel_states[1]), Some(ChannelState::BrokenWire));
         }
     "#;
-    std::fs::write(folder.join("valve.rs"), program).unwrap();
-    succeed(rustc(folder).args(["-Adead-code", "-o", "in-rust", "valve.rs"]), "").unwrap();
-    succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+    let mut batch = Batch::new();
+    batch.add("valve", &generate(&valve, Target::RUST, &Options::default()).unwrap(), program);
+    batch.build(&["-Adead-code"]);
+    batch.run("valve", "").unwrap();
 }

@@ -1,15 +1,15 @@
 //! The structs of PDOs: packed as CiA 301 says, bit by bit, and the same frame again after unpacking.
 
 use std::fmt::Write;
-use std::path::Path;
-use std::process::Command;
+use std::rc::Rc;
 
-use objdict::generate::Options;
+use objdict::generate::{Options, Target, generate};
 use objdict::model::{
     Access, DataType, Device, Entry, MappedObject, Object, ObjectType, Pdo, PdoKind, TypeKind, Value,
 };
 
-use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::oracle::{Facts, facts_of, hex};
 use crate::processors::build;
 use crate::{devices, for_all};
@@ -28,7 +28,7 @@ struct Expected {
 
 /// Where a bit of a frame comes from.
 struct Source {
-    facts: Facts,
+    facts: Rc<Facts>,
     bit: usize,
 }
 
@@ -42,14 +42,12 @@ impl Expected {
         let mut first = 0;
         let mut fields = 0;
         for object in pdo.mapped() {
-            let field = (!object.is_dummy()).then(|| field_bits(device, object)).flatten();
-            fields += usize::from(field.is_some());
-            for bit in 0..field.unwrap_or(0) {
-                let facts = facts(device, object)?;
+            if let Some((count, facts)) = (!object.is_dummy()).then(|| field(device, object)).flatten() {
+                fields += 1;
                 let is_time = matches!(facts.kind, Some(TypeKind::TimeOfDay | TypeKind::TimeDifference));
-                if !(is_time && (28..32).contains(&bit)) {
-                    bits.push((first + bit, Source { facts, bit }));
-                }
+                let facts = Rc::new(facts);
+                let count = (0..count).filter(|bit| !(is_time && (28..32).contains(bit)));
+                bits.extend(count.map(|bit| (first + bit, Source { facts: Rc::clone(&facts), bit })));
             }
             first += usize::from(object.bits);
         }
@@ -92,21 +90,18 @@ impl Expected {
     }
 }
 
-fn facts(device: &Device, object: MappedObject) -> Option<Facts> {
-    facts_of(device).find(|(address, _)| *address == (object.index, object.sub)).map(|(_, facts)| facts)
-}
-
-/// The bits of a field; `None` for what is no field.
-fn field_bits(device: &Device, object: MappedObject) -> Option<usize> {
-    let facts = facts(device, object)?;
+/// The bits of a field, and what is in it; `None` for what is no field.
+fn field(device: &Device, object: MappedObject) -> Option<(usize, Facts)> {
+    let (_, facts) = facts_of(device).find(|(address, _)| *address == (object.index, object.sub))?;
     let (mapped, size) = (usize::from(object.bits), facts.size * 8);
-    match facts.kind {
+    let bits = match facts.kind {
         _ if mapped == 0 => None,
         Some(TypeKind::Boolean) => Some(1),
         Some(TypeKind::Signed(_) | TypeKind::Unsigned(_)) => Some(mapped.min(size)),
         Some(_) if facts.data_type.byte_length().is_some() => (mapped >= size).then_some(size),
         _ => (mapped % 8 == 0 && size > 0).then_some(mapped.min(size)),
-    }
+    };
+    Some((bits?, facts))
 }
 
 /// Frames to try: all bits, each other bit, and some without order.
@@ -287,7 +282,7 @@ impl Session {
 
 const RUST_HEAD: &str = "\
 mod od {
-    include!(env!(\"OD_RS\"));
+    include!(\"od.rs\");
 }
 
 fn show(frame: &[u8]) {
@@ -316,55 +311,52 @@ int main(void)
 {
 ";
 
-/// Compiles a program in a folder with what was generated there, and runs it.
-fn run(
-    folder: &Path,
-    device: &Device,
-    options: &Options,
-    session: &Session,
-    name: &str,
-) -> Result<(), String> {
-    let fail = |error: String| format!("{name}: {error}");
-    generate_with(folder, device, "rust", options);
-    std::fs::write(folder.join("driver.rs"), &session.rust).map_err(|error| error.to_string())?;
-    succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").map_err(fail)?;
-    let output = succeed(&mut Command::new(folder.join("in-rust")), "").map_err(fail)?;
-    session.compare(name, "Rust", &output)?;
-    let Some(compiler) = c_compiler() else { return Ok(()) };
-    generate_with(folder, device, "c", options);
-    std::fs::write(folder.join("driver.c"), &session.c).map_err(|error| error.to_string())?;
-    let mut cc = cc(&compiler, folder);
-    cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]);
-    let output = build(&cc).and_then(|programs| programs.run(&[], "")).map_err(fail)?;
-    session.compare(name, "C", &output)
+/// A device, what is asked for, and the session with its frames.
+struct Case {
+    name: String,
+    device: Device,
+    options: Options,
+    session: Session,
 }
 
+impl Case {
+    fn in_c(&self, compiler: &str) -> Result<(), String> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        generate_with(folder, &self.device, "c", &self.options);
+        std::fs::write(folder.join("driver.c"), &self.session.c).map_err(|error| error.to_string())?;
+        let mut cc = cc(compiler, folder);
+        cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]);
+        let output = build(&cc).and_then(|programs| programs.run(&[], ""));
+        let output = output.map_err(|error| format!("{}: {error}", self.name))?;
+        self.session.compare(&self.name, "C", &output)
+    }
+}
+
+/// Every device with its frames, and one once more with what frames carry in structs of storage groups.
 #[test]
 fn frames_are_packed_as_the_description_says() {
-    let mut devices = devices();
-    devices.push(("odd frames".to_owned(), odd()));
-    let with_pdos: Vec<(String, Device, Vec<Expected>)> = devices
-        .into_iter()
-        .map(|(name, device)| {
-            let expected = device.pdos().filter_map(|pdo| Expected::new(&device, &pdo)).collect();
-            (name, device, expected)
+    let mut grouped = Options::default();
+    grouped.groups = ["2000-2003=FIRST", "2004-FFFF=SECOND"].map(|group| group.parse().unwrap()).to_vec();
+    let plain = devices().into_iter().chain([("odd frames".to_owned(), odd())]);
+    let plain = plain.map(|(name, device)| (name, device, Options::default()));
+    let all = plain.chain([("odd frames in groups".to_owned(), odd(), grouped)]);
+    let cases: Vec<Case> = all
+        .filter_map(|(name, device, options)| {
+            let pdos: Vec<Expected> = device.pdos().filter_map(|pdo| Expected::new(&device, &pdo)).collect();
+            let session = (!pdos.is_empty()).then(|| Session::new(&pdos))?;
+            Some(Case { name, device, options, session })
         })
-        .filter(|(.., expected): &(_, _, Vec<Expected>)| !expected.is_empty())
         .collect();
-    assert!(with_pdos.len() > 8, "{}", with_pdos.len());
-    for_all(&with_pdos, |(name, device, expected)| {
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        run(folder.path(), device, &Options::default(), &Session::new(expected), name)
+    assert!(cases.len() > 9, "{}", cases.len());
+    let mut batch = Batch::new();
+    for Case { name, device, options, session } in &cases {
+        batch.add(name, &generate(device, Target::RUST, options).unwrap(), &session.rust);
+    }
+    batch.build(&[]);
+    let compiler = c_compiler();
+    for_all(&cases, |case| {
+        case.session.compare(&case.name, "Rust", &batch.run(&case.name, "")?)?;
+        compiler.as_ref().map_or(Ok(()), |compiler| case.in_c(compiler))
     });
-}
-
-/// What frames carry lies in structs of storage groups.
-#[test]
-fn frames_follow_their_values_into_groups() {
-    let device = odd();
-    let expected: Vec<Expected> = device.pdos().filter_map(|pdo| Expected::new(&device, &pdo)).collect();
-    let mut options = Options::default();
-    options.groups = ["2000-2003=FIRST", "2004-FFFF=SECOND"].map(|group| group.parse().unwrap()).to_vec();
-    let folder = tempfile::tempdir().unwrap();
-    run(folder.path(), &device, &options, &Session::new(&expected), "odd frames in groups").unwrap();
 }

@@ -2,15 +2,17 @@
 
 use std::process::Command;
 
-use objdict::generate::{Options, SizeReport, Sizes, Target, size};
+use objdict::generate::{Options, SizeReport, Sizes, Target, generate, size};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, generate_into, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{c_compiler, cc, generate_into, succeed};
 use crate::{device, odd, support};
 
-const RUST: &str = r#"
+/// Prints the bytes of the rows and of the values.
+pub(crate) const RUST: &str = r#"
 mod od {
-    include!(env!("OD_RS"));
+    include!("od.rs");
 }
 
 fn main() {
@@ -18,7 +20,8 @@ fn main() {
 }
 "#;
 
-const C: &str = r#"
+/// Prints the bytes in flash and in RAM.
+pub(crate) const C: &str = r#"
 #include <stdio.h>
 #include "od.c"
 
@@ -44,19 +47,21 @@ fn devices() -> Vec<(&'static str, Device)> {
 
 #[test]
 fn sizes_are_those_of_the_compilers() {
+    let mut batch = Batch::new();
     for (name, device) in devices() {
-        let folder = tempfile::tempdir().unwrap();
-        let folder = folder.path();
-        generate_into(folder, &device, "rust");
-        std::fs::write(folder.join("size.rs"), RUST).unwrap();
-        succeed(rustc(folder).args(["-Adead-code", "size.rs", "-o", "in-rust"]), "").unwrap();
-        let output = succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+        batch.add(name, &generate(&device, Target::RUST, &Options::default()).unwrap(), RUST);
+    }
+    batch.build(&["-Adead-code"]);
+    for (name, device) in devices() {
+        let output = batch.run(name, "").unwrap();
         let in_rust = report(&device, "rust").total;
         let numbers: Vec<usize> = output.split_whitespace().map(|word| word.parse().unwrap()).collect();
         let rom = in_rust.flash - numbers[0];
         assert_eq!(in_rust.ram, numbers[1], "{name}, Rust");
 
         let Some(compiler) = c_compiler() else { continue };
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
         generate_into(folder, &device, "c");
         std::fs::write(folder.join("size.c"), C).unwrap();
         let in_c = report(&device, "c").total;

@@ -2,12 +2,12 @@
 //! anything about them is wrong.
 
 use std::fmt::Write;
-use std::path::Path;
 use std::process::Command;
 
-use objdict::generate::{Options, SizeReport, Sizes, Target, generate, size};
+use objdict::generate::{CTable, Options, SizeReport, Sizes, Target, generate, size};
 use objdict::model::{Access, Device, ObjectType, StackOptions, TypeKind};
 
+use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
 use crate::devices::{device, devices, for_all};
 use crate::oracle::{Dictionary, Facts, facts_of, hex};
@@ -235,7 +235,7 @@ fn damaged(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<(Vec<u8>, u8)> {
 
 const RUST: &str = r#"
 mod od {
-    include!(env!("OD_RS"));
+    include!("od.rs");
 }
 
 fn hex(bytes: &[u8]) -> String {
@@ -361,53 +361,60 @@ fn programs(groups: &[Group], has_write: bool) -> (String, String) {
     (rust, c)
 }
 
-fn run(
-    folder: &Path,
-    device: &Device,
-    options: &Options,
-    groups: &[Group],
-    name: &str,
-) -> Result<(), String> {
-    let fail = |error: String| format!("{name}: {error}");
-    let session = Session::of(device, groups, true);
-    let (rust, c) = programs(groups, true);
-    generate_with(folder, device, "rust", options);
-    std::fs::write(folder.join("driver.rs"), rust).map_err(|error| error.to_string())?;
-    succeed(rustc(folder).args(["driver.rs", "-o", "in-rust"]), "").map_err(fail)?;
-    let output = succeed(&mut Command::new(folder.join("in-rust")), &session.input).map_err(fail)?;
-    session.compare(name, "Rust", &output)?;
-    let Some(compiler) = c_compiler() else { return Ok(()) };
-    generate_with(folder, device, "c", options);
-    std::fs::write(folder.join("driver.c"), c).map_err(|error| error.to_string())?;
-    succeed(cc(&compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")
-        .map_err(fail)?;
-    let output = succeed(&mut Command::new(folder.join("in-c")), &session.input).map_err(fail)?;
-    session.compare(name, "C", &output)?;
+/// A device with its groups.
+struct Case {
+    name: String,
+    device: Device,
+    options: Options,
+    groups: Vec<Group>,
+}
 
-    let session = Session::of(device, groups, false);
-    let (_, c) = programs(groups, false);
-    let mut options = options.clone();
-    options.table = objdict::generate::CTable::Structs;
-    generate_with(folder, device, "c", &options);
-    std::fs::write(folder.join("driver.c"), c).map_err(|error| error.to_string())?;
-    succeed(cc(&compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")
-        .map_err(fail)?;
-    let output = succeed(&mut Command::new(folder.join("in-c")), &session.input).map_err(fail)?;
-    session.compare(name, "C, structs", &output)
+impl Case {
+    fn in_c(&self, compiler: &str, table: CTable) -> Result<(), String> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let writes = table == CTable::Compact;
+        let session = Session::of(&self.device, &self.groups, writes);
+        let mut options = self.options.clone();
+        options.table = table;
+        generate_with(folder, &self.device, "c", &options);
+        std::fs::write(folder.join("driver.c"), programs(&self.groups, writes).1)
+            .map_err(|error| error.to_string())?;
+        succeed(cc(compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")?;
+        let output = succeed(&mut Command::new(folder.join("in-c")), &session.input)?;
+        session.compare(&self.name, &format!("C, {table:?}"), &output)
+    }
+}
+
+fn run(cases: &[Case]) {
+    let mut batch = Batch::new();
+    for Case { name, device, options, groups } in cases {
+        let generated = generate(device, Target::RUST, options).unwrap();
+        batch.add(name, &generated, &programs(groups, true).0);
+    }
+    batch.build(&[]);
+    let compiler = c_compiler();
+    for_all(cases, |case| {
+        let session = Session::of(&case.device, &case.groups, true);
+        session.compare(&case.name, "Rust", &batch.run(&case.name, &session.input)?)?;
+        let Some(compiler) = &compiler else { return Ok(()) };
+        let in_c = |table| case.in_c(compiler, table).map_err(|error| format!("{}: {error}", case.name));
+        in_c(CTable::Compact).and_then(|()| in_c(CTable::Structs))
+    });
 }
 
 /// Each language saves what the description says and loads what the other one saved, which is the same.
 #[test]
 fn images_are_the_same_in_both_languages() {
     let chosen = ["odd", "all-types.eds", "io-401.eds"];
-    let devices: Vec<_> = devices().into_iter().filter(|(name, _)| chosen.contains(&name.as_str())).collect();
-    assert_eq!(devices.len(), chosen.len());
-    for_all(&devices, |(name, device)| {
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let groups: Vec<Group> =
-            GROUPS.into_iter().filter(|&group| !members(device, group).is_empty()).collect();
-        run(folder.path(), device, &options(), &groups, name)
+    let devices = devices().into_iter().filter(|(name, _)| chosen.contains(&name.as_str()));
+    let cases = devices.map(|(name, device)| {
+        let groups = GROUPS.into_iter().filter(|&group| !members(&device, group).is_empty()).collect();
+        Case { name, device, options: options(), groups }
     });
+    let cases: Vec<Case> = cases.collect();
+    assert_eq!(cases.len(), chosen.len());
+    run(&cases);
 }
 
 /// Groups that the description states, with names that are no identifiers, keywords, or taken.
@@ -441,8 +448,7 @@ fn stated_groups_get_names_of_their_own() {
             groups.push(group(field, type_name, index, index));
         }
     }
-    let folder = tempfile::tempdir().unwrap();
-    run(folder.path(), &device, &Options::default(), &groups, "stated").unwrap();
+    run(&[Case { name: "stated".to_owned(), device, options: Options::default(), groups }]);
 }
 
 #[test]
@@ -469,33 +475,22 @@ fn what_belongs_to_no_struct_or_should_not_is_told() {
     insta::assert_snapshot!("group_notes", notes.join("\n"));
 }
 
-const RUST_SIZE: &str = r#"
-mod od {
-    include!(env!("OD_RS"));
-}
-
-fn main() {
-    println!("{} {}", size_of_val(&od::ENTRIES), size_of::<od::Data>());
-}
-"#;
-
-const C_SIZE: &str = r#"
-#include <stdio.h>
-#include "od.c"
-
-int main(void)
-{
-    printf("%lu %lu\n", (unsigned long)(OD_ENTRY_COUNT * sizeof(od_entry_t) + OD_ROM_SIZE), (unsigned long)sizeof(od_data_t));
-    return 0;
-}
-"#;
-
 /// The report of sizes knows the structs.
 #[test]
 fn sizes_are_those_of_the_compilers() {
     let press = device(&support::fixtures().join("xdd/press-402.xdd"));
     let all = device(&support::fixtures().join("eds/all-types.eds"));
-    for (device, options) in [(odd::device(), options()), (all, options()), (press, Options::default())] {
+    let cases = [
+        ("odd", odd::device(), options()),
+        ("all types", all, options()),
+        ("press", press, Options::default()),
+    ];
+    let mut batch = Batch::new();
+    for (name, device, options) in &cases {
+        batch.add(name, &generate(device, Target::RUST, options).unwrap(), crate::size::RUST);
+    }
+    batch.build(&["-Adead-code"]);
+    for (name, device, options) in cases {
         let report = |target| {
             let sizes = size(&device, Target::named(target).unwrap(), &options).unwrap();
             let Sizes::Known(SizeReport { total: report, .. }) = sizes else {
@@ -503,22 +498,19 @@ fn sizes_are_those_of_the_compilers() {
             };
             (report.flash, report.ram)
         };
+        let output = batch.run(name, "").unwrap();
+        let (rows, ram) = output.trim().split_once(' ').unwrap();
+        assert_eq!(report("rust").1.to_string(), ram, "{name}");
+        assert!(report("rust").0 > rows.parse().unwrap(), "{name}");
+        let Some(compiler) = c_compiler() else { continue };
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
-        generate_with(folder, &device, "rust", &options);
-        std::fs::write(folder.join("size.rs"), RUST_SIZE).unwrap();
-        succeed(rustc(folder).args(["-Adead-code", "size.rs", "-o", "in-rust"]), "").unwrap();
-        let output = succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
-        let (rows, ram) = output.trim().split_once(' ').unwrap();
-        assert_eq!(report("rust").1.to_string(), ram);
-        assert!(report("rust").0 > rows.parse().unwrap());
-        let Some(compiler) = c_compiler() else { continue };
         generate_with(folder, &device, "c", &options);
-        std::fs::write(folder.join("size.c"), C_SIZE).unwrap();
+        std::fs::write(folder.join("size.c"), crate::size::C).unwrap();
         succeed(cc(&compiler, folder).args(["-I.", "-o", "in-c", "size.c"]), "").unwrap();
         let output = succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
         let (flash, ram) = report("c");
-        assert_eq!(output.trim(), format!("{flash} {ram}"));
+        assert_eq!(output.trim(), format!("{flash} {ram}"), "{name}");
     }
 }
 

@@ -1,19 +1,12 @@
-// Executes operations from the standard input on the table of the environment variable OD_RS, one a line:
+// Executes operations from the standard input on the table of od.rs, one a line:
 //   i NN            all values become the defaults of the node NN
 //   r IIII SS NNNN  reads into a buffer of NNNN bytes
 //   w IIII SS BYTES writes; `-` for no bytes
 //   t               prints the table
 // All numbers are hexadecimal. Answers are `ok BYTES` or `abort CODE`, one a line.
-#![no_std]
-
-#[macro_use]
-extern crate std;
-
-use std::string::String;
-use std::vec::Vec;
 
 mod od {
-    include!(env!("OD_RS"));
+    include!("od.rs");
 }
 
 fn hex(bytes: &[u8]) -> String {

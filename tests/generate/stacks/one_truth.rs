@@ -4,9 +4,11 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, driver, generate_into, rustc, succeed};
+use crate::batch::Batch;
+use crate::compile::{DRIVER, c_compiler, cc, driver, generate_into, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::columns::{Aspect, Column, agree};
 use crate::stacks::truth::truth;
@@ -49,33 +51,28 @@ fn dumped(line: &str) -> Option<String> {
     Some(format!("{index} {sub} {data_type} {size} {access} {default}\n"))
 }
 
-/// What the driver of a plain target prints of its table.
-fn plain(
-    target: &'static str,
-    program: &Path,
-    notes: Vec<objdict::generate::Note>,
-) -> Result<Column, String> {
-    let printed = succeed(&mut Command::new(program), &format!("i {NODE_ID:02X}\nt\n"))?;
+/// What the driver of a plain target is asked for.
+fn table() -> String {
+    format!("i {NODE_ID:02X}\nt\n")
+}
+
+/// What it prints then.
+fn plain(target: &'static str, printed: &str, notes: Vec<Note>) -> Result<Column, String> {
     let dump: Option<String> = printed.lines().map(dumped).collect();
     Ok(Column::of_dump(target, &dump.ok_or("the driver prints no table")?, notes))
 }
 
-fn columns(compiler: &str, folder: &Path, device: &Device) -> Result<Vec<Column>, String> {
+fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> Result<Vec<Column>, String> {
     let folder = |name: &str| {
         let folder = folder.join(name);
         std::fs::create_dir(&folder).map_err(|error| error.to_string()).map(|()| folder)
     };
-    let mut columns = vec![Column::of_rows("the description", &truth(device, NODE_ID), Vec::new())];
-
-    let at = folder("rust")?;
-    let notes = generate_into(&at, device, "rust").notes;
-    succeed(rustc(&at).arg(driver("driver.rs")).args(["-o", "driver"]), "")?;
-    columns.push(plain("rust", &at.join("driver"), notes)?);
+    let mut columns = vec![Column::of_rows("the description", &truth(device, NODE_ID), Vec::new()), in_rust];
 
     let at = folder("c")?;
     let notes = generate_into(&at, device, "c").notes;
     succeed(cc(compiler, &at).args(["-I.", "-o", "driver", "od.c"]).arg(driver("driver.c")), "")?;
-    columns.push(plain("c", &at.join("driver"), notes)?);
+    columns.push(plain("c", &succeed(&mut Command::new(at.join("driver")), &table())?, notes)?);
 
     let (dump, notes) = c_structs::dump(compiler, &folder("structs")?, device, (NODE_ID, true))?;
     columns.push(Column::of_dump("c --table structs", &dump, notes));
@@ -142,10 +139,17 @@ fn every_target_has_what_every_other_has() {
     let devices: Vec<(String, Device)> = chosen.chain(arbitrary_devices(4)).collect();
     assert_eq!(devices.len(), DEVICES.len() + 4);
     let cells = AtomicUsize::new(0);
+    let in_rust = |device: &Device| generate(device, Target::RUST, &Options::default()).unwrap();
+    let mut batch = Batch::new();
+    for (name, device) in &devices {
+        batch.add(name, &in_rust(device), DRIVER);
+    }
+    batch.build(&[]);
     for_all(&devices, |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let rust = plain("rust", &batch.run(name, &table())?, in_rust(device).notes)?;
         let columns =
-            columns(&compiler, folder.path(), device).map_err(|error| format!("{name}: {error}"))?;
+            columns(&compiler, folder.path(), device, rust).map_err(|error| format!("{name}: {error}"))?;
         cells.fetch_add(agree(name, &columns)?, Ordering::Relaxed);
         Ok(())
     });
