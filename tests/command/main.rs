@@ -10,3 +10,5 @@ mod ci;
 mod cli;
 mod limits;
 mod reports;
+#[path = "../support/mod.rs"]
+mod support;

@@ -7,8 +7,17 @@ use std::sync::{Mutex, PoisonError};
 
 use serde_json::Value;
 
+use crate::support;
+
+/// The command where all fixtures are files.
+fn command() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    command.current_dir(support::fixtures().join(".."));
+    command
+}
+
 fn objdict(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_objdict")).args(arguments).output().expect("the command runs")
+    command().args(arguments).output().expect("the command runs")
 }
 
 /// What `check` writes in a format over the broken fixtures and those of the rules, and once for all tests.
@@ -391,7 +400,7 @@ fn a_closed_pipe_is_no_failure() {
         (vec!["completions", "bash"], 0),
     ];
     for (arguments, code) in checks.into_iter().chain(others) {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_objdict"))
+        let mut child = command()
             .args(&arguments)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

@@ -66,7 +66,8 @@ fn the_press_says_what_can_be_said() {
     let mut said = BTreeSet::new();
     fields(&serde_json::to_value(press()).unwrap(), &mut said);
     let of_model = ["parameter", "application_process", "device_profile", "stack"].map(|file| {
-        let path = support::fixtures().join(format!("../crates/objdict-model/src/model/{file}.rs"));
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/objdict-model/src/model");
+        let path = folder.join(format!("{file}.rs"));
         std::fs::read_to_string(path).unwrap()
     });
     let declared = of_model.iter().flat_map(|text| text.lines()).filter_map(|line| {

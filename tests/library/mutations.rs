@@ -15,6 +15,7 @@ use objdict::lint::Options;
 use objdict::source::{SourceFile, SourceOptions};
 
 use self::mutate::Mutator;
+use crate::support;
 
 /// Descriptions that are damaged; `cargo xtask mutants fixtures 10000` has the time for more.
 const MUTANTS: usize = 1_000;
@@ -27,7 +28,7 @@ const MENDED: usize = 20;
 
 fn texts() -> Vec<(Format, Vec<u8>)> {
     let mut files = Vec::new();
-    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures"), &mut files);
+    collect(&support::fixtures(), &mut files);
     files.sort();
     let small = files.into_iter().filter(|file| fs::metadata(file).unwrap().len() <= MAX_SIZE);
     small.filter_map(|file| Some((Format::from_name(file.to_str()?)?, fs::read(file).unwrap()))).collect()

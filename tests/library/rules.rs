@@ -20,6 +20,8 @@ use objdict::profile::Profile;
 use objdict::registry;
 use objdict::source::{SourceFile, SourceOptions, Span};
 
+use crate::support;
+
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
@@ -37,7 +39,7 @@ fn name(path: &Path) -> &str {
 
 /// The folders `fixtures/rules/<group>/<rule>` with the rule's id.
 fn rule_folders() -> Vec<(String, PathBuf)> {
-    let groups = sorted(&root().join("fixtures/rules"));
+    let groups = sorted(&support::fixtures().join("rules"));
     let groups = groups.iter().filter(|path| path.is_dir());
     let folders = groups.flat_map(|group| {
         sorted(group).into_iter().map(move |folder| (format!("{}/{}", name(group), name(&folder)), folder))
@@ -66,7 +68,7 @@ fn options(path: &Path) -> Options {
     if let Ok(text) = fs::read_to_string(path.with_file_name("profile.toml")) {
         options.profiles.push(Arc::new(Profile::from_toml(&text).unwrap()));
     }
-    if path.starts_with(root().join("fixtures/rules/portability")) {
+    if path.starts_with(support::fixtures().join("rules/portability")) {
         let rule = path.parent().map(|folder| format!("portability/{}", name(folder))).unwrap();
         let reactions = REACTIONS.iter().filter(|reaction| reaction.rule == rule);
         options.tools.extend(reactions.flat_map(|reaction| reaction.tools));
@@ -88,7 +90,7 @@ impl Examined {
         if path.extension().is_some_and(|ending| ending == "toml") {
             return Self::Config(Box::new(Config::open(path).unwrap()));
         }
-        let is_of = |group: &str| path.starts_with(root().join("fixtures/rules").join(group));
+        let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
         if !is_damaged {
             let description = open(path);

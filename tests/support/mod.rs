@@ -4,13 +4,22 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 pub(crate) mod devices;
+mod patches;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
-/// The folder with all fixtures.
+/// The folder with all fixtures as files, which each test program writes anew.
 pub(crate) fn fixtures() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
+    static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME"));
+        fs::remove_dir_all(&folder).ok();
+        let folder = folder.join("fixtures");
+        patches::expand(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures"), &folder);
+        folder
+    });
+    FOLDER.clone()
 }
 
 /// All files below a folder of the fixtures with one of the endings, in order.
