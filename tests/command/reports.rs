@@ -224,7 +224,7 @@ fn regions_of_sarif_are_right_in_bytes_and_in_utf_16() {
             continue;
         }
         let uri = location["artifactLocation"]["uri"].as_str().expect("a path").replace("%20", " ");
-        let bytes = std::fs::read(&uri).expect("the fixture");
+        let bytes = std::fs::read(support::fixtures().join("..").join(&uri)).expect("the fixture");
         let by_bytes = &bytes[number("byteOffset")..][..number("byteLength")];
         let text = String::from_utf8(bytes.clone()).expect("offsets are only told of UTF-8");
         let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);

@@ -104,3 +104,8 @@ fn describe(rule: &RuleInfo, page: &mut String) {
         let _ = writeln!(page, "{level}{line}");
     }
 }
+
+#[test]
+fn the_generated_pages_are_those_of_the_rules() {
+    assert_eq!(run(true), Ok(()));
+}
