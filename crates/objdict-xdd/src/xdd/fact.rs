@@ -12,7 +12,7 @@ use crate::model::{
     ObjFlags, ObjectType, PdoMapping, Reason, Value,
 };
 use crate::source::Span;
-use crate::xml::{self, Element, Name};
+use crate::xml::{self, Element, Name, n};
 
 /// A text with where it stands.
 #[derive(Clone, Debug)]
@@ -79,8 +79,13 @@ pub(crate) fn take(
 /// The text of an attribute that a field has: its value, else what is none.
 pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
     let At::Fact(at) = known.at else { return None };
-    let value = (at.lens.get)(part).and_then(|fact| fact.text(known));
-    value.or_else(|| Some(part.misfits().get(&known.field()?)?.text.to_string()))
+    let value = || (at.lens.get)(part).and_then(|fact| fact.text(known));
+    let misfit = || Some(part.misfits().get(&known.field()?)?.text.to_string());
+    match known.name {
+        // the revision of an EDS, and the type that the parameter tells, may stand beside what is no value
+        n::fileVersion | n::dataType => misfit().or_else(value),
+        _ => value().or_else(misfit),
+    }
 }
 
 /// The attributes of an element that fields have, in their order; with what stands for nothing where that is demanded.
@@ -365,6 +370,7 @@ pub(crate) fn bit_rate(text: &str) -> Option<u16> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Field;
 
     #[test]
     fn bit_rates_in_the_spellings_of_real_files() {
@@ -384,5 +390,14 @@ mod tests {
         for text in ["", "0x", "1 8", "+18", "12345", "10G0"] {
             assert_eq!(hex(text, 4), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_version_that_is_none_is_written_as_it_is() {
+        let mut info = FileInfo { file_revision: Some(0), ..FileInfo::default() };
+        let known = schema::DEVICE_BODY.attribute_of(&Field::FileVersion).unwrap();
+        assert_eq!(text(&info, known).as_deref(), Some(".0"));
+        info.misfits.push(Field::FileVersion, "3.0", Reason::NotANumber);
+        assert_eq!(text(&info, known).as_deref(), Some("3.0"));
     }
 }

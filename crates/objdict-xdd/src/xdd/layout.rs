@@ -95,33 +95,24 @@ pub(crate) fn below<'a>(element: Element<'a>, path: &[Name]) -> Option<Element<'
     path.iter().try_fold(element, |element, name| element.child(*name))
 }
 
-/// The profiles of a container with what they are about, in their order.
-pub(crate) fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
-    let mut found = Vec::new();
-    let mut add = |header: Option<Element<'a>>, body: Element<'a>| {
-        found.push((class_of(header, body), Profile { header, body }));
+/// The profiles of a container with what they are about, in their order. Of a damaged file a profile or a body may be the
+/// container.
+fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
+    let bodies = |parent: Element<'a>| match parent.tag() {
+        n::ISO15745Profile => parent.children_named(n::ProfileBody).collect(),
+        n::ProfileBody => vec![parent],
+        _ => Vec::new(),
     };
-    match container.tag() {
-        n::ISO15745Profile => {
-            container
-                .children_named(n::ProfileBody)
-                .for_each(|body| add(container.child(n::ProfileHeader), body));
-        }
-        n::ProfileBody => add(None, container),
-        _ => {
-            for child in container.children() {
-                match child.tag() {
-                    n::ISO15745Profile => {
-                        let bodies = child.children_named(n::ProfileBody);
-                        bodies.for_each(|body| add(child.child(n::ProfileHeader), body));
-                    }
-                    n::ProfileBody => add(None, child),
-                    _ => {}
-                }
-            }
-        }
-    }
-    found
+    let found = match container.tag() {
+        n::ISO15745Profile | n::ProfileBody => bodies(container),
+        _ => container.children().flat_map(bodies).collect(),
+    };
+    let profile = |body: Element<'a>| {
+        let around = body.parent().filter(|around| around.tag() == n::ISO15745Profile);
+        let header = around.and_then(|around| around.child(n::ProfileHeader));
+        (class_of(header, body), Profile { header, body })
+    };
+    found.into_iter().map(profile).collect()
 }
 
 /// What a profile is about: what the type of its body says, else the class in its header, else what is in it.

@@ -323,18 +323,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 }
 
 fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
-    let (rule, what) = match reference.target {
-        Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter"),
-        Target::Parameter => (&DANGLING_PARAMETER_REF, "parameter"),
-        Target::DataType => (&DANGLING_DATA_TYPE_REF, "data type"),
-        Target::ParameterTemplate => (&DANGLING_TEMPLATE_REF, "parameter template"),
-        Target::AllowedValuesTemplate => (&DANGLING_TEMPLATE_REF, "template of allowed values"),
-        Target::LedState => (&DANGLING_LED_STATE_REF, "LED state"),
-        Target::FunctionType => (&DANGLING_FUNCTION_REF, "function type"),
-        Target::FunctionInstance => (&DANGLING_FUNCTION_REF, "function instance"),
-        Target::Variable => (&DANGLING_FUNCTION_REF, "variable"),
-        Target::ModuleInterface => (&DANGLING_INTERFACE_REF, "module interface"),
-    };
+    let (rule, what, _) = about(reference.target);
     if findings.is_full(rule) {
         // counted, but not looked at any further
         findings.push(Diagnostic::new(rule, reference.attribute.value_span(), String::new()));
@@ -364,23 +353,27 @@ fn accepts(reference: &Reference<'_>, name: Name) -> bool {
         Target::Parameter if reference.element.tag() == n::conditionalSupport => {
             matches!(name, n::parameter | n::parameterTemplate | n::varDeclaration)
         }
-        _ => names(reference.target).contains(&name),
+        _ => about(reference.target).2.contains(&name),
     }
 }
 
-/// The elements that a reference may lead to.
-fn names(target: Target) -> &'static [Name] {
+/// The rule of references that lead nowhere, what they should lead to, and the elements that are such.
+fn about(target: Target) -> (&'static RuleInfo, &'static str, &'static [Name]) {
     match target {
-        Target::Application => &[n::parameter, n::varDeclaration],
-        Target::Parameter => &[n::parameter],
-        Target::DataType => &[n::array, n::r#struct, n::r#enum, n::derived],
-        Target::ParameterTemplate => &[n::parameterTemplate],
-        Target::AllowedValuesTemplate => &[n::allowedValuesTemplate],
-        Target::LedState => &[n::LEDstate],
-        Target::FunctionType => &[n::functionType],
-        Target::FunctionInstance => &[n::functionInstance],
-        Target::Variable => &[n::varDeclaration],
-        Target::ModuleInterface => &[n::interface],
+        Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter", &[n::parameter, n::varDeclaration]),
+        Target::Parameter => (&DANGLING_PARAMETER_REF, "parameter", &[n::parameter]),
+        Target::DataType => {
+            (&DANGLING_DATA_TYPE_REF, "data type", &[n::array, n::r#struct, n::r#enum, n::derived])
+        }
+        Target::ParameterTemplate => (&DANGLING_TEMPLATE_REF, "parameter template", &[n::parameterTemplate]),
+        Target::AllowedValuesTemplate => {
+            (&DANGLING_TEMPLATE_REF, "template of allowed values", &[n::allowedValuesTemplate])
+        }
+        Target::LedState => (&DANGLING_LED_STATE_REF, "LED state", &[n::LEDstate]),
+        Target::FunctionType => (&DANGLING_FUNCTION_REF, "function type", &[n::functionType]),
+        Target::FunctionInstance => (&DANGLING_FUNCTION_REF, "function instance", &[n::functionInstance]),
+        Target::Variable => (&DANGLING_FUNCTION_REF, "variable", &[n::varDeclaration]),
+        Target::ModuleInterface => (&DANGLING_INTERFACE_REF, "module interface", &[n::interface]),
     }
 }
 
@@ -389,7 +382,7 @@ fn wrong_kind(reference: &Reference<'_>, element: Element<'_>, at: Attribute<'_>
     let message = format!("`{}` refers to `{id}`, which is a `{kind}`", reference.element.name());
     Diagnostic::new(&REFERENCE_TO_WRONG_KIND, reference.attribute.value_span(), message)
         .label(at.value_span(), "what it refers to")
-        .help(format!("name the id of {}", listing_or(names(reference.target))))
+        .help(format!("name the id of {}", listing_or(about(reference.target).2)))
 }
 
 /// "a `x`", or "a `x` or `y`".

@@ -91,7 +91,7 @@ elements! {
     ];
     FILE_LIST global fileList of ModuleInterface, [one FILE => {files}];
     MODULE_TYPE_LIST global moduleTypeList of ModuleInterface, [some MODULE_TYPE => [module_types]];
-    MODULE_TYPE global moduleType of ModuleType (uniqueID+: Kind::Text => [unique_id], r#type*: Kind::Name => [kind]);
+    MODULE_TYPE global moduleType of ModuleType (uniqueID+: Kind::Id => [unique_id], r#type*: Kind::Name => [kind]);
     CONNECTED_MODULE_LIST local connectedModuleList of ModuleInterface, [some CONNECTED_MODULE => [connected]];
     CONNECTED_MODULE local connectedModule of ConnectedModule (
         childIDRef*: Kind::Name => [child], position+: Kind::INT => [position], address+: Kind::INT => [address],

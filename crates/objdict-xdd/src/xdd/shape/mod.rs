@@ -214,3 +214,34 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Mar
         }
     }
 }
+
+/// Shows each text of a part, and of all parts in it, with the attribute that holds it.
+pub(crate) fn visit(
+    part: &dyn Any,
+    schema: &'static schema::Element,
+    see: &mut dyn FnMut(&schema::Attribute, &str),
+) {
+    for attribute in schema.attributes {
+        if let At::Text(lens) = attribute.at
+            && let Some(text) = (lens.get)(part).and_then(TextField::text)
+        {
+            see(attribute, &text);
+        }
+    }
+    for (slot, (element, kept)) in
+        schema.content.iter().flat_map(|slot| slot.kept().map(move |kept| (slot, kept)))
+    {
+        match kept {
+            Child::Same => visit(part, element, see),
+            Child::Parts(lens) => {
+                let Some(parts) = (lens.get)(part) else { continue };
+                parts.each(&mut |name, part| {
+                    if let Some(element) = name.map_or(Some(element), |name| slot.element(name)) {
+                        visit(part, element, see);
+                    }
+                });
+            }
+            _ => {}
+        }
+    }
+}

@@ -51,8 +51,6 @@ impl Writer<'_> {
                 let is_orphan = object.is_some_and(|object| object.orphan);
                 Some(if is_orphan { defaults::ORPHAN } else { defaults::OBJECT_TYPE }.to_owned())
             }),
-            // what is no data type stands there, though the parameter may tell the type
-            n::dataType => misfit(&Field::DataType).or_else(|| fact::text(entry, attribute)),
             n::denotation => entry.configured.as_ref()?.denotation.as_deref().map(str::to_owned),
             n::uniqueIDRef => {
                 let reference = entry.extra.get(REFERENCE).or_else(|| self.parameters.id(index, sub));

@@ -1,8 +1,11 @@
 //! The types of ARRAYs and RECORDs that the parameters of these objects refer to.
 
+use std::any::Any;
 use std::collections::HashSet;
 
-use crate::model::{ApplicationProcess, Device, Object, TypeDefinition, TypeShape};
+use crate::model::{ApplicationProcess, Device, Object, TypeDefinition};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Element, Kind, PARAMETER};
+use crate::xdd::shape;
 use crate::xdd::types::definition_of;
 
 /// Ids that start like those that the writer gives: no id may stand twice.
@@ -13,21 +16,13 @@ impl Ids {
     /// The ids of everything in a device.
     pub(super) fn of(device: &Device) -> Self {
         let mut ids = Self::default();
-        device.application.iter().for_each(|process| ids.process(process));
+        device.application.iter().for_each(|process| ids.note(process, &APPLICATION_PROCESS));
         if let Some(manager) = &device.manager {
-            manager.leds.iter().flat_map(|led| &led.states).for_each(|state| ids.note(&state.unique_id));
-            for interface in &manager.module_interfaces {
-                ids.note(&interface.unique_id);
-                interface
-                    .module_types
-                    .iter()
-                    .filter_map(|of| of.unique_id.as_ref())
-                    .for_each(|id| ids.note(id));
-            }
+            ids.note(&**manager, &DEVICE_MANAGER);
         }
         for object in device.objects.values() {
             let entries = std::iter::once(&object.main).chain(object.subs.iter().map(|(_, entry)| entry));
-            entries.filter_map(|entry| entry.parameter.as_ref()).for_each(|of| ids.note(&of.unique_id));
+            entries.filter_map(|entry| entry.parameter.as_ref()).for_each(|of| ids.note(&**of, &PARAMETER));
         }
         ids
     }
@@ -49,51 +44,25 @@ impl Ids {
         !self.0.contains(id)
     }
 
-    fn note(&mut self, id: &str) {
-        if id.starts_with("UID_") {
-            self.0.insert(id.into());
-        }
-    }
-
-    fn process(&mut self, process: &ApplicationProcess) {
-        for definition in &process.data_types {
-            self.definition(definition);
-        }
-        for function in &process.function_types {
-            self.note(&function.unique_id);
-            let variables = function.inputs.iter().chain(&function.outputs).chain(&function.configuration);
-            variables.for_each(|variable| self.note(&variable.unique_id));
-            function.functions.instances.iter().for_each(|instance| self.note(&instance.unique_id));
-        }
-        process.functions.instances.iter().for_each(|instance| self.note(&instance.unique_id));
-        process.parameter_templates.iter().for_each(|template| self.note(&template.parameter.unique_id));
-        process.allowed_values_templates.iter().for_each(|template| self.note(&template.unique_id));
-        process.parameters.iter().for_each(|parameter| self.note(&parameter.unique_id));
-        let mut groups: Vec<_> = process.groups.iter().collect();
-        while let Some(group) = groups.pop() {
-            self.note(&group.unique_id);
-            groups.extend(&group.groups);
-        }
-    }
-
-    fn definition(&mut self, definition: &TypeDefinition) {
-        self.note(&definition.unique_id);
-        match &definition.shape {
-            TypeShape::Struct { members } => members.iter().for_each(|member| self.note(&member.unique_id)),
-            TypeShape::Derived { count: Some(count), .. } => self.note(&count.unique_id),
-            _ => {}
-        }
+    /// The ids of a part and of all parts in it.
+    fn note(&mut self, part: &dyn Any, schema: &'static Element) {
+        shape::visit(part, schema, &mut |attribute, text| {
+            if matches!(attribute.kind, Kind::Id) && text.starts_with("UID_") {
+                self.0.insert(text.into());
+            }
+        });
     }
 
     /// The type of an ARRAY or RECORD, if all of its ids are free; they are taken from now on.
     pub(super) fn definition_of(&mut self, index: u16, object: &Object) -> Option<TypeDefinition> {
         let definition = definition_of(index, object)?;
         let mut ids = Ids::default();
-        ids.definition(&definition);
+        let process = ApplicationProcess { data_types: vec![definition], ..ApplicationProcess::default() };
+        ids.note(&process, &APPLICATION_PROCESS);
         if !ids.0.iter().all(|id| self.is_free(id)) {
             return None;
         }
         self.0.extend(ids.0);
-        Some(definition)
+        process.data_types.into_iter().next()
     }
 }
