@@ -4,7 +4,8 @@
 //! digits and the printable rest of ASCII comes out as `\u{…}`: line ends and other control characters, direction marks,
 //! invisible and unassigned characters.
 
-use std::fmt::Write;
+use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// So many characters of a text are shown; what is longer ends in `...`.
 const SHOWN: usize = 100;
@@ -18,23 +19,29 @@ pub(super) fn code_span(text: &str) -> String {
 
 /// For the inside of a C comment: no `*/`, no `/*`, no trigraph.
 pub(super) fn c_comment(text: &str) -> String {
-    let mut comment = String::new();
-    for c in printable(text).trim().chars() {
-        let split =
-            matches!((comment.chars().last(), c), (Some('*'), '/') | (Some('/'), '*') | (Some('?'), '?'));
-        if split {
-            comment.push(' ');
+    let plain = printable(text);
+    let plain = plain.trim();
+    let mut comment = String::with_capacity(plain.len());
+    if plain.bytes().any(|byte| matches!(byte, b'*' | b'?')) {
+        let mut last = ' ';
+        for c in plain.chars() {
+            if matches!((last, c), ('*', '/') | ('/', '*') | ('?', '?')) {
+                comment.push(' ');
+            }
+            comment.push(c);
+            last = c;
         }
-        comment.push(c);
+    } else {
+        comment.push_str(plain);
     }
     // the comment may go on with `*/` or the line end with a backslash that joins it to the next one
-    let comment = comment.trim_end_matches(['\\', '/', '*', ' ']);
-    if comment.is_empty() { "(no name)".to_owned() } else { comment.to_owned() }
+    comment.truncate(comment.trim_end_matches(['\\', '/', '*', ' ']).len());
+    if comment.is_empty() { "(no name)".to_owned() } else { comment }
 }
 
 /// A string literal of C in UTF-8.
 pub(super) fn c_text(text: &str) -> String {
-    super::c_code::literal(shown(text).as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
 }
 
 /// What a [`c_text`] holds.
@@ -49,7 +56,11 @@ pub(super) fn rust_text(text: &str) -> String {
 }
 
 /// One line of harmless characters.
-fn printable(text: &str) -> String {
+fn printable(text: &str) -> Cow<'_, str> {
+    let is_plain = |byte: u8| byte == b' ' || byte.is_ascii_graphic();
+    if text.len() <= SHOWN && text.bytes().all(is_plain) {
+        return Cow::Borrowed(text);
+    }
     let mut shown = String::new();
     for (number, c) in text.chars().enumerate() {
         if number == SHOWN {
@@ -62,7 +73,7 @@ fn printable(text: &str) -> String {
             let _ = write!(shown, "\\u{{{:04X}}}", u32::from(c)); // a String takes every text
         }
     }
-    shown
+    Cow::Owned(shown)
 }
 
 /// A basic string of TOML, with its quotes.
@@ -115,10 +126,37 @@ pub(super) fn c_string(bytes: &[u8]) -> String {
     })
 }
 
-/// The same for templates.
+/// A number with so many hexadecimal digits.
+pub(super) struct Hex<const DIGITS: usize>(u16);
+
+impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut digits = [0; DIGITS];
+        for (place, digit) in digits.iter_mut().rev().enumerate() {
+            *digit = b"0123456789ABCDEF"[usize::from(self.0 >> (4 * place) & 0xF)];
+        }
+        f.write_str(str::from_utf8(&digits).unwrap_or_default()) // ASCII
+    }
+}
+
+/// The same for templates, and indexes and sub-indexes.
 #[allow(unreachable_pub)] // what the attribute writes is `pub`
 pub(super) mod filters {
+    use std::borrow::Borrow;
+
     use askama::{Result, Values};
+
+    use super::Hex;
+
+    #[askama::filter_fn]
+    pub(crate) fn hex2(sub: impl Borrow<u8>, _: &dyn Values) -> Result<Hex<2>> {
+        Ok(Hex(u16::from(*sub.borrow())))
+    }
+
+    #[askama::filter_fn]
+    pub(crate) fn hex4(index: impl Borrow<u16>, _: &dyn Values) -> Result<Hex<4>> {
+        Ok(Hex(*index.borrow()))
+    }
 
     #[askama::filter_fn]
     pub(crate) fn code_span(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {

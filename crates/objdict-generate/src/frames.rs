@@ -124,7 +124,7 @@ fn field(
     let row = row.map_err(|_| "there is no such entry")?;
     let (carried, bits) = carried(&table.rows[row].resolved, u32::from(object.bits))?;
     let name = name_of(table, &table.rows[row]);
-    let name = scope.claim(&words(&name), &format!("{:04x}_{:02x}", object.index, object.sub));
+    let name = scope.claim(&words(&name), format_args!("{:04x}_{:02x}", object.index, object.sub));
     Ok(FrameField { name, row, carried, first, bits })
 }
 

@@ -149,7 +149,7 @@ impl Namer<'_> {
             (_, Some(part)) => (format!("{}_{}", self.name_of(row), words(part)), part.to_owned()),
             (defined, None) => (self.name_of(row), defined.unwrap_or(&row.name).to_owned()),
         };
-        let name = self.enum_names.claim(&base, &format!("{:04x}_{:02x}", row.index, row.sub));
+        let name = self.enum_names.claim(&base, format_args!("{:04x}_{:02x}", row.index, row.sub));
         self.keys.push(key);
         self.named.enums.push(EnumType {
             name,
@@ -178,10 +178,10 @@ impl Namer<'_> {
         }
         let title = word.definition.name.to_string();
         let base = if self.by_index { self.name_of(row) } else { words(&title) };
-        let name = self.word_names.claim(&base, &format!("{:04x}_{:02x}", row.index, row.sub));
+        let name = self.word_names.claim(&base, format_args!("{:04x}_{:02x}", row.index, row.sub));
         let mut scope = Scope::of_lower_case("");
         let parts = word.fields.iter().map(|field| WordPart {
-            name: scope.claim(&words(field.name), &field.first.to_string()),
+            name: scope.claim(&words(field.name), format_args!("{}", field.first)),
             label: field.name.to_owned(),
             first: field.first,
             bits: field.bits,
@@ -244,7 +244,7 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
         let base = if base.is_empty() { format!("value_{suffix}") } else { base };
         let alias_of = values.iter().position(|other| other.number == number);
         let label = name.to_owned();
-        values.push(EnumValue { name: scope.claim(&base, &suffix), label, number, alias_of });
+        values.push(EnumValue { name: scope.claim(&base, format_args!("{suffix}")), label, number, alias_of });
     }
     values
 }

@@ -4,7 +4,10 @@
 //! upper case. All languages share the result, so that one entry is called alike in all of them. Whatever the names
 //! are, the identifiers of one [`Scope`] are valid and unique, and the same description always gives the same ones.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
+use std::fmt;
+use std::sync::LazyLock;
 
 /// The longest identifier: C99 compilers need not tell longer ones apart (§5.2.4.1).
 pub(crate) const LONGEST: usize = 63;
@@ -39,8 +42,9 @@ const CPP: &str = "
 
 /// Whether an identifier is taken: by a language, or as the name of a type in C.
 fn is_reserved(identifier: &str) -> bool {
-    let in_list = |words: &str| words.split_ascii_whitespace().any(|word| word == identifier);
-    identifier.ends_with("_t") || [RUST, C, CPP].into_iter().any(in_list)
+    static WORDS: LazyLock<HashSet<&str>> =
+        LazyLock::new(|| [RUST, C, CPP].into_iter().flat_map(str::split_ascii_whitespace).collect());
+    identifier.ends_with("_t") || WORDS.contains(identifier)
 }
 
 /// The words of a name, joined by `_`; empty when the name has no ASCII letter or digit.
@@ -48,27 +52,33 @@ fn is_reserved(identifier: &str) -> bool {
 /// Latin letters lose their marks; everything else that is no letter or digit separates words. A name of one word is
 /// also split before capitals, as in `maxSpeed`.
 pub(crate) fn words(name: &str) -> String {
-    let plain: String = name.chars().map(without_mark).collect();
+    let plain = if name.is_ascii() {
+        Cow::Borrowed(name)
+    } else {
+        Cow::Owned(name.chars().map(without_mark).collect())
+    };
     let mut joined = String::with_capacity(LONGEST_PART + 8);
-    let parts: Vec<&str> =
-        plain.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty()).collect();
-    for part in &parts {
-        if joined.len() > LONGEST_PART {
-            break; // the rest would be cut off
-        }
-        if !joined.is_empty() {
-            joined.push('_');
-        }
-        if parts.len() == 1 {
-            push_split(&mut joined, part.as_bytes());
-        } else {
-            joined.push_str(&part.to_ascii_lowercase());
+    let mut parts = plain.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
+    let first = parts.next().unwrap_or_default();
+    match parts.next() {
+        None => push_split(&mut joined, first.as_bytes()),
+        Some(second) => {
+            joined.push_str(first);
+            for part in std::iter::once(second).chain(parts) {
+                if joined.len() > LONGEST_PART {
+                    break; // the rest would be cut off
+                }
+                joined.push('_');
+                joined.push_str(part);
+            }
+            joined.make_ascii_lowercase();
         }
     }
     if joined.starts_with(|c: char| c.is_ascii_digit()) {
         joined.insert(0, 'x');
     }
-    clip(&joined, LONGEST_PART).to_owned()
+    joined.truncate(clip(&joined, LONGEST_PART).len());
+    joined
 }
 
 /// Adds a word, split where a capital begins a new one: `maxSpeed`, `CANState`, but neither `PDOs` nor `0x1A00`.
@@ -148,11 +158,14 @@ impl Scope {
     ///
     /// The first that claims an identifier gets it as it is, a keyword with `_` behind it; for everybody later, `suffix`
     /// (the index, and mostly the sub-index, so that it says who it is) makes the difference.
-    pub(crate) fn claim(&mut self, words: &str, suffix: &str) -> String {
-        let plain = clip(words, LONGEST);
-        let plain = if plain.is_empty() { format!("x{suffix}") } else { plain.to_owned() };
-        let reserved = self.keywords && is_reserved(&plain);
-        let plain = if reserved { format!("{plain}_") } else { plain };
+    pub(crate) fn claim(&mut self, words: &str, suffix: fmt::Arguments<'_>) -> String {
+        let mut plain = match clip(words, LONGEST) {
+            "" => format!("x{suffix}"),
+            plain => plain.to_owned(),
+        };
+        if self.keywords && is_reserved(&plain) {
+            plain.push('_');
+        }
         if self.taken.insert(plain.clone()) {
             return plain;
         }
@@ -205,21 +218,21 @@ mod tests {
     #[test]
     fn the_first_keeps_its_name_and_later_ones_say_who_they_are() {
         let mut scope = Scope::of_lower_case("node_id");
-        assert_eq!(scope.claim("speed", "2000"), "speed");
-        assert_eq!(scope.claim("speed", "2001"), "speed_2001");
-        assert_eq!(scope.claim("speed_2001", "2002"), "speed_2001_2002");
-        assert_eq!(scope.claim("speed_2001", "2002"), "speed_2001_2002_2");
-        assert_eq!(scope.claim("node_id", "2003"), "node_id_2003");
-        assert_eq!(scope.claim("", "2004"), "x2004");
-        assert_eq!(scope.claim("type", "2005"), "type_");
-        assert_eq!(scope.claim("type", "2006"), "type_2006");
-        assert_eq!(scope.claim("uint8_t", "2007"), "uint8_t_");
+        assert_eq!(scope.claim("speed", format_args!("2000")), "speed");
+        assert_eq!(scope.claim("speed", format_args!("2001")), "speed_2001");
+        assert_eq!(scope.claim("speed_2001", format_args!("2002")), "speed_2001_2002");
+        assert_eq!(scope.claim("speed_2001", format_args!("2002")), "speed_2001_2002_2");
+        assert_eq!(scope.claim("node_id", format_args!("2003")), "node_id_2003");
+        assert_eq!(scope.claim("", format_args!("2004")), "x2004");
+        assert_eq!(scope.claim("type", format_args!("2005")), "type_");
+        assert_eq!(scope.claim("type", format_args!("2006")), "type_2006");
+        assert_eq!(scope.claim("uint8_t", format_args!("2007")), "uint8_t_");
     }
 
     #[test]
     fn constants_may_be_called_like_keywords() {
-        assert_eq!(Scope::of_constants("index").claim("type", "01"), "type");
-        assert_eq!(Scope::of_constants("index").claim("index", "01"), "index_01");
+        assert_eq!(Scope::of_constants("index").claim("type", format_args!("01")), "type");
+        assert_eq!(Scope::of_constants("index").claim("index", format_args!("01")), "index_01");
     }
 
     fn is_identifier(text: &str) -> bool {
@@ -249,7 +262,7 @@ mod tests {
             let mut scope = Scope::of_lower_case("");
             let mut seen = HashSet::new();
             for (number, name) in names.iter().enumerate() {
-                let identifier = scope.claim(&words(name), &format!("{:04x}", number / 2));
+                let identifier = scope.claim(&words(name), format_args!("{:04x}", number / 2));
                 prop_assert!(is_identifier(&identifier), "`{}` of `{}`", identifier, name);
                 prop_assert!(!is_reserved(&identifier), "`{}`", identifier);
                 prop_assert!(seen.insert(identifier.clone()), "`{}` twice", identifier);

@@ -76,7 +76,7 @@ impl Members {
         if let Some(group) = self.groups.iter().position(|group| group.name == name) {
             return group;
         }
-        let field = fields.claim(&identifier(name), &format!("{first:04x}"));
+        let field = fields.claim(&identifier(name), format_args!("{first:04x}"));
         let name = name.to_owned();
         self.groups.push(TableGroup { name, field, first, sub_index: None, layout: 0, image_size: 0 });
         self.groups.len() - 1

@@ -11,6 +11,8 @@
 //!   access type `const`, type definitions, and sub-index 0 of RECORDs and compact objects that is not writable. The
 //!   elements of an ARRAY are one field where they are alike. Those of a storage group are the members of a struct of their own.
 
+use std::fmt;
+
 use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use super::hooks;
 use super::names::{Scope, words};
@@ -103,7 +105,7 @@ pub(crate) struct TableField {
 
 impl Row {
     /// The flags; the bits are those that the templates name.
-    pub(crate) fn flags(&self) -> Vec<&'static str> {
+    pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
         let resolved = &self.resolved;
         let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
         [
@@ -120,7 +122,6 @@ impl Row {
         ]
         .into_iter()
         .filter_map(|(flag, set)| set.then_some(flag))
-        .collect()
     }
 
     /// The access type, as documentation names it.
@@ -157,11 +158,8 @@ impl Table {
     }
 
     /// Where a value is in the struct of values: `persist_comm.speed[1]`.
-    pub(crate) fn place(&self, slot: Slot) -> String {
-        let field = &self.fields[slot.field];
-        let group = field.group.map(|group| format!("{}.", self.groups[group].field)).unwrap_or_default();
-        let element = slot.element.map(|element| format!("[{element}]")).unwrap_or_default();
-        format!("{group}{}{element}", field.name)
+    pub(crate) fn place(&self, slot: Slot) -> FieldPath<'_> {
+        FieldPath { table: self, slot }
     }
 
     /// The members of a group's struct, or those of the struct of values that are in no group.
@@ -191,6 +189,23 @@ impl Table {
     }
 }
 
+/// How code names a place in the struct of values.
+pub(crate) struct FieldPath<'a> {
+    table: &'a Table,
+    slot: Slot,
+}
+
+impl fmt::Display for FieldPath<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let field = &self.table.fields[self.slot.field];
+        if let Some(group) = field.group {
+            write!(f, "{}.", self.table.groups[group].field)?;
+        }
+        f.write_str(&field.name)?;
+        self.slot.element.map_or(Ok(()), |element| write!(f, "[{element}]"))
+    }
+}
+
 struct Builder {
     modules: Scope,
     fields: Scope,
@@ -205,7 +220,7 @@ impl Builder {
         let first = self.table.rows.len();
         let mut constants = Scope::of_constants("index");
         for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
-            let constant = constants.claim(&words(&name), &format!("{sub:02x}"));
+            let constant = constants.claim(&words(&name), format_args!("{sub:02x}"));
             let block = block(&resolved);
             let rom_length = block.len();
             let rom = self.rom.place(block);
@@ -219,7 +234,7 @@ impl Builder {
         let first = self.table.fields.len();
         self.place_fields(object, &name, rows.clone());
         self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
-        let module = self.modules.claim(&name, &format!("{index:04x}"));
+        let module = self.modules.claim(&name, format_args!("{index:04x}"));
         self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });
     }
 
@@ -259,16 +274,16 @@ impl Builder {
         if row.resolved.constant || shape.size() == 0 {
             return; // in flash, or a DOMAIN without room
         }
-        let (words, suffix) = if array || !(object.object_type().has_subs() || object.compact.is_some()) {
-            (name.to_owned(), format!("{:04x}", row.index))
+        let name = if array || !(object.object_type().has_subs() || object.compact.is_some()) {
+            self.fields.claim(name, format_args!("{:04x}", row.index))
         } else {
-            (format!("{name}_{}", row.constant), format!("{:04x}_{:02x}", row.index, row.sub))
+            let words = [name, "_", &row.constant].concat();
+            self.fields.claim(&words, format_args!("{:04x}_{:02x}", row.index, row.sub))
         };
         let field = self.table.fields.len();
         for (element, at) in rows.clone().enumerate() {
             self.table.rows[at].slot = Some(Slot { field, element: array.then_some(element) });
         }
-        let name = self.fields.claim(&words, &suffix);
         self.table.fields.push(TableField { name, shape, rows, array, group: None });
     }
 }

@@ -81,5 +81,5 @@ pub(crate) fn claim(
         }
     };
     let room = LONGEST - prefix.len() - 4 - suffix.len(); // for the prefix, the suffix and a number
-    scope.claim(&name[..name.len().min(room)], &suffix)
+    scope.claim(&name[..name.len().min(room)], format_args!("{suffix}"))
 }

@@ -63,7 +63,7 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
     let values = of.values.iter().map(|value| {
         let suffix = if value.number < 0 { format!("m{}", -value.number) } else { value.number.to_string() };
         ValueView {
-            name: macro_name(macros, prefix, &format!("{}_{}", of.name, value.name), &suffix),
+            name: macro_name(macros, prefix, &format!("{}_{}", of.name, value.name), (format_args!("{suffix}"), suffix.len())),
             label: &value.label,
             number: number(value.number, of.data_type),
         }
@@ -112,7 +112,7 @@ fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String
     let mut suffix = first.to_string();
     loop {
         let room = crate::names::LONGEST - prefix.len() - 8 - suffix.len();
-        let name = macros.claim(&words[..words.len().min(room)], &suffix);
+        let name = macros.claim(&words[..words.len().min(room)], format_args!("{suffix}"));
         let all = OF_PARTS.map(|what| format!("{name}_{what}"));
         if all.iter().all(|name| macros.is_free(name)) {
             all.into_iter().for_each(|name| macros.take(name));

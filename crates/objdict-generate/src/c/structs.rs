@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use askama::Template;
 
 use super::stored::{GroupView, MemberView, group_views};
-use super::view::{Facts, Header, is_time, type_name, word_type};
+use super::view::{Facts, Header, flags, is_time, type_name, word_type};
 use crate::SizeReport;
 use crate::c_code::{bytes, number};
 use crate::escape::{filters, shown};
@@ -210,12 +210,7 @@ fn time() -> Extent {
 
 fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Constants<'_>) -> RowView<'a> {
     let resolved = &row.resolved;
-    let flags: Vec<String> = row
-        .flags()
-        .into_iter()
-        .filter(|flag| !matches!(*flag, "LOW" | "HIGH"))
-        .map(|flag| format!("{upper}_{flag}"))
-        .collect();
+    let flags = flags(row.flags().filter(|flag| !matches!(*flag, "LOW" | "HIGH")), upper);
     let served = resolved.shape.size() == 0 && matches!(resolved.shape, Shape::Bytes(DataType::DOMAIN, _));
     let default = if served { "NULL".to_owned() } else { constants.datum(row, &resolved.default) };
     let mut limit =
@@ -226,6 +221,5 @@ fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Consta
         None if served => "NULL".to_owned(),
         None => format!("(void *){default}"),
     };
-    let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
     RowView { row, type_: type_name(resolved.shape), flags, data, low, high, default }
 }

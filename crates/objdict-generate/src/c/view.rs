@@ -1,5 +1,7 @@
 //! What templates/c/od.h and od.c show.
 
+use std::fmt::{self, Write};
+
 use askama::Template;
 
 use super::defaults::{Defaults, take_names};
@@ -12,7 +14,7 @@ use crate::meanings::Named;
 use crate::model::{DataType, TypeKind};
 use crate::names::{LONGEST, Scope};
 use crate::resolve::Shape;
-use crate::table::{Row, Table, TableField, TableObject};
+use crate::table::{FieldPath, Row, Table, TableField, TableObject};
 
 /// The header.
 #[derive(Template)]
@@ -65,7 +67,7 @@ pub(super) struct Source<'a> {
     real64: bool,
 }
 
-/// An object with the macros that name it and its entries.
+/// An object with the macros that name it and its entries, in upper case without the prefix.
 pub(super) struct ObjectView<'a> {
     pub(super) object: &'a TableObject,
     pub(super) name: String,
@@ -86,8 +88,7 @@ struct RowView<'a> {
     row: &'a Row,
     type_: &'static str,
     flags: String,
-    /// The place in RAM, `0` for none.
-    ram: String,
+    ram: Option<FieldPath<'a>>,
 }
 
 /// The macros of the templates, without the prefix, in lower case.
@@ -106,13 +107,16 @@ impl<'a> Header<'a> {
         let mut macros = Scope::of_constants(MACROS);
         take_names(&facts.constants, &mut macros);
         for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
-            macros.claim(&taken, "");
+            macros.claim(&taken, format_args!(""));
         }
         // objects first, so that no entry takes the name of one
         let names: Vec<String> = table
             .objects
             .iter()
-            .map(|object| macro_name(&mut macros, prefix, &object.module, &format!("{:04x}", object.index)))
+            .map(|object| {
+                let suffix = format_args!("{:04x}", object.index);
+                macro_name(&mut macros, prefix, &object.module, (suffix, 4))
+            })
             .collect();
         let objects = table
             .objects
@@ -139,11 +143,11 @@ impl<'a> Header<'a> {
 
 impl<'a> Source<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
+        let upper = prefix.to_ascii_uppercase();
         Self {
             lower: prefix,
-            upper: prefix.to_ascii_uppercase(),
             table,
-            rows: table.rows.iter().map(|row| row_view(table, row, &prefix.to_ascii_uppercase())).collect(),
+            rows: table.rows.iter().map(|row| row_view(table, row, &upper)).collect(),
             names,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             groups: stored::group_views(table, prefix),
@@ -152,6 +156,7 @@ impl<'a> Source<'a> {
             has_pointers: false,
             real32: table.keeps(DataType::REAL32),
             real64: table.keeps(DataType::REAL64),
+            upper,
         }
     }
 }
@@ -166,21 +171,30 @@ fn hook_macros(table: &Table) -> Vec<String> {
 fn object_view<'a>(
     table: &'a Table,
     object: &'a TableObject,
-    name: String,
+    mut name: String,
     (prefix, macros): (&str, &mut Scope),
 ) -> ObjectView<'a> {
     let rows = if object.single { &[] } else { &table.rows[object.rows.clone()] };
     let entries = rows.iter().map(|row| {
-        let words = format!("{}_{}", name.trim_end_matches('_'), row.constant);
-        (macro_name(macros, prefix, &words, &format!("{:04x}_{:02x}", row.index, row.sub)), row)
+        let words = [name.trim_end_matches('_'), "_", &row.constant].concat();
+        let suffix = format_args!("{:04x}_{:02x}", row.index, row.sub);
+        let mut name = macro_name(macros, prefix, &words, (suffix, 7));
+        name.make_ascii_uppercase();
+        (name, row)
     });
     let entries = entries.collect();
+    name.make_ascii_uppercase();
     ObjectView { object, name, entries }
 }
 
-/// The name of a macro in lower case, short enough for the prefix before it.
-pub(super) fn macro_name(macros: &mut Scope, prefix: &str, words: &str, suffix: &str) -> String {
-    let room = LONGEST - prefix.len() - 2 - suffix.len(); // so that the suffix fits too
+/// The name of a macro in lower case, short enough for the prefix before it. With the suffix comes its length.
+pub(super) fn macro_name(
+    macros: &mut Scope,
+    prefix: &str,
+    words: &str,
+    (suffix, length): (fmt::Arguments<'_>, usize),
+) -> String {
+    let room = LONGEST - prefix.len() - 2 - length; // so that the suffix fits too
     macros.claim(&words[..words.len().min(room)], suffix)
 }
 
@@ -189,7 +203,7 @@ pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &s
     let name = &field.name;
     let declaration = match field.shape {
         Shape::Word(data_type) if is_time(data_type) => format!("{prefix}_time_t {name}{array}"),
-        Shape::Word(data_type) => format!("{} {name}{array}", word_type(data_type)),
+        Shape::Word(data_type) => [word_type(data_type), " ", name, &array].concat(),
         Shape::Bytes(_, capacity) => {
             format!("struct {{ uint16_t length; uint8_t bytes[{capacity}]; }} {name}{array}")
         }
@@ -199,12 +213,19 @@ pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &s
     FieldView { declaration, first, last, array: field.array }
 }
 
-fn row_view<'a>(table: &Table, row: &'a Row, upper: &str) -> RowView<'a> {
-    let type_ = type_name(row.resolved.shape);
-    let flags: Vec<String> = row.flags().into_iter().map(|flag| format!("{upper}_{flag}")).collect();
-    let flags = if flags.is_empty() { "0u".to_owned() } else { flags.join(" | ") };
-    let ram = row.slot.map_or("0u".to_owned(), |slot| format!("{upper}_RAM({})", table.place(slot)));
-    RowView { row, type_, flags, ram }
+fn row_view<'a>(table: &'a Table, row: &'a Row, upper: &str) -> RowView<'a> {
+    let ram = row.slot.map(|slot| table.place(slot));
+    RowView { row, type_: type_name(row.resolved.shape), flags: flags(row.flags(), upper), ram }
+}
+
+/// Flags as an expression.
+pub(super) fn flags(names: impl Iterator<Item = &'static str>, upper: &str) -> String {
+    let mut flags = String::with_capacity(64);
+    for name in names {
+        let or = if flags.is_empty() { "" } else { " | " };
+        flags.extend([or, upper, "_", name]);
+    }
+    if flags.is_empty() { "0u".to_owned() } else { flags }
 }
 
 /// The macro of a data type, behind the prefix.
@@ -237,5 +258,9 @@ pub(super) fn word_type(data_type: DataType) -> &'static str {
 }
 
 pub(super) fn hex_bytes(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("0x{byte:02X}")).collect::<Vec<_>>().join(", ")
+    let mut text = String::with_capacity(bytes.len() * 6);
+    for (at, byte) in bytes.iter().enumerate() {
+        let _ = write!(text, "{}0x{byte:02X}", if at == 0 { "" } else { ", " }); // a String takes every text
+    }
+    text
 }

@@ -30,7 +30,7 @@ impl Backend for CanopenRs {
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let module = options.module_or("od")?;
-        let function = Scope::of_lower_case("address octets put").claim(&module, "od");
+        let function = Scope::of_lower_case("address octets put").claim(&module, format_args!("od"));
         let room = Options { string_capacity: ROOM, domain_capacity: ROOM, ..options.clone() };
         let mut dictionary = Dictionary::new(device, &room)?;
         let losses = losses::of(&mut dictionary);

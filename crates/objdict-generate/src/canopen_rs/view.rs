@@ -69,7 +69,7 @@ impl Od {
                     index: object.index,
                     sub: entry.sub,
                     name,
-                    constant: constants.claim(&identifier, &suffix).to_ascii_uppercase(),
+                    constant: constants.claim(&identifier, format_args!("{suffix}")).to_ascii_uppercase(),
                     access: access(entry.resolved.access),
                     value: value(entry),
                 });

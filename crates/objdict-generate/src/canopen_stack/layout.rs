@@ -170,7 +170,7 @@ impl Layout {
         let word = words(name);
         let suffix = format!("{index:04x}");
         let room = word.len().min(40);
-        let variable = format!("{prefix}_{}", scope.claim(&word[..room], &suffix));
+        let variable = format!("{prefix}_{}", scope.claim(&word[..room], format_args!("{suffix}")));
         let name = name.to_owned();
         self.groups.push(Group { name, variable, members: Vec::new(), first: index, communication });
     }

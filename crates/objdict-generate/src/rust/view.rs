@@ -198,7 +198,7 @@ fn row_view(row: &Row, ram: usize) -> RowView<'_> {
         Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
         Shape::Block(_) => "BLOCK",
     };
-    let flags = row.flags();
+    let flags: Vec<&str> = row.flags().collect();
     let flags = if flags.is_empty() { "0".to_owned() } else { flags.join(" | ") };
     RowView { row, type_, flags, ram }
 }

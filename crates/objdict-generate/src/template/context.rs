@@ -82,11 +82,11 @@ fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry
     let object_words = or(words(&object.name), index.clone());
     let single = object.is_single();
     let identifier = if single {
-        scope.claim(&object_words, &index)
+        scope.claim(&object_words, format_args!("{index}"))
     } else {
         let sub = format!("{:02x}", entry.sub);
         let entry_words = or(words(&entry.name), sub.clone());
-        scope.claim(&format!("{object_words}_{entry_words}"), &format!("{index}_{sub}"))
+        scope.claim(&format!("{object_words}_{entry_words}"), format_args!("{index}_{sub}"))
     };
     let size = resolved.shape.size();
     let data_type = match resolved.shape {

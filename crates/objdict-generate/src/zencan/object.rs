@@ -26,7 +26,7 @@ impl Maker<'_> {
             .map(|entry| SubView {
                 sub: entry.sub,
                 name: toml_string(&entry.entry.name),
-                field: fields.claim(&words(&entry.name), &format!("{:02x}", entry.sub)),
+                field: fields.claim(&words(&entry.name), format_args!("{:02x}", entry.sub)),
                 entry: self.entry(object, entry),
             })
             .collect();

@@ -20,7 +20,7 @@ typedef char {{ lower }}_double_has_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
 const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
 {%- for view in rows %}
-    {0x{{ "{:04X}"|format(view.row.index) }}u, 0x{{ "{:02X}"|format(view.row.sub) }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {{ view.ram }}, {{ view.row.rom }}u}, /* {{ view.row.name|c_comment }} */
+    {0x{{ view.row.index|hex4 }}u, 0x{{ view.row.sub|hex2 }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {% if let Some(ram) = view.ram %}{{ upper }}_RAM({{ ram }}){% else %}0u{% endif %}, {{ view.row.rom }}u}, /* {{ view.row.name|c_comment }} */
 {%- endfor %}
 };
 

@@ -24,10 +24,10 @@ extern "C" {
 /* Indexes of objects and sub-indexes of their entries. */
 {%- for view in objects %}
 
-/* {{ "{:04X}"|format(view.object.index) }}h: {{ view.object.name|c_comment }} */
-#define {{ upper }}_{{ view.name|upper }} 0x{{ "{:04X}"|format(view.object.index) }}u
+/* {{ view.object.index|hex4 }}h: {{ view.object.name|c_comment }} */
+#define {{ upper }}_{{ view.name }} 0x{{ view.object.index|hex4 }}u
 {%- for (name, row) in view.entries %}
-#define {{ upper }}_{{ name|upper }} 0x{{ "{:02X}"|format(row.sub) }}u /* {{ row.name|c_comment }} */
+#define {{ upper }}_{{ name }} 0x{{ row.sub|hex2 }}u /* {{ row.name|c_comment }} */
 {%- endfor %}
 {%- endfor %}
 
@@ -47,8 +47,8 @@ typedef struct {
 /* The storage group {{ group.group.name|c_comment }}: what is saved together. */
 typedef struct {
 {%- for field in group.fields %}
-    {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
-    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+    {{ field.declaration }}; /* {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
+    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
 {%- endfor %}
 } {{ group.lower }}_t;
 {%- endfor %}
@@ -59,8 +59,8 @@ typedef struct {
 {%- for member in fields %}
 {%- match member %}
 {%- when MemberView::Field(field) %}
-    {{ field.declaration }}; /* {{ "{:04X}"|format(field.first.index) }}h sub-index {{ "{:02X}"|format(field.first.sub) }}h
-    {%- if field.array %} to {{ "{:02X}"|format(field.last.sub) }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+    {{ field.declaration }}; /* {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
+    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
 {%- when MemberView::Group(group) %}
     {{ group.lower }}_t {{ group.group.field }}; /* the storage group {{ group.group.name|c_comment }} */
 {%- endmatch %}

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 {%- for frame in frames %}
 
-/* {{ frame.frame.title }} ({{ "{:04X}"|format(frame.frame.communication_index) }}h, {{ "{:04X}"|format(frame.frame.mapping_index) }}h) */
+/* {{ frame.frame.title }} ({{ frame.frame.communication_index|hex4 }}h, {{ frame.frame.mapping_index|hex4 }}h) */
 #define {{ frame.macro_prefix }}_LENGTH {{ frame.frame.length }}u
 {%- if let Some(transmission_type) = frame.frame.transmission_type %}
 #define {{ frame.macro_prefix }}_TRANSMISSION_TYPE {{ transmission_type }}u
@@ -29,7 +29,7 @@ extern "C" {
 
 typedef struct {
 {%- for field in frame.fields %}
-    {{ field.declaration }}; /* {{ "{:04X}"|format(field.row.index) }}h sub-index {{ "{:02X}"|format(field.row.sub) }}h: {{ field.row.name|c_comment }} */
+    {{ field.declaration }}; /* {{ field.row.index|hex4 }}h sub-index {{ field.row.sub|hex2 }}h: {{ field.row.name|c_comment }} */
 {%- endfor %}
 } {{ frame.type_name }}_t;
 

@@ -27,7 +27,7 @@ static const {{ pool.c_type }} {{ pool.name }}[{{ pool.numbers.len() }}] = {
 
 const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
 {%- for view in rows %}
-    {0x{{ "{:04X}"|format(view.row.index) }}u, 0x{{ "{:02X}"|format(view.row.sub) }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {{ view.row.resolved.shape.size() }}u, {{ view.data }}, {{ view.low }}, {{ view.high }}, {{ view.default }}{% if names %}, {{ view.row.name|c_text }}{% endif %}},
+    {0x{{ view.row.index|hex4 }}u, 0x{{ view.row.sub|hex2 }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {{ view.row.resolved.shape.size() }}u, {{ view.data }}, {{ view.low }}, {{ view.high }}, {{ view.default }}{% if names %}, {{ view.row.name|c_text }}{% endif %}},
 {%- endfor %}
 };
 

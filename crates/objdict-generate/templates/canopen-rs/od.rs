@@ -31,7 +31,7 @@ pub fn {{ function }}(node_id: u8) -> ObjectDictionary<ENTRY_COUNT> {
 {%- endif %}
     let mut od = ObjectDictionary::new();
 {%- for row in rows %}
-    put(&mut od, (0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }}), AccessType::{{ row.access }}, {{ row.value }}); // {{ row.name|code_span }}
+    put(&mut od, (0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}), AccessType::{{ row.access }}, {{ row.value }}); // {{ row.name|code_span }}
 {%- endfor %}
     od
 }
@@ -60,6 +60,6 @@ pub mod address {
 {%- for row in rows %}
 
     /// {{ row.name|code_span }}.
-    pub const {{ row.constant }}: Address = Address::new(0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }});
+    pub const {{ row.constant }}: Address = Address::new(0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }});
 {%- endfor %}
 }

@@ -49,7 +49,7 @@ static CO_PROGMEM ODObjs_t ODObjs = {
 /* All objects, by index. */
 static {{ od }}_ATTR_OD OD_entry_t ODList[] = {
 {%- for object in tables.objects %}
-    {0x{{ "{:04X}"|format(object.index) }}, 0x{{ "{:02X}"|format(object.entries) }}, ODT_{{ object.kind }}, &ODObjs.o_{{ object.name }}, NULL},
+    {0x{{ object.index|hex4 }}, 0x{{ "{:02X}"|format(object.entries) }}, ODT_{{ object.kind }}, &ODObjs.o_{{ object.name }}, NULL},
 {%- endfor %}
     {0x0000, 0x00, 0, NULL, NULL}
 };

@@ -21,7 +21,7 @@ extern "C" {
 /* How many elements an array has. */
 {%- for object in tables.objects %}
 {%- if let Some(count) = object.count %}
-#define {{ od }}_CNT_ARR_{{ "{:04X}"|format(object.index) }} {{ count }}
+#define {{ od }}_CNT_ARR_{{ object.index|hex4 }} {{ count }}
 {%- endif %}
 {%- endfor %}
 
@@ -45,7 +45,7 @@ extern {{ od }}_ATTR_OD OD_t *{{ od }};
 
 /* Entries of the list, by index. */
 {%- for object in tables.objects %}
-#define {{ od }}_ENTRY_H{{ "{:04X}"|format(object.index) }} (&{{ od }}->list[{{ loop.index0 }}])
+#define {{ od }}_ENTRY_H{{ object.index|hex4 }} (&{{ od }}->list[{{ loop.index0 }}])
 {%- endfor %}
 
 /* Entries of the list, by index and name. */

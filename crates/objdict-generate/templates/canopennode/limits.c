@@ -31,7 +31,7 @@ typedef struct {
 
 static CO_PROGMEM Limit_t limits[] = {
 {%- for row in limits.rows %}
-    { {{- row.low }}, {{ row.high }}, 0x{{ "{:04X}"|format(row.index) }}, {{ row.position }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.length }}, {{ row.flags }}},
+    { {{- row.low }}, {{ row.high }}, 0x{{ row.index|hex4 }}, {{ row.position }}, 0x{{ row.sub|hex2 }}, {{ row.length }}, {{ row.flags }}},
 {%- endfor %}
 };
 

@@ -19,7 +19,7 @@ UNSIGNED8 MEM_CONST SDOResponseTable[] = {
 /* Entries of the process image, and an end mark. */
 OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
 {%- for entry in entries %}
-    ODENTRY(0x{{ "{:04X}"|format(entry.index) }}, 0x{{ "{:02X}"|format(entry.sub) }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
+    ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
 {%- endfor %}
     ODENTRY(0xFFFF, 0xFF, 0xFF, 0xFF)
 };

@@ -18,7 +18,7 @@
 
 /* Where the process image has what, little-endian. */
 {%- for entry in entries %}
-#define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ "{:04X}"|format(entry.index) }}h sub-index {{ "{:02X}"|format(entry.sub) }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.described|c_comment }} */
+#define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ entry.index|hex4 }}h sub-index {{ entry.sub|hex2 }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.described|c_comment }} */
 {%- endfor %}
 
 /* Bytes of the process image, at least one. */

@@ -11,9 +11,9 @@
 const OBJ_ENTRY gObjDict[NUM_OF_OBJ_ENTRIES] = {
 {%- for row in rows %}
 {%- if row.single %}
-    SINGLE_OBJ(0x{{ "{:04X}"|format(row.index) }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
+    SINGLE_OBJ(0x{{ row.index|hex4 }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
 {%- else %}
-    SUB_OBJ(0x{{ "{:04X}"|format(row.index) }}, 0x{{ "{:02X}"|format(row.sub) }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
+    SUB_OBJ(0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}, {{ row.length }}, {{ row.address }}, {{ row.access }}), /* {{ row.described|c_comment }} */
 {%- endif %}
 {%- endfor %}
 };

@@ -5,12 +5,12 @@
 #[allow(dead_code, unreachable_pub)]
 pub mod pdo {
 {%- for frame in frames %}
-    /// {{ frame.frame.title }} (`0x{{ "{:04X}"|format(frame.frame.communication_index) }}`, `0x{{ "{:04X}"|format(frame.frame.mapping_index) }}`).
+    /// {{ frame.frame.title }} (`0x{{ frame.frame.communication_index|hex4 }}`, `0x{{ frame.frame.mapping_index|hex4 }}`).
     #[allow(clippy::struct_excessive_bools)]
     #[derive(Clone, Copy, Debug, PartialEq)]{{ derives("    ") }}
     pub struct {{ frame.type_name }} {
 {%- for field in frame.fields %}
-        /// `0x{{ "{:04X}"|format(field.row.index) }}` sub-index `0x{{ "{:02X}"|format(field.row.sub) }}`: {{ field.row.name|code_span }}.
+        /// `0x{{ field.row.index|hex4 }}` sub-index `0x{{ field.row.sub|hex2 }}`: {{ field.row.name|code_span }}.
         pub {{ field.field.name }}: {{ field.type_ }},
 {%- endfor %}
     }

@@ -4,8 +4,8 @@
 #[derive(Clone, Debug, PartialEq)]{{ derives("") }}
 pub struct {{ group.type_name }} {
 {%- for field in group.fields %}
-    /// `0x{{ "{:04X}"|format(field.first.index) }}` sub-index `0x{{ "{:02X}"|format(field.first.sub) }}`
-    {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
+    /// `0x{{ field.first.index|hex4 }}` sub-index `0x{{ field.first.sub|hex2 }}`
+    {%- if field.array %} to `0x{{ field.last.sub|hex2 }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
     {% if let (true, Some(module)) = (serde, field.serde_with) %}#[serde(with = "{{ module }}")]
     {% endif %}pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}

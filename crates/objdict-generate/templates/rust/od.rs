@@ -14,14 +14,14 @@ pub const NODE_ID: u8 = {{ node_id }};
 {%- endif %}
 {%- for view in objects %}
 
-/// `0x{{ "{:04X}"|format(view.object.index) }}`: {{ view.object.name|code_span }}.
+/// `0x{{ view.object.index|hex4 }}`: {{ view.object.name|code_span }}.
 #[allow(dead_code, unreachable_pub)]
 pub mod {{ view.object.module }} {
     /// Index of the object.
-    pub const INDEX: u16 = 0x{{ "{:04X}"|format(view.object.index) }};
+    pub const INDEX: u16 = 0x{{ view.object.index|hex4 }};
 {%- for row in view.entries %}
-    /// Sub-index `0x{{ "{:02X}"|format(row.sub) }}`: {{ row.name|code_span }}.
-    pub const {{ row.constant|upper }}: u8 = 0x{{ "{:02X}"|format(row.sub) }};
+    /// Sub-index `0x{{ row.sub|hex2 }}`: {{ row.name|code_span }}.
+    pub const {{ row.constant|upper }}: u8 = 0x{{ row.sub|hex2 }};
 {%- endfor %}
 }
 {%- endfor %}
@@ -38,8 +38,8 @@ pub mod {{ view.object.module }} {
 pub struct Data {
     node_id: u8,
 {%- for field in fields %}
-    /// `0x{{ "{:04X}"|format(field.first.index) }}` sub-index `0x{{ "{:02X}"|format(field.first.sub) }}`
-    {%- if field.array %} to `0x{{ "{:02X}"|format(field.last.sub) }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
+    /// `0x{{ field.first.index|hex4 }}` sub-index `0x{{ field.first.sub|hex2 }}`
+    {%- if field.array %} to `0x{{ field.last.sub|hex2 }}`{% endif %}: {{ field.first.name|code_span }}, `{{ field.first.access() }}`.
     {% if let (true, Some(module)) = (serde, field.serde_with) %}#[serde(with = "{{ module }}")]
     {% endif %}pub {{ field.name }}: {{ field.type_ }},
 {%- endfor %}
@@ -207,7 +207,7 @@ impl Default for Data {
 #[rustfmt::skip]
 pub static ENTRIES: [Entry; {{ rows.len() }}] = [
 {%- for view in rows %}
-    Entry::row((0x{{ "{:04X}"|format(view.row.index) }}, 0x{{ "{:02X}"|format(view.row.sub) }}), {{ view.type_ }}, {{ view.flags }}, {{ view.ram }}, {{ view.row.rom }}), // {{ view.row.name|code_span }}
+    Entry::row((0x{{ view.row.index|hex4 }}, 0x{{ view.row.sub|hex2 }}), {{ view.type_ }}, {{ view.flags }}, {{ view.ram }}, {{ view.row.rom }}), // {{ view.row.name|code_span }}
 {%- endfor %}
 ];
 
