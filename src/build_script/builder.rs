@@ -10,7 +10,7 @@ use super::{Built, Error};
 use crate::diagnostic::{Severity, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
-use crate::generate::{CTable, Derive, Group, Names, Target};
+use crate::generate::{CTable, ChoiceError, Derive, Group, Names, OptionField, Target};
 use crate::lint::Level;
 use crate::model::Address;
 #[cfg(feature = "lint")]
@@ -55,99 +55,15 @@ impl Builder {
         self
     }
 
-    /// The node-ID of the node, 1 to 127; a DCF names its own.
-    pub fn node_id(mut self, node_id: u8) -> Self {
-        self.request.options.node_id = Some(node_id);
-        self
-    }
-
     /// Whether to generate although there are errors in the description. They become warnings of the build.
     pub fn force(mut self, force: bool) -> Self {
         self.request.force = force;
         self
     }
 
-    /// Room in bytes for a string that can be written and has a shorter default or none; without it, 32.
-    pub fn string_capacity(mut self, bytes: u16) -> Self {
-        self.request.options.string_capacity = bytes;
-        self
-    }
-
-    /// Room in bytes for a DOMAIN that can be written; without it, only for its default.
-    pub fn domain_capacity(mut self, bytes: u16) -> Self {
-        self.request.options.domain_capacity = bytes;
-        self
-    }
-
-    /// What identifiers are made of; without it, [`Names::Words`].
-    pub fn names(mut self, names: Names) -> Self {
-        self.request.options.names = names;
-        self
-    }
-
-    /// How the table of the target `c` is laid out; without it, [`CTable::Compact`].
-    pub fn table(mut self, table: CTable) -> Self {
-        self.request.options.table = table;
-        self
-    }
-
-    /// Leave the names of entries out.
-    pub fn no_names(mut self) -> Self {
-        self.request.options.entry_names = false;
-        self
-    }
-
-    /// Whether the Rust file has names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits` of the crate
-    /// that takes it in.
-    pub fn feature_gates(mut self, gates: bool) -> Self {
-        self.request.options.feature_gates = gates;
-        self
-    }
-
-    /// A crate whose traits the types of the Rust file derive; may be called several times.
-    pub fn derive(mut self, derive: Derive) -> Self {
-        self.request.options.derives.push(derive);
-        self
-    }
-
-    /// A file with other names to make identifiers of: lines as `"2000sub1" = "target speed"`.
-    #[cfg(feature = "lint")]
-    pub fn rename(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.rename = Some(file.as_ref().to_owned());
-        self
-    }
-
     /// Another name to make the identifiers of an object or entry of; one that a file of names has for it counts more.
     pub fn name_of(mut self, at: Address, name: impl Into<String>) -> Self {
         self.request.options.renamed.insert(at, name.into());
-        self
-    }
-
-    /// What C identifiers and files start with, instead of `od`: a letter, and up to 15 more letters, digits and `_`.
-    pub fn prefix(mut self, word: impl Into<String>) -> Self {
-        self.request.options.prefix = Some(word.into());
-        self
-    }
-
-    /// The name of the Rust module and its file, instead of `od`; the same letters as of a [`prefix`](Self::prefix).
-    pub fn module(mut self, word: impl Into<String>) -> Self {
-        self.request.options.module = Some(word.into());
-        self
-    }
-
-    /// The storage group of objects; may be called several times, and the last one that has an index counts. A name is a
-    /// letter with letters, digits and `_` behind it.
-    pub fn group(mut self, objects: RangeInclusive<u16>, name: &str) -> Self {
-        match Group::new(objects, name) {
-            Ok(group) => self.request.options.groups.push(group),
-            Err(error) => self.fail(error.into()),
-        }
-        self
-    }
-
-    /// Calls the application before reads and after writes of an object, or of one of its entries; may be called several times.
-    pub fn hook(mut self, at: Address) -> Self {
-        self.request.options.hooks.insert(at);
         self
     }
 
@@ -166,18 +82,6 @@ impl Builder {
     /// Works out what the tables of each target take, for [`Built::sizes`]; without it, only when there is a limit.
     pub fn sizes(mut self) -> Self {
         self.request.sizes = true;
-        self
-    }
-
-    /// Whether to keep `LowLimit` and `HighLimit` where the stack does not.
-    pub fn limits(mut self, keep: bool) -> Self {
-        self.request.options.limits = keep;
-        self
-    }
-
-    /// The template that the target `template` renders (feature `template`); its output is called like it without `.j2`.
-    pub fn template(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.options.template = Some(file.as_ref().to_owned());
         self
     }
 
@@ -321,6 +225,36 @@ impl Builder {
         self.failure.get_or_insert(error);
     }
 }
+
+macro_rules! methods {
+    ($(
+        $(#[doc = $doc:tt])+
+        $choice:ident $name:literal {
+            field: $field:ident: $type:ty = $default:expr,
+            argument: $argument:ty [$($clap:tt)*],
+            method: $method:ident($($parameter:ident: $of:ty),*) => $value:expr,
+            $(needs: $feature:tt,)?
+        }
+    )+) => {
+        /// Options of generated code.
+        impl Builder {
+            $(
+                $(#[doc = $doc])+
+                $(#[cfg(feature = $feature)])?
+                pub fn $method(mut self $(, $parameter: $of)*) -> Self {
+                    let value: Result<_, ChoiceError> = $value;
+                    match value {
+                        Ok(value) => self.request.options.$field.put(value),
+                        Err(error) => self.fail(error.into()),
+                    }
+                    self
+                }
+            )+
+        }
+    };
+}
+
+crate::generate::with_options!(methods);
 
 fn with_advice(line: String, help: Option<&str>) -> String {
     match help {

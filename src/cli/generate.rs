@@ -13,7 +13,7 @@ use super::table::Table;
 use super::{Failure, Outcome, tell};
 use crate::diagnostic::Severity;
 use crate::format::ReadError;
-use crate::generate::{Options, Target};
+use crate::generate::Target;
 use crate::production::{Error, Judged, Production, Request, Room, depfile, told};
 use crate::report::Tally;
 
@@ -110,32 +110,10 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         implicit_pdos: args.expand.implicit_pdos,
         force: args.force,
         targets: targets.map_err(Failure::new)?,
-        rename: args.rename.clone(),
-        options: options(args),
+        options: args.options.given(),
         sizes: args.report.is_some(),
         room: Room { flash: args.max_flash, ram: args.max_ram },
     })
-}
-
-fn options(args: &GenerateArgs) -> Options {
-    let default = Options::default();
-    Options {
-        node_id: args.node_id,
-        string_capacity: args.string_capacity.unwrap_or(default.string_capacity),
-        domain_capacity: args.domain_capacity.unwrap_or(default.domain_capacity),
-        names: args.names.into(),
-        prefix: args.prefix.clone(),
-        module: args.module.clone(),
-        groups: args.groups.clone(),
-        hooks: args.hooks.iter().copied().collect(),
-        limits: args.limits,
-        template: args.template.clone(),
-        table: args.table.into(),
-        entry_names: !args.no_names,
-        feature_gates: args.feature_gates,
-        derives: args.derive.iter().copied().map(Into::into).collect(),
-        ..default
-    }
 }
 
 /// Errors in the description are findings, everything else is a failure.

@@ -52,10 +52,7 @@ pub(crate) struct Request {
     pub(crate) force: bool,
     /// What to generate; what is there twice counts once.
     pub(crate) targets: Vec<Target>,
-    /// A file with names, which are added to those of the options.
-    #[cfg(feature = "lint")]
-    pub(crate) rename: Option<PathBuf>,
-    /// The options; the names of files and the hash are found out.
+    /// The options; the names of files, those in the file of names, and the hash are found out.
     pub(crate) options: Options,
     /// Whether somebody wants to know what the tables take.
     pub(crate) sizes: bool,
@@ -263,9 +260,9 @@ impl Request {
         };
         files.extend(options.template.clone());
         #[cfg(feature = "lint")]
-        if let Some(path) = &self.rename {
+        if let Some(path) = options.rename.take() {
             files.push(path.clone());
-            options.renamed.extend(names_in(path)?);
+            options.renamed.extend(names_in(&path)?);
         }
         Ok(options)
     }

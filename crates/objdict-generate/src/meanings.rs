@@ -244,7 +244,12 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
         let base = if base.is_empty() { format!("value_{suffix}") } else { base };
         let alias_of = values.iter().position(|other| other.number == number);
         let label = name.to_owned();
-        values.push(EnumValue { name: scope.claim(&base, format_args!("{suffix}")), label, number, alias_of });
+        values.push(EnumValue {
+            name: scope.claim(&base, format_args!("{suffix}")),
+            label,
+            number,
+            alias_of,
+        });
     }
     values
 }

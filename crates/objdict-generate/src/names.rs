@@ -144,6 +144,12 @@ impl Scope {
         Self { keywords: true, ..Self::of_constants(taken) }
     }
 
+    /// Gives all identifiers back but these.
+    pub(crate) fn reset(&mut self, taken: &str) {
+        self.taken.clear();
+        self.taken.extend(taken.split_whitespace().map(str::to_owned));
+    }
+
     /// Whether nobody has an identifier.
     pub(crate) fn is_free(&self, identifier: &str) -> bool {
         !self.taken.contains(identifier)

@@ -1,4 +1,4 @@
-//! What the user may decide about generated code.
+//! What the user may decide about generated code. An option is declared once, below in `with_options`.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,50 +8,271 @@ use std::path::PathBuf;
 use super::GenerateError;
 use crate::model::{Address, Device};
 
-/// What the user may decide. Not every target has a use for every choice; [`super::generate`] tells of each that has none.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// The node-ID, 1 to 127, of the node that is generated for. Formulas stay formulas all the same, the node-ID is only
-    /// named as the default. `None`: the one of the description, where it is a DCF.
-    pub node_id: Option<u8>,
-    /// The stem of the output's name, for targets whose files have no fixed names (`rust` and `c` have: `od`).
-    pub file_stem: String,
-    /// Room in bytes, 1 to 65535, for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING that can be written and has a
-    /// shorter default, or that has none.
-    pub string_capacity: u16,
-    /// Room in bytes for a DOMAIN; 0: only for the default, and none where there is no default, so that the application
-    /// has to transfer the data itself.
-    pub domain_capacity: u16,
-    /// What identifiers are made of.
-    pub names: Names,
-    /// Names that identifiers are made of instead, for objects (`None`) and for their entries.
-    pub renamed: BTreeMap<Address, String>,
-    /// What stands before the identifiers of C and is the name of its files, instead of `od`: a letter, and up to 15 more
-    /// letters, digits and `_`. The case is that of each identifier.
-    pub prefix: Option<String>,
-    /// The name of the Rust module and of its file, instead of `od`; the same letters.
-    pub module: Option<String>,
-    /// Storage groups that objects belong to, the last one that has the index; one that the description states comes first.
-    pub groups: Vec<Group>,
-    /// Objects (with all their entries) and entries whose hooks are called before a read and after a write.
-    pub hooks: BTreeSet<Address>,
-    /// Whether write functions keep `LowLimit` and `HighLimit`, for stacks that have no place for limits.
-    pub limits: bool,
-    /// The file of the template that the target `template` renders: its name ends in `.j2`, and what is before that is the
-    /// name of the output.
-    pub template: Option<PathBuf>,
-    /// How the dictionary is laid out in plain C.
-    pub table: CTable,
-    /// Whether the table names its entries, for people who read it on the device; what has no room for names has none
-    /// anyway.
-    pub entry_names: bool,
-    /// Whether optional parts of the Rust file (names, PDOs, limits) are there only with the Cargo features `od-names`, `od-pdo` and
-    /// `od-limits` of the crate that takes it in.
-    pub feature_gates: bool,
-    /// The traits of other crates that the types of the Rust file derive.
-    pub derives: Vec<Derive>,
-    /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
-    pub source_hash: Option<u64>,
+/// Hands the declarations of all options to a macro. Four things are made of each of them: a field of [`Options`] and a
+/// [`Choice`] in this file, an argument of `objdict generate`, and a method of the build script's builder.
+///
+/// * Its first paragraph is what `--help` shows; the others are only for the documentation of the library.
+/// * The name of its [`Choice`], and the one that stands behind `--`.
+/// * `field`: where [`Options`] keep it, the type, and what it is when nobody says anything.
+/// * `argument`: the type of what the command line gives, which [`OptionField::put`] takes value by value (a `bool` turns the
+///   field over), and what clap has to know.
+/// * `method`: that of the builder, with the value that [`OptionField::put`] takes.
+/// * `needs`: the feature of the package `objdict` without which the builder has no such method.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_options {
+    ($make:ident) => {
+        $make! {
+            /// The node-ID of the node; a DCF names its own
+            ///
+            /// 1 to 127. Formulas stay formulas all the same, the node-ID is only named as the default.
+            NodeId "node-id" {
+                field: node_id: Option<u8> = None,
+                argument: Option<u8> [value_name = "N", value_parser = node_id],
+                method: node_id(node_id: u8) => Ok(node_id),
+            }
+            /// Room for a string that can be written and has a shorter default or none
+            ///
+            /// 1 to 65535 bytes for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING; without it, 32.
+            StringCapacity "string-capacity" {
+                field: string_capacity: u16 = 32,
+                argument: Option<u16> [value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..)],
+                method: string_capacity(bytes: u16) => Ok(bytes),
+            }
+            /// Room for a DOMAIN that can be written; without it, only for its default
+            ///
+            /// In bytes. 0: only for the default, and none where there is no default, so that the application has to
+            /// transfer the data itself.
+            DomainCapacity "domain-capacity" {
+                field: domain_capacity: u16 = 0,
+                argument: Option<u16> [value_name = "BYTES"],
+                method: domain_capacity(bytes: u16) => Ok(bytes),
+            }
+            /// What identifiers are made of
+            ///
+            /// Without it, [`Names::Words`].
+            Names "names" {
+                field: names: Names = Names::default(),
+                argument: Option<Names> [value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
+                method: names(names: Names) => Ok(names),
+            }
+            /// Other names to make identifiers of: lines as `"2000sub1" = "target speed"`
+            ///
+            /// In a file that whoever takes the options reads: `generate::renames` turns its text into
+            /// other names.
+            Renamed "rename" {
+                field: rename: Option<PathBuf> = None,
+                argument: Option<PathBuf> [value_name = "FILE"],
+                method: rename(file: impl AsRef<Path>) => Ok(file.as_ref().to_owned()),
+                needs: "lint",
+            }
+            /// What C identifiers and files start with, instead of `od`
+            ///
+            /// A letter, and up to 15 more letters, digits and `_`. The case is that of each identifier.
+            Prefix "prefix" {
+                field: prefix: Option<String> = None,
+                argument: Option<String> [value_name = "WORD"],
+                method: prefix(word: impl Into<String>) => Ok(word.into()),
+            }
+            /// The name of the Rust module and its file, instead of `od`
+            ///
+            /// The same letters as of a prefix.
+            Module "module" {
+                field: module: Option<String> = None,
+                argument: Option<String> [value_name = "WORD"],
+                method: module(word: impl Into<String>) => Ok(word.into()),
+            }
+            /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
+            ///
+            /// The last one that has an index counts; one that the description states comes first. A name is a letter
+            /// with letters, digits and `_` behind it.
+            Groups "group" {
+                field: groups: Vec<Group> = Vec::new(),
+                argument: Vec<Group> [value_name = "INDEXES=NAME"],
+                method: group(objects: RangeInclusive<u16>, name: &str) => Group::new(objects, name),
+            }
+            /// Call the application before reads and after writes of an object or entry, as `6000` or `6000:1`; may be given several
+            /// times, or with commas between
+            ///
+            /// An object stands for all its entries.
+            Hooks "hook" {
+                field: hooks: BTreeSet<Address> = BTreeSet::new(),
+                argument: Vec<Address> [value_name = "ADDRESS", value_delimiter = ','],
+                method: hook(at: Address) => Ok(at),
+            }
+            /// Keep `LowLimit` and `HighLimit` where the stack does not
+            Limits "limits" {
+                field: limits: bool = false,
+                argument: bool [],
+                method: limits(keep: bool) => Ok(keep),
+            }
+            /// The template that the target `template` renders; its output is called like it without `.j2`
+            ///
+            /// It needs the feature `template`.
+            Template "template" {
+                field: template: Option<PathBuf> = None,
+                argument: Option<PathBuf> [value_name = "FILE"],
+                method: template(file: impl AsRef<Path>) => Ok(file.as_ref().to_owned()),
+            }
+            /// How the table of the target `c` is laid out
+            ///
+            /// Without it, [`CTable::Compact`].
+            Table "table" {
+                field: table: CTable = CTable::default(),
+                argument: Option<CTable> [value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
+                method: table(table: CTable) => Ok(table),
+            }
+            /// Leave the names of entries out
+            ///
+            /// They are for people who read the table on the device; what has no room for names has none anyway.
+            EntryNames "no-names" {
+                field: entry_names: bool = true,
+                argument: bool [],
+                method: no_names() => Ok(false),
+            }
+            /// Let the Rust file have names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits`
+            ///
+            /// The features are those of the crate that takes it in.
+            FeatureGates "feature-gates" {
+                field: feature_gates: bool = false,
+                argument: bool [],
+                method: feature_gates(gates: bool) => Ok(gates),
+            }
+            /// Derive traits of other crates for the types of the Rust file
+            ///
+            /// May be called several times.
+            Derives "derive" {
+                field: derives: Vec<Derive> = Vec::new(),
+                argument: Vec<Derive> [value_name = "CRATE", value_parser = one_of::<Derive>(), value_delimiter = ','],
+                method: derive(derive: Derive) => Ok(derive),
+            }
+        }
+    };
+}
+
+macro_rules! declare {
+    ($(
+        $(#[doc = $doc:tt])+
+        $choice:ident $name:literal {
+            field: $field:ident: $type:ty = $default:expr,
+            argument: $argument:ty [$($clap:tt)*],
+            method: $method:ident($($parameter:ident: $of:ty),*) => $value:expr,
+            $(needs: $feature:tt,)?
+        }
+    )+) => {
+        /// What the user may decide. Not every target has a use for every choice; [`super::generate`] tells of each that has none.
+        #[derive(Clone, Debug, PartialEq, Eq)]
+        pub struct Options {
+            $(
+                $(#[doc = $doc])+
+                pub $field: $type,
+            )+
+            /// Names that identifiers are made of instead, for objects (`None`) and for their entries.
+            pub renamed: BTreeMap<Address, String>,
+            /// The stem of the output's name, for targets whose files have no fixed names (`rust` and `c` have: `od`).
+            pub file_stem: String,
+            /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
+            pub source_hash: Option<u64>,
+        }
+
+        impl Default for Options {
+            fn default() -> Self {
+                Self {
+                    $($field: $default,)+
+                    renamed: BTreeMap::new(),
+                    file_stem: "od".to_owned(),
+                    source_hash: None,
+                }
+            }
+        }
+
+        /// An option that a target may have no use for.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Choice {
+            $(
+                #[doc = concat!("[`Options::", stringify!($field), "`].")]
+                $choice,
+            )+
+        }
+
+        impl Choice {
+            /// The name, as the command line has it behind `--`.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$choice => $name,)+
+                }
+            }
+        }
+
+        impl Options {
+            /// The options that are not as they are by default.
+            pub(super) fn chosen(&self) -> impl Iterator<Item = Choice> {
+                let default = Self::default();
+                let choices = [$((Choice::$choice, self.$field != default.$field),)+];
+                let is_chosen = |choice, is_changed| match choice {
+                    Choice::NodeId => false, // every target has a use for it
+                    Choice::Renamed => is_changed || !self.renamed.is_empty(),
+                    _ => is_changed,
+                };
+                choices.into_iter().filter_map(move |(choice, is_changed)| is_chosen(choice, is_changed).then_some(choice))
+            }
+        }
+    };
+}
+
+with_options!(declare);
+
+/// A field of [`Options`] that values are given to: one takes the place of another, where there is room for one.
+pub trait OptionField {
+    /// What is given.
+    type Value;
+
+    /// Keeps a value.
+    fn put(&mut self, value: Self::Value);
+}
+
+macro_rules! single_values {
+    ($($type:ty)+) => {
+        $(impl OptionField for $type {
+            type Value = Self;
+
+            fn put(&mut self, value: Self) {
+                *self = value;
+            }
+        })+
+    };
+}
+
+single_values!(bool u16 Names CTable);
+
+impl<T> OptionField for Option<T> {
+    type Value = T;
+
+    fn put(&mut self, value: T) {
+        *self = Some(value);
+    }
+}
+
+impl<T> OptionField for Vec<T> {
+    type Value = T;
+
+    fn put(&mut self, value: T) {
+        self.push(value);
+    }
+}
+
+impl<T: Ord> OptionField for BTreeSet<T> {
+    type Value = T;
+
+    fn put(&mut self, value: T) {
+        self.insert(value);
+    }
+}
+
+/// One of a few values.
+pub trait OptionValue: Copy + Send + Sync + 'static {
+    /// All of them, each with its name on the command line and what it is.
+    const ALL: &'static [(Self, &'static str, &'static str)];
 }
 
 /// What identifiers are made of.
@@ -64,6 +285,11 @@ pub enum Names {
     Index,
 }
 
+impl OptionValue for Names {
+    const ALL: &'static [(Self, &'static str, &'static str)] =
+        &[(Self::Words, "words", "`ParameterName`"), (Self::Index, "index", "Index and sub-index")];
+}
+
 /// How the dictionary is laid out in plain C.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CTable {
@@ -72,6 +298,13 @@ pub enum CTable {
     Compact,
     /// An array of structures with pointers to value, limits and default, for a stack of one's own.
     Structs,
+}
+
+impl OptionValue for CTable {
+    const ALL: &'static [(Self, &'static str, &'static str)] = &[
+        (Self::Compact, "compact", "Short rows, with functions that answer as an SDO server does"),
+        (Self::Structs, "structs", "An array of structures with pointers, for a stack of one's own"),
+    ];
 }
 
 /// Traits of another crate that generated Rust types derive.
@@ -83,6 +316,13 @@ pub enum Derive {
     Serde,
 }
 
+impl OptionValue for Derive {
+    const ALL: &'static [(Self, &'static str, &'static str)] = &[
+        (Self::Defmt, "defmt", "`defmt::Format`"),
+        (Self::Serde, "serde", "`serde::Serialize` and `serde::Deserialize`"),
+    ];
+}
+
 /// A storage group: objects whose values are kept together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
@@ -92,108 +332,7 @@ pub struct Group {
     pub name: String,
 }
 
-/// An option that a target may have no use for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// [`Options::names`].
-    Names,
-    /// [`Options::renamed`].
-    Renamed,
-    /// [`Options::prefix`].
-    Prefix,
-    /// [`Options::module`].
-    Module,
-    /// [`Options::groups`].
-    Groups,
-    /// [`Options::hooks`].
-    Hooks,
-    /// [`Options::template`].
-    Template,
-    /// [`Options::table`].
-    Table,
-    /// [`Options::entry_names`].
-    EntryNames,
-    /// [`Options::feature_gates`].
-    FeatureGates,
-    /// [`Options::derives`].
-    Derives,
-    /// [`Options::string_capacity`].
-    StringCapacity,
-    /// [`Options::domain_capacity`].
-    DomainCapacity,
-    /// [`Options::limits`].
-    Limits,
-}
-
-impl Choice {
-    /// The name, as the command line has it behind `--`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Names => "names",
-            Self::Renamed => "rename",
-            Self::Prefix => "prefix",
-            Self::Module => "module",
-            Self::Groups => "group",
-            Self::Hooks => "hook",
-            Self::Template => "template",
-            Self::Table => "table",
-            Self::EntryNames => "no-names",
-            Self::FeatureGates => "feature-gates",
-            Self::Derives => "derive",
-            Self::StringCapacity => "string-capacity",
-            Self::DomainCapacity => "domain-capacity",
-            Self::Limits => "limits",
-        }
-    }
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            node_id: None,
-            file_stem: "od".to_owned(),
-            string_capacity: 32,
-            domain_capacity: 0,
-            names: Names::default(),
-            renamed: BTreeMap::new(),
-            prefix: None,
-            module: None,
-            groups: Vec::new(),
-            hooks: BTreeSet::new(),
-            limits: false,
-            template: None,
-            table: CTable::default(),
-            entry_names: true,
-            feature_gates: false,
-            derives: Vec::new(),
-            source_hash: None,
-        }
-    }
-}
-
 impl Options {
-    /// The options that are not as they are by default.
-    pub(super) fn chosen(&self) -> impl Iterator<Item = Choice> {
-        let default = Self::default();
-        let choices = [
-            (Choice::Names, self.names != default.names),
-            (Choice::Renamed, !self.renamed.is_empty()),
-            (Choice::Prefix, self.prefix.is_some()),
-            (Choice::Module, self.module.is_some()),
-            (Choice::Groups, !self.groups.is_empty()),
-            (Choice::Hooks, !self.hooks.is_empty()),
-            (Choice::Template, self.template.is_some()),
-            (Choice::Table, self.table != default.table),
-            (Choice::EntryNames, self.entry_names != default.entry_names),
-            (Choice::FeatureGates, self.feature_gates),
-            (Choice::Derives, !self.derives.is_empty()),
-            (Choice::StringCapacity, self.string_capacity != default.string_capacity),
-            (Choice::DomainCapacity, self.domain_capacity != default.domain_capacity),
-            (Choice::Limits, self.limits),
-        ];
-        choices.into_iter().filter_map(|(choice, is_made)| is_made.then_some(choice))
-    }
-
     /// The node-ID of these options, else of the device.
     pub(crate) fn node_id_of(&self, device: &Device) -> Result<Option<u8>, GenerateError> {
         match self.node_id {

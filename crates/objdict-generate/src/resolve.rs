@@ -258,17 +258,18 @@ impl<'a> Resolver<'a> {
         data_type: DataType,
     ) -> (Option<Datum>, Option<Datum>) {
         let mut limit = |field: Field, value: Option<&Value>| {
+            let value = value?;
             let place = place.clone().field(field);
-            if value.is_some() && !data_type.is_numeric() {
+            if !data_type.is_numeric() {
                 let text = format!("values of {data_type} have no order; the limit is not enforced");
                 self.notes.push(Note::new(place, text));
                 return None;
             }
-            if value.and_then(Value::as_real).is_some_and(f64::is_nan) {
+            if value.as_real().is_some_and(f64::is_nan) {
                 self.notes.push(Note::new(place, "a limit that is not a number is not enforced"));
                 return None;
             }
-            self.word(place, value, data_type)
+            self.word(place, Some(value), data_type)
         };
         let low = limit(Field::LowLimit, entry.low_limit.as_ref());
         let high = limit(Field::HighLimit, entry.high_limit.as_ref());

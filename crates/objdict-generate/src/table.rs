@@ -139,6 +139,7 @@ impl Table {
         let mut builder = Builder {
             modules: Scope::of_lower_case("od pdo defaults enums bits serde defmt serde_array serde_blocks"), // for the modules of the templates
             fields,
+            constants: Scope::of_constants(""),
             rom: Rom::default(),
             table: Self::empty(&dictionary, options),
         };
@@ -209,6 +210,8 @@ impl fmt::Display for FieldPath<'_> {
 struct Builder {
     modules: Scope,
     fields: Scope,
+    /// The entries of one object.
+    constants: Scope,
     rom: Rom,
     table: Table,
 }
@@ -218,9 +221,9 @@ impl Builder {
         let (index, object, single) = (resolved.index, resolved.object, resolved.is_single());
         let object_name = words(&resolved.name);
         let first = self.table.rows.len();
-        let mut constants = Scope::of_constants("index");
+        self.constants.reset("index");
         for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
-            let constant = constants.claim(&words(&name), format_args!("{sub:02x}"));
+            let constant = self.constants.claim(&words(&name), format_args!("{sub:02x}"));
             let block = block(&resolved);
             let rom_length = block.len();
             let rom = self.rom.place(block);

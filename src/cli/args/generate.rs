@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
-use clap::{Parser, ValueEnum};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, ValueEnum};
 
 use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{CTable, Derive, Group, Names, Target};
+use crate::generate::{CTable, Choice, Derive, Group, Names, OptionField, OptionValue, Options, Target};
 use crate::model::Address;
 
 /// Turn a description into what a product compiles or downloads
@@ -35,68 +35,24 @@ pub(in crate::cli) struct GenerateArgs {
     /// Write which files the stamp was made of, as a rule of make
     #[arg(long, value_name = "FILE", requires = "stamp")]
     pub depfile: Option<PathBuf>,
-    /// The node-ID of the node; a DCF names its own
-    #[arg(long, value_name = "N", value_parser = node_id)]
-    pub node_id: Option<u8>,
+    #[command(flatten)]
+    pub options: OptionArgs,
     /// Generate although there are errors in the description
-    #[arg(long)]
+    #[arg(long, display_order = behind(Choice::NodeId))]
     pub force: bool,
-    /// Room for a string that can be written and has a shorter default or none
-    #[arg(long, value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..))]
-    pub string_capacity: Option<u16>,
-    /// Room for a DOMAIN that can be written; without it, only for its default
-    #[arg(long, value_name = "BYTES")]
-    pub domain_capacity: Option<u16>,
-    /// What identifiers are made of
-    #[arg(long, value_enum, default_value = "words", value_name = "OF")]
-    pub names: NamesArg,
-    /// Other names to make identifiers of: lines as `"2000sub1" = "target speed"`
-    #[arg(long, value_name = "FILE")]
-    pub rename: Option<PathBuf>,
-    /// What C identifiers and files start with, instead of `od`
-    #[arg(long, value_name = "WORD")]
-    pub prefix: Option<String>,
-    /// The name of the Rust module and its file, instead of `od`
-    #[arg(long, value_name = "WORD")]
-    pub module: Option<String>,
-    /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
-    #[arg(long = "group", value_name = "INDEXES=NAME")]
-    pub groups: Vec<Group>,
-    /// Call the application before reads and after writes of an object or entry, as `6000` or `6000:1`; may be given several
-    /// times, or with commas between
-    #[arg(long = "hook", value_name = "ADDRESS", value_delimiter = ',')]
-    pub hooks: Vec<Address>,
     /// Show what the tables take in flash and RAM, object by object
-    #[arg(long, value_enum, value_name = "WHAT")]
+    #[arg(long, value_enum, value_name = "WHAT", display_order = behind(Choice::Hooks))]
     pub report: Option<ReportArg>,
     /// How it is shown
-    #[arg(long, value_enum, default_value = "table", requires = "report", value_name = "FORMAT")]
+    #[arg(long, value_enum, default_value = "table", requires = "report", value_name = "FORMAT", display_order = behind(Choice::Hooks) + 1)]
     pub report_format: SizeFormat,
     /// Generate nothing when the tables of a target take more flash, without the code that serves them
-    #[arg(long, value_name = "BYTES")]
+    #[arg(long, value_name = "BYTES", display_order = behind(Choice::Hooks) + 2)]
     pub max_flash: Option<usize>,
     /// Generate nothing when the values take more RAM
-    #[arg(long, value_name = "BYTES")]
+    #[arg(long, value_name = "BYTES", display_order = behind(Choice::Hooks) + 3)]
     pub max_ram: Option<usize>,
-    /// Keep `LowLimit` and `HighLimit` where the stack does not
-    #[arg(long)]
-    pub limits: bool,
-    /// The template that the target `template` renders; its output is called like it without `.j2`
-    #[arg(long, value_name = "FILE")]
-    pub template: Option<PathBuf>,
-    /// How the table of the target `c` is laid out
-    #[arg(long, value_enum, default_value = "compact", value_name = "LAYOUT")]
-    pub table: TableArg,
-    /// Leave the names of entries out
-    #[arg(long)]
-    pub no_names: bool,
-    /// Let the Rust file have names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits`
-    #[arg(long)]
-    pub feature_gates: bool,
-    /// Derive traits of other crates for the types of the Rust file
-    #[arg(long, value_enum, value_name = "CRATE", value_delimiter = ',')]
-    pub derive: Vec<DeriveArg>,
-    #[command(flatten)]
+    #[command(flatten, next_display_order = 500)]
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
@@ -104,6 +60,80 @@ pub(in crate::cli) struct GenerateArgs {
     pub config: ConfigArgs,
     #[command(flatten)]
     pub profiles: ProfileArgs,
+}
+
+macro_rules! arguments {
+    ($(
+        $(#[doc = $doc:tt])+
+        $choice:ident $name:literal {
+            field: $field:ident: $type:ty = $default:expr,
+            argument: $argument:ty [$($clap:tt)*],
+            method: $method:ident($($parameter:ident: $of:ty),*) => $value:expr,
+            $(needs: $feature:tt,)?
+        }
+    )+) => {
+        /// The options of generated code.
+        #[derive(Debug, Args)]
+        pub(in crate::cli) struct OptionArgs {
+            $(
+                $(#[doc = $doc])+
+                #[arg(long = $name, long_help = None::<&str>, display_order = order(Choice::$choice), $($clap)*)]
+                $field: $argument,
+            )+
+        }
+
+        impl OptionArgs {
+            pub(in crate::cli) fn given(&self) -> Options {
+                let mut options = Options::default();
+                $(self.$field.give(&mut options.$field);)+
+                options
+            }
+        }
+    };
+}
+
+crate::generate::with_options!(arguments);
+
+/// Where help shows an option of generated code: there is room behind each for arguments that belong to it.
+fn order(choice: Choice) -> usize {
+    10 * (choice as usize + 1)
+}
+
+fn behind(choice: Choice) -> usize {
+    order(choice) + 1
+}
+
+/// What the command line gives for a setting.
+trait Given<S> {
+    fn give(&self, setting: &mut S);
+}
+
+/// A flag turns the setting over.
+impl Given<bool> for bool {
+    fn give(&self, setting: &mut bool) {
+        *setting ^= self;
+    }
+}
+
+impl<S: OptionField<Value: Clone>> Given<S> for Option<S::Value> {
+    fn give(&self, setting: &mut S) {
+        self.iter().for_each(|value| setting.put(value.clone()));
+    }
+}
+
+impl<S: OptionField<Value: Clone>> Given<S> for Vec<S::Value> {
+    fn give(&self, setting: &mut S) {
+        self.iter().for_each(|value| setting.put(value.clone()));
+    }
+}
+
+/// The names of a few values, each with what it is.
+fn one_of<T: OptionValue>() -> impl TypedValueParser<Value = T> {
+    let names = T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help));
+    PossibleValuesParser::new(names).try_map(|given| {
+        let found = T::ALL.iter().find(|(_, name, _)| *name == given);
+        found.map(|(value, ..)| *value).ok_or("there is no such value")
+    })
 }
 
 /// What is reported of the output.
@@ -122,62 +152,8 @@ pub(in crate::cli) enum SizeFormat {
     Json,
 }
 
-/// What identifiers are made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum NamesArg {
-    /// `ParameterName`
-    Words,
-    /// Index and sub-index
-    Index,
-}
-
-impl From<NamesArg> for Names {
-    fn from(names: NamesArg) -> Self {
-        match names {
-            NamesArg::Words => Self::Words,
-            NamesArg::Index => Self::Index,
-        }
-    }
-}
-
-/// How the table of the target `c` is laid out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum TableArg {
-    /// Short rows, with functions that answer as an SDO server does
-    Compact,
-    /// An array of structures with pointers, for a stack of one's own
-    Structs,
-}
-
-impl From<TableArg> for CTable {
-    fn from(table: TableArg) -> Self {
-        match table {
-            TableArg::Compact => Self::Compact,
-            TableArg::Structs => Self::Structs,
-        }
-    }
-}
-
-/// A crate whose traits are derived.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum DeriveArg {
-    /// `defmt::Format`
-    Defmt,
-    /// `serde::Serialize` and `serde::Deserialize`
-    Serde,
-}
-
-impl From<DeriveArg> for Derive {
-    fn from(derive: DeriveArg) -> Self {
-        match derive {
-            DeriveArg::Defmt => Self::Defmt,
-            DeriveArg::Serde => Self::Serde,
-        }
-    }
-}
-
 fn targets() -> PossibleValuesParser {
-    let value = |target: Target| clap::builder::PossibleValue::new(target.name()).help(target.summary());
+    let value = |target: Target| PossibleValue::new(target.name()).help(target.summary());
     PossibleValuesParser::new(Target::all().map(value))
 }
 
@@ -196,13 +172,15 @@ mod tests {
 
     /// Whatever the command can do, a build script can do.
     #[test]
-    fn every_option_is_a_method_of_the_builder() {
+    fn every_other_argument_is_a_method_of_the_builder() {
         let builder = include_str!("../../build_script/builder.rs");
         let mut command = GenerateArgs::command();
         command.build();
+        let declared = OptionArgs::augment_args(clap::Command::default()); // their methods are made of the same lines
         for argument in command.get_arguments() {
             let name = argument.get_long().map_or(argument.get_id().as_str(), |long| long);
-            if OF_THE_COMMAND.contains(&name) {
+            let is_declared = declared.get_arguments().any(|declared| declared.get_id() == argument.get_id());
+            if is_declared || OF_THE_COMMAND.contains(&name) {
                 continue;
             }
             let renamed = RENAMED.iter().find(|(argument, _)| *argument == name);

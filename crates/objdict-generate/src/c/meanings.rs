@@ -63,7 +63,12 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
     let values = of.values.iter().map(|value| {
         let suffix = if value.number < 0 { format!("m{}", -value.number) } else { value.number.to_string() };
         ValueView {
-            name: macro_name(macros, prefix, &format!("{}_{}", of.name, value.name), (format_args!("{suffix}"), suffix.len())),
+            name: macro_name(
+                macros,
+                prefix,
+                &format!("{}_{}", of.name, value.name),
+                (format_args!("{suffix}"), suffix.len()),
+            ),
             label: &value.label,
             number: number(value.number, of.data_type),
         }
