@@ -185,30 +185,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Reads the text from `start` up to the next tag; says where to go on.
-    fn run(&mut self, start: usize) -> usize {
-        let rest = &self.text.as_bytes()[start..];
-        let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();
-        if rest.get(blanks).is_none_or(|&byte| byte == b'<') {
-            return start + blanks;
-        }
-        let length = memchr::memchr(b'<', rest).unwrap_or(rest.len());
-        if self.open.is_empty() || self.is_skipping() {
-            return self.by_reader(start);
-        }
-        self.mark_text();
-        self.text_event(start, start + length);
-        if self.has_references {
-            // the first byte is looked at as text
-            for at in memchr::memchr_iter(b'&', &rest[..length]).filter(|at| *at > 0) {
-                self.check_reference(start + at);
-            }
-        }
-        start + length
-    }
-
     /// Notes that there may be a text in the innermost element.
-    fn mark_text(&mut self) {
+    pub(super) fn mark_text(&mut self) {
         if let Some(record) = self.open.last().and_then(|open| self.parts.elements.get_mut(open.id as usize))
         {
             record.has_text = true;
@@ -216,7 +194,7 @@ impl<'a, 'f> Builder<'a, 'f> {
     }
 
     /// Reads what quick-xml finds at `at`; says where to go on.
-    fn by_reader(&mut self, at: usize) -> usize {
+    pub(super) fn by_reader(&mut self, at: usize) -> usize {
         if let Some(resume) = self.without_reader(at) {
             return resume;
         }

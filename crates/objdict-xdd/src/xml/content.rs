@@ -8,6 +8,28 @@ use super::prolog;
 use crate::diagnostic::{Diagnostic, Severity};
 
 impl Builder<'_, '_> {
+    /// Reads the text from `start` up to the next tag; says where to go on.
+    pub(super) fn run(&mut self, start: usize) -> usize {
+        let rest = &self.text.as_bytes()[start..];
+        let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();
+        if rest.get(blanks).is_none_or(|&byte| byte == b'<') {
+            return start + blanks;
+        }
+        let length = memchr::memchr(b'<', rest).unwrap_or(rest.len());
+        if self.open.is_empty() || self.is_skipping() {
+            return self.by_reader(start);
+        }
+        self.mark_text();
+        self.text_event(start, start + length);
+        if self.has_references {
+            // the first byte is looked at as text
+            for at in memchr::memchr_iter(b'&', &rest[..length]).filter(|at| *at > 0) {
+                self.check_reference(start + at);
+            }
+        }
+        start + length
+    }
+
     pub(super) fn outside_root(&mut self, start: usize, end: usize) {
         if !self.open.is_empty() || self.is_skipping() || is_blank_text(&self.text[start..end]) {
             return;
