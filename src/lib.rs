@@ -214,6 +214,7 @@ pub use check::{check, check_with};
 pub use mend::{Mended, Repair, mend};
 #[cfg(feature = "document")]
 pub use objdict_document::{self as document, decoded};
+#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
 pub use objdict_model::{Language, diagnostic, model, source};

@@ -11,7 +11,7 @@ const OF_DEFAULTS: &str = "default_";
 
 /// The macros.
 #[derive(Template)]
-#[template(path = "c/_defaults.h")]
+#[template(path = "c/_defaults.h", escape = "none")]
 pub(super) struct Defaults {
     upper: String,
     items: Vec<ItemView>,

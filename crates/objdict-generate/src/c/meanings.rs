@@ -10,7 +10,7 @@ use crate::names::Scope;
 
 /// The macros.
 #[derive(Template)]
-#[template(path = "c/_meanings.h")]
+#[template(path = "c/_meanings.h", escape = "none")]
 pub(super) struct Meanings<'a> {
     upper: String,
     enums: Vec<EnumView<'a>>,

@@ -11,7 +11,7 @@ use crate::table::{Row, Table};
 
 /// The header.
 #[derive(Template)]
-#[template(path = "c/od_pdo.h")]
+#[template(path = "c/od_pdo.h", escape = "none")]
 pub(super) struct PdoHeader<'a> {
     /// What identifiers start with.
     lower: &'a str,
@@ -22,7 +22,7 @@ pub(super) struct PdoHeader<'a> {
 
 /// The source.
 #[derive(Template)]
-#[template(path = "c/od_pdo.c")]
+#[template(path = "c/od_pdo.c", escape = "none")]
 pub(super) struct PdoSource<'a> {
     lower: &'a str,
     upper: String,

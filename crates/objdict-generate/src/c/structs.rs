@@ -17,7 +17,7 @@ use crate::table::{Row, Table};
 
 /// The header.
 #[derive(Template)]
-#[template(path = "c/structs.h")]
+#[template(path = "c/structs.h", escape = "none")]
 pub(super) struct StructsHeader<'a> {
     plain: Header<'a>,
     names: bool,
@@ -26,7 +26,7 @@ pub(super) struct StructsHeader<'a> {
 
 /// The source.
 #[derive(Template)]
-#[template(path = "c/structs.c")]
+#[template(path = "c/structs.c", escape = "none")]
 pub(super) struct StructsSource<'a> {
     lower: &'a str,
     upper: String,

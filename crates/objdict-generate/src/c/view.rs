@@ -18,7 +18,7 @@ use crate::table::{FieldPath, Row, Table, TableField, TableObject};
 
 /// The header.
 #[derive(Template)]
-#[template(path = "c/od.h")]
+#[template(path = "c/od.h", escape = "none")]
 pub(super) struct Header<'a> {
     /// What identifiers start with.
     pub(super) lower: &'a str,
@@ -47,7 +47,7 @@ pub(super) struct Facts {
 
 /// The source.
 #[derive(Template)]
-#[template(path = "c/od.c")]
+#[template(path = "c/od.c", escape = "none")]
 pub(super) struct Source<'a> {
     /// What identifiers start with.
     lower: &'a str,

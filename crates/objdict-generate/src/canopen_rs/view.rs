@@ -12,7 +12,7 @@ use crate::rust::{value_of, word_type};
 
 /// The file.
 #[derive(Template)]
-#[template(path = "canopen-rs/od.rs")]
+#[template(path = "canopen-rs/od.rs", escape = "none")]
 pub(super) struct Od {
     made_by: String,
     product: String,

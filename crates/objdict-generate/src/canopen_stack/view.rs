@@ -56,7 +56,7 @@ pub(super) struct Head {
 
 /// The table and its values.
 #[derive(Template)]
-#[template(path = "canopen-stack/od.c")]
+#[template(path = "canopen-stack/od.c", escape = "none")]
 pub(super) struct Source<'a> {
     head: &'a Head,
     layout: &'a Layout,
@@ -68,7 +68,7 @@ pub(super) struct Source<'a> {
 
 /// The declarations.
 #[derive(Template)]
-#[template(path = "canopen-stack/od.h")]
+#[template(path = "canopen-stack/od.h", escape = "none")]
 pub(super) struct Header<'a> {
     head: &'a Head,
     layout: &'a Layout,
@@ -76,7 +76,7 @@ pub(super) struct Header<'a> {
 
 /// The node specification.
 #[derive(Template)]
-#[template(path = "canopen-stack/spec.c")]
+#[template(path = "canopen-stack/spec.c", escape = "none")]
 pub(super) struct Specification<'a> {
     head: &'a Head,
     node_id: u8,

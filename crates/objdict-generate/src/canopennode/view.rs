@@ -14,14 +14,14 @@ use objdict_model::canopennode::Counters;
 
 /// The header.
 #[derive(Template)]
-#[template(path = "canopennode/OD.h")]
+#[template(path = "canopennode/OD.h", escape = "none")]
 pub(super) struct Header<'a> {
     pub(super) tables: &'a Tables,
 }
 
 /// The source.
 #[derive(Template)]
-#[template(path = "canopennode/OD.c")]
+#[template(path = "canopennode/OD.c", escape = "none")]
 pub(super) struct Source<'a> {
     pub(super) tables: &'a Tables,
 }

@@ -27,7 +27,7 @@ pub(super) struct Head {
 
 /// The tables.
 #[derive(Template)]
-#[template(path = "microcanopen/mco.c")]
+#[template(path = "microcanopen/mco.c", escape = "none")]
 pub(super) struct Source<'a> {
     head: &'a Head,
     entries: &'a [ImageEntry],
@@ -40,7 +40,7 @@ pub(super) struct Source<'a> {
 
 /// The process image.
 #[derive(Template)]
-#[template(path = "microcanopen/pimg.h")]
+#[template(path = "microcanopen/pimg.h", escape = "none")]
 pub(super) struct Header<'a> {
     head: &'a Head,
     entries: Vec<&'a ImageEntry>,

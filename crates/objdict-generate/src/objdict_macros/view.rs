@@ -18,7 +18,7 @@ pub(super) struct Head {
 
 /// The macros and the declarations.
 #[derive(Template)]
-#[template(path = "objdict-macros/objdict.h")]
+#[template(path = "objdict-macros/objdict.h", escape = "none")]
 pub(super) struct Header<'a> {
     head: &'a Head,
     rows: usize,
@@ -30,7 +30,7 @@ pub(super) struct Header<'a> {
 
 /// The dictionary.
 #[derive(Template)]
-#[template(path = "objdict-macros/objdict.c")]
+#[template(path = "objdict-macros/objdict.c", escape = "none")]
 pub(super) struct Source<'a> {
     head: &'a Head,
     rows: &'a [ObjectRow],
@@ -39,7 +39,7 @@ pub(super) struct Source<'a> {
 
 /// The mapping.
 #[derive(Template)]
-#[template(path = "objdict-macros/mapping.c")]
+#[template(path = "objdict-macros/mapping.c", escape = "none")]
 pub(super) struct Mapping<'a> {
     head: &'a Head,
     rpdos: Vec<&'a PdoRow>,

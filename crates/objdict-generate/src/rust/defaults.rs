@@ -8,7 +8,7 @@ use crate::model::CobId;
 
 /// The module `defaults`.
 #[derive(Template)]
-#[template(path = "rust/_defaults.rs")]
+#[template(path = "rust/_defaults.rs", escape = "none")]
 pub(super) struct Defaults {
     items: Vec<ItemView>,
 }

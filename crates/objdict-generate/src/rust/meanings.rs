@@ -12,7 +12,7 @@ use crate::resolve::{Datum, Shape};
 
 /// The modules `enums` and `bits`, where there is something in them.
 #[derive(Template)]
-#[template(path = "rust/_meanings.rs")]
+#[template(path = "rust/_meanings.rs", escape = "none")]
 pub(super) struct Meanings<'a> {
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,

@@ -18,7 +18,7 @@ use crate::{Derive, Options};
 
 /// The file `od.rs`.
 #[derive(Template)]
-#[template(path = "rust/od.rs")]
+#[template(path = "rust/od.rs", escape = "none")]
 pub(super) struct Od<'a> {
     table: &'a Table,
     /// The integer type of places in RAM and flash.

@@ -6,7 +6,7 @@ use crate::escape::filters;
 
 /// The file.
 #[derive(Template)]
-#[template(path = "zencan/device.toml")]
+#[template(path = "zencan/device.toml", escape = "none")]
 pub(super) struct Config {
     pub(super) made_by: String,
     pub(super) head: Head,
