@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diagnostic::{At, Diagnostic, Findings, Safety};
+use crate::diagnostic::{Applicability, At, Diagnostic, Findings};
 use crate::format::{self, Description};
 use crate::model::Part;
 use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
@@ -50,7 +50,11 @@ impl Mended {
 /// Mends what `check` finds in a description and a fix no less safe than `safety` can mend. Fixes that touch each other are
 /// made one after the other: after each round the text is read and checked again, at most ten times. A fix after which its
 /// finding is still there, or another one has come, is taken back.
-pub fn mend(description: Description, safety: Safety, check: impl Fn(&Description) -> Findings) -> Mended {
+pub fn mend(
+    description: Description,
+    safety: Applicability,
+    check: impl Fn(&Description) -> Findings,
+) -> Mended {
     let findings = check(&description);
     let mut mended = Mended { description, findings, applied: Vec::new(), skipped: Vec::new() };
     for _ in 0..MAX_ROUNDS {
@@ -72,7 +76,7 @@ struct Candidate {
 }
 
 /// The fixes to be made in one round: those that do not touch one that was taken before.
-fn candidates(mended: &Mended, safety: Safety) -> Vec<Candidate> {
+fn candidates(mended: &Mended, safety: Applicability) -> Vec<Candidate> {
     let description = &mended.description;
     let refused: BTreeSet<&Repair> = mended.skipped.iter().collect();
     let mut taken = Taken::default();

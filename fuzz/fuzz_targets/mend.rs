@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use objdict::diagnostic::Safety;
+use objdict::diagnostic::Applicability;
 use objdict::format::{self, Format};
 use objdict::source::{SourceFile, SourceOptions};
 
@@ -12,6 +12,6 @@ fuzz_target!(|bytes: &[u8]| {
         let Ok(source) = SourceFile::from_bytes("fuzz", bytes.to_vec(), &SourceOptions::default()) else { return };
         let description = format::read(source, format);
         let _ = description.arranged();
-        objdict::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Applicability::Unsafe, objdict::check);
     }
 });

@@ -10,7 +10,7 @@ use super::{Built, Error};
 use crate::diagnostic::{Severity, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
-use crate::generate::{CTable, ChoiceError, Derive, Group, Names, OptionField, Target};
+use crate::generate::{CTable, ChoiceError, Derive, Names, OptionField, StorageGroup, Target};
 use crate::lint::Level;
 use crate::model::Address;
 #[cfg(feature = "lint")]

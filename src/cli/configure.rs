@@ -11,7 +11,7 @@ use super::node::{Wanted, commissioning};
 use super::output::Output;
 use super::save::save;
 use super::{Failure, Outcome, tell};
-use crate::configure::{Problem, Setting, SettingsFile, configure};
+use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::format::input::Reading;
 use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
@@ -141,7 +141,7 @@ fn worse(before: &Device, after: &Device) -> Vec<Diagnostic> {
     found.iter().filter(is_new).cloned().collect()
 }
 
-fn refuse(problems: &[Problem]) -> Outcome {
+fn refuse(problems: &[SettingProblem]) -> Outcome {
     for problem in problems {
         let failure = Failure::new(problem);
         match &problem.help {

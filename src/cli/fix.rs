@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::output::Output;
 use super::save::save;
 use super::{Failure, diff, tell};
-use crate::diagnostic::{Findings, Safety};
+use crate::diagnostic::{Applicability, Findings};
 use crate::format::Description;
 use crate::report::plural;
 use crate::source::SourceFile;
@@ -28,8 +28,8 @@ pub(super) struct FixArgs {
 
 impl FixArgs {
     /// How safe a fix must be to be made; `None` where nothing is mended.
-    pub(super) fn safety(&self) -> Option<Safety> {
-        let safety = if self.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
+    pub(super) fn safety(&self) -> Option<Applicability> {
+        let safety = if self.unsafe_fixes { Applicability::Unsafe } else { Applicability::Safe };
         (self.fix || self.diff).then_some(safety)
     }
 }
@@ -48,7 +48,7 @@ pub(super) struct Amended {
 pub(super) fn amend(
     path: &Path,
     description: Description,
-    safety: Safety,
+    safety: Applicability,
     check: impl Fn(&Description) -> Findings,
 ) -> Option<(Description, Option<Amended>)> {
     let before = copy(description.source())?;

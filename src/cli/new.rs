@@ -11,7 +11,7 @@ use super::save::save;
 use super::{Failure, Outcome, tell};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
-use crate::skeleton::{Channels, Encoder, EncoderClass, Functions, Wanted, skeleton};
+use crate::skeleton::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, skeleton};
 
 /// The vendor-ID of a device whose vendor is not said: one that CiA gives nobody.
 const NO_VENDOR: u32 = 0xFFFF_FFFF;
@@ -67,13 +67,13 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
 
 /// What the device does, as far as the arguments fit each other.
 fn functions(args: &NewArgs) -> Result<Functions, Failure> {
-    let channels = Channels {
+    let channels = ChannelCounts {
         digital_inputs: args.digital_inputs,
         digital_outputs: args.digital_outputs,
         analog_inputs: args.analog_inputs,
         analog_outputs: args.analog_outputs,
     };
-    let has_channels = channels != Channels::default();
+    let has_channels = channels != ChannelCounts::default();
     let is_encoder = args.encoder_class.is_some() || args.encoder_type.is_some();
     let profile = match (args.profile, has_channels, is_encoder) {
         (Some(profile), ..) => profile,

@@ -8,7 +8,7 @@ use super::args::{ExplainArgs, RulesArgs, RulesFormat};
 use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
-use crate::diagnostic::{RuleInfo, Safety, Severity, listing, nearest};
+use crate::diagnostic::{Applicability, RuleInfo, Severity, listing, nearest};
 use crate::registry;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
@@ -26,7 +26,7 @@ struct Rule {
     group: &'static str,
     severity: Severity,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Safety>,
+    fix: Option<Applicability>,
     source: String,
     summary: &'static str,
     docs: String,
@@ -85,8 +85,8 @@ pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, F
     let Some(rule) = find(&args.rule) else { return Err(unknown(&args.rule)) };
     let fix = match rule.fix {
         None => "none",
-        Some(Safety::Safe) => "safe, `objdict check --fix` makes it",
-        Some(Safety::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
+        Some(Applicability::Safe) => "safe, `objdict check --fix` makes it",
+        Some(Applicability::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
     };
     writeln!(out, "# {}\n\nSeverity: {}\nFix: {fix}\n", rule.id, rule.severity)?;
     out.write_all(rule.page().as_bytes())?;

@@ -11,16 +11,16 @@ use crate::model::{Device, Object};
 
 /// A datum that shall become another.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Change {
+pub struct DatumChange {
     /// Where it stands: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// What stands there before: the [`fingerprint`](Change::fingerprint) of it, `None` for nothing.
+    /// What stands there before: the [`fingerprint`](DatumChange::fingerprint) of it, `None` for nothing.
     pub before: Option<u32>,
     /// What shall stand there; `None` for nothing.
     pub after: Option<Value>,
 }
 
-impl Change {
+impl DatumChange {
     /// A number that tells values from each other: the 32-bit FNV-1a hash of the JSON text without blanks.
     pub fn fingerprint(value: &Value) -> u32 {
         value
@@ -32,8 +32,8 @@ impl Change {
 
 /// Makes changes. Returns those that could not be made: another value stands there by now, the part is gone, or the
 /// device would be none.
-pub fn apply(device: &mut Device, changes: Vec<Change>) -> Vec<Change> {
-    let mut of_objects: BTreeMap<u16, Vec<Change>> = BTreeMap::new();
+pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    let mut of_objects: BTreeMap<u16, Vec<DatumChange>> = BTreeMap::new();
     let mut others = Vec::new();
     for change in changes {
         match index_of(&change.path) {
@@ -68,8 +68,8 @@ fn index_of(path: &str) -> Option<u16> {
 fn apply_to<T: Serialize + DeserializeOwned>(
     part: &mut Option<T>,
     root: &str,
-    changes: Vec<Change>,
-    refused: &mut Vec<Change>,
+    changes: Vec<DatumChange>,
+    refused: &mut Vec<DatumChange>,
 ) {
     let before = part.as_ref().map(to_value);
     let mut after = before.clone();
@@ -94,8 +94,8 @@ fn apply_to<T: Serialize + DeserializeOwned>(
 }
 
 /// Puts a value where a path leads, when what stands there is what shall be changed.
-fn set(root: &mut Option<Value>, change: &Change, path: &str) -> bool {
-    let is_expected = |found: Option<&Value>| found.map(Change::fingerprint) == change.before;
+fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
+    let is_expected = |found: Option<&Value>| found.map(DatumChange::fingerprint) == change.before;
     let Some((parent, key)) = path.rsplit_once('/') else {
         let as_expected = is_expected(root.as_ref());
         if as_expected {

@@ -10,13 +10,13 @@ mod place;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-pub use apply::{Change, apply};
+pub use apply::{DatumChange, apply};
 
 use crate::model::{Device, Place};
 
 /// A datum that two devices do not have alike.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
+pub struct DatumDifference {
     /// Where it stands: a JSON pointer into the JSON of the device.
     pub path: String,
     /// What the left device says; `None` for nothing.
@@ -25,7 +25,7 @@ pub struct Difference {
     pub right: Option<Value>,
 }
 
-impl Difference {
+impl DatumDifference {
     /// The address of the datum.
     pub fn place(&self) -> Place {
         place::of(&self.path)
@@ -48,7 +48,7 @@ impl Difference {
 /// assert_eq!(found[0].path, "/objects/0x2000/name");
 /// assert_eq!(found[0].place().to_string(), "0x2000 / ParameterName");
 /// ```
-pub fn differences(left: &Device, right: &Device) -> Vec<Difference> {
+pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
     let mut found = Vec::new();
     let mut path = String::new();
     if left == right {
@@ -94,7 +94,7 @@ fn to_value(part: &impl Serialize) -> Value {
     serde_json::to_value(part).unwrap_or_default()
 }
 
-fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &mut Vec<Difference>) {
+fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &mut Vec<DatumDifference>) {
     match (left, right) {
         (left, right) if left == right => {}
         (Some(Value::Object(left)), Some(Value::Object(right))) => diff_maps(path, left, right, found),
@@ -104,7 +104,7 @@ fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &
                 step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));
             }
         }
-        _ => found.push(Difference { path: path.clone(), left: left.cloned(), right: right.cloned() }),
+        _ => found.push(DatumDifference { path: path.clone(), left: left.cloned(), right: right.cloned() }),
     }
 }
 
@@ -112,7 +112,7 @@ fn diff_maps(
     path: &mut String,
     left: &Map<String, Value>,
     right: &Map<String, Value>,
-    found: &mut Vec<Difference>,
+    found: &mut Vec<DatumDifference>,
 ) {
     for (key, value) in left {
         step(path, key, |path| diff(path, Some(value), right.get(key), found));

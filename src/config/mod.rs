@@ -50,7 +50,7 @@ struct Settings {
     levels: Vec<(Selection, Level)>,
     ignored: Vec<(PathPattern, Vec<Selection>)>,
     excluded: Vec<PathPattern>,
-    profiles: Vec<Wanted>,
+    profiles: Vec<WantedProfile>,
     node_id: Option<u8>,
     tools: Vec<Tool>,
     deny: Option<Severity>,
@@ -58,7 +58,7 @@ struct Settings {
 
 /// A profile that a configuration asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wanted {
+pub struct WantedProfile {
     /// The number of the profile, or the path of a file.
     pub name: String,
     /// Where that stands.
@@ -125,7 +125,7 @@ impl Config {
 
     /// The profiles that descriptions shall follow beside those that they say themselves; paths of files are relative to
     /// [`folder`](Self::folder).
-    pub fn profiles(&self) -> &[Wanted] {
+    pub fn profiles(&self) -> &[WantedProfile] {
         &self.settings.profiles
     }
 

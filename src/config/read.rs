@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::path::PathPattern;
-use super::{Settings, Wanted};
+use super::{Settings, WantedProfile};
 use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Tool, listing, nearest};
 use crate::lint::Level;
 use crate::registry;
@@ -66,7 +66,8 @@ impl Reader<'_> {
         match &**key.get_ref() {
             "profiles" => {
                 let profiles = self.texts("profiles", value);
-                let wanted = profiles.into_iter().map(|(name, span)| Wanted { name: name.to_owned(), span });
+                let wanted =
+                    profiles.into_iter().map(|(name, span)| WantedProfile { name: name.to_owned(), span });
                 self.settings.profiles = wanted.collect();
             }
             "node-id" => self.node_id(value),

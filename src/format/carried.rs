@@ -6,7 +6,7 @@
 
 use serde_json::Value;
 
-use crate::compare::{Change, apply};
+use crate::compare::{DatumChange, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
 use crate::model::{
     CARRIED_SECTION, Characteristic, CharacteristicsList, Device, DeviceFunction, Entry, Extra, ExtraSection,
@@ -76,7 +76,7 @@ pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
 }
 
 /// Puts changes into a device, in the places that the format has.
-pub(super) fn embed(device: &mut Device, changes: &[Change], room: Room) {
+pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
     match room {
         Room::Section => {
             let mut entries = Extra::default();
@@ -117,7 +117,7 @@ pub(super) fn embed(device: &mut Device, changes: &[Change], room: Room) {
 }
 
 /// Takes what was embedded out of a device again. What cannot be understood stays.
-pub(super) fn extract(device: &mut Device) -> Vec<Change> {
+pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     let mut changes = Vec::new();
     device.extra.retain(|section| {
         let ours = &*section.name == CARRIED_SECTION;
@@ -140,7 +140,7 @@ pub(super) fn extract(device: &mut Device) -> Vec<Change> {
     changes
 }
 
-fn from_section(entries: &Extra) -> Option<Vec<Change>> {
+fn from_section(entries: &Extra) -> Option<Vec<DatumChange>> {
     let mut texts: Vec<(&str, String)> = Vec::new();
     for (key, value) in entries.iter() {
         match (key.rsplit_once('#'), texts.last_mut()) {
@@ -153,7 +153,7 @@ fn from_section(entries: &Extra) -> Option<Vec<Change>> {
     texts.iter().map(|(path, text)| parse(path, text)).collect()
 }
 
-fn from_characteristics(list: &CharacteristicsList) -> Option<Vec<Change>> {
+fn from_characteristics(list: &CharacteristicsList) -> Option<Vec<DatumChange>> {
     fn only(labels: &Labels) -> Option<&str> {
         labels.names().next().map(|(_, name)| name)
     }
@@ -164,7 +164,7 @@ fn from_characteristics(list: &CharacteristicsList) -> Option<Vec<Change>> {
     changes.collect()
 }
 
-fn from_properties(entry: &mut Entry, (index, sub): (u16, Option<u8>), changes: &mut Vec<Change>) {
+fn from_properties(entry: &mut Entry, (index, sub): (u16, Option<u8>), changes: &mut Vec<DatumChange>) {
     let Some(parameter) = &mut entry.parameter else { return };
     let before = changes.len();
     parameter.properties.retain(|property| {
@@ -195,7 +195,7 @@ fn entry_of<'a>(device: &'a mut Device, path: &str) -> Option<&'a mut Entry> {
 }
 
 /// The text of a change: the value as JSON in ISO 646, `instead of` the fingerprint of what stands there before.
-fn print(change: &Change) -> String {
+fn print(change: &DatumChange) -> String {
     let mut text = change.after.as_ref().map_or("nothing".to_owned(), ascii_json);
     if let Some(before) = change.before {
         text.push_str(&format!(" instead of {before:08x}"));
@@ -204,7 +204,7 @@ fn print(change: &Change) -> String {
 }
 
 /// The change of a text; `None` when it is none.
-fn parse(path: &str, text: &str) -> Option<Change> {
+fn parse(path: &str, text: &str) -> Option<DatumChange> {
     if !path.starts_with('/') {
         return None;
     }
@@ -220,7 +220,7 @@ fn parse(path: &str, text: &str) -> Option<Change> {
         "" => None,
         rest => Some(u32::from_str_radix(rest.strip_prefix(" instead of ")?, 16).ok()?),
     };
-    Some(Change { path: path.to_owned(), before, after })
+    Some(DatumChange { path: path.to_owned(), before, after })
 }
 
 /// The JSON of a value in printable characters of ISO 646.
@@ -277,8 +277,8 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn change(path: &str, before: Option<u32>, after: Option<Value>) -> Change {
-        Change { path: path.to_owned(), before, after }
+    fn change(path: &str, before: Option<u32>, after: Option<Value>) -> DatumChange {
+        DatumChange { path: path.to_owned(), before, after }
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub struct NodeSettings<'a> {
 
 /// A description that was configured.
 #[derive(Clone, Debug)]
-pub struct Configured {
+pub struct ConfiguredFile {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
     /// The device that they describe.
@@ -34,7 +34,11 @@ impl Description {
     ///
     /// # Errors
     /// When the text cannot be written in the encoding of the file.
-    pub fn configured(&self, file_name: &str, settings: &NodeSettings<'_>) -> Result<Configured, EditError> {
+    pub fn configured(
+        &self,
+        file_name: &str,
+        settings: &NodeSettings<'_>,
+    ) -> Result<ConfiguredFile, EditError> {
         let mut device = settings.plugged.unwrap_or(self.device()).clone();
         device.assign(settings.assignments);
         device.kind = DeviceKind::Node;
@@ -45,7 +49,7 @@ impl Description {
         let edited =
             self.with_values(&device).map(|description| description.to_node(file_name, settings.node));
         if let Some(bytes) = edited.transpose()? {
-            return Ok(Configured { bytes, device, is_edited: true });
+            return Ok(ConfiguredFile { bytes, device, is_edited: true });
         }
         let format = match self.format().syntax() {
             Syntax::Ini => Format::Dcf,
@@ -53,7 +57,7 @@ impl Description {
         };
         let bytes =
             super::write(&device, format, &WriteOptions { carry: true, ..WriteOptions::default() }).bytes;
-        Ok(Configured { bytes, device, is_edited: false })
+        Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
 
     /// The description with the objects and values of `device`; `None` where edits cannot make it of this text.

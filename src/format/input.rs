@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::identify::{ContentKind, Identification, identify_source};
 #[cfg(feature = "json")]
-use super::json::{self, Kind};
+use super::json::{self, DocumentKind};
 use super::{Description, Format, Syntax};
 #[cfg(feature = "node")]
 use super::{concise, nodelist};
@@ -271,10 +271,10 @@ impl Reading {
         match kind {
             #[cfg(feature = "json")]
             FileKind::Json => match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
-                Kind::Device => {
+                DocumentKind::Device => {
                     json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
                 }
-                Kind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
+                DocumentKind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
             }
             .map_err(|error| damaged(error.into())),
             #[cfg(feature = "json")]

@@ -19,7 +19,7 @@ pub const VERSION: u32 = 1;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
-pub enum Kind {
+pub enum DocumentKind {
     /// A device description.
     Device,
     /// A configuration, as a concise DCF carries it.
@@ -42,7 +42,7 @@ pub struct JsonError {
 #[serde(deny_unknown_fields)]
 struct DeviceDocument<T> {
     version: Version,
-    kind: Kind,
+    kind: DocumentKind,
     device: T,
 }
 
@@ -50,7 +50,7 @@ struct DeviceDocument<T> {
 #[serde(deny_unknown_fields)]
 struct ConciseDocument<T> {
     version: Version,
-    kind: Kind,
+    kind: DocumentKind,
     entries: T,
 }
 
@@ -60,24 +60,24 @@ struct ConciseDocument<T> {
 struct Head {
     #[serde(rename = "version")]
     _version: Version,
-    kind: Kind,
+    kind: DocumentKind,
 }
 
 /// The device as a document, indented, with a line feed at its end.
 pub fn write_device(device: &Device) -> String {
-    print(&DeviceDocument { version: Version, kind: Kind::Device, device })
+    print(&DeviceDocument { version: Version, kind: DocumentKind::Device, device })
 }
 
 /// The configuration as a document, indented, with a line feed at its end.
 pub fn write_configuration(configuration: &ConciseDcf) -> String {
-    print(&ConciseDocument { version: Version, kind: Kind::ConciseDcf, entries: configuration })
+    print(&ConciseDocument { version: Version, kind: DocumentKind::ConciseDcf, entries: configuration })
 }
 
 /// What a document holds.
 ///
 /// # Errors
 /// When it is no JSON, or no document of this version.
-pub fn kind(text: &str) -> Result<Kind, JsonError> {
+pub fn kind(text: &str) -> Result<DocumentKind, JsonError> {
     serde_json::from_str(text).map(|Head { kind, .. }| kind).map_err(JsonError::from)
 }
 
@@ -86,7 +86,7 @@ pub fn kind(text: &str) -> Result<Kind, JsonError> {
 /// # Errors
 /// What is wrong first, and where.
 pub fn read_device(text: &str) -> Result<Device, JsonError> {
-    expect(text, Kind::Device)?;
+    expect(text, DocumentKind::Device)?;
     let document: DeviceDocument<Device> = serde_json::from_str(text)?;
     Ok(document.device)
 }
@@ -96,12 +96,12 @@ pub fn read_device(text: &str) -> Result<Device, JsonError> {
 /// # Errors
 /// What is wrong first, and where.
 pub fn read_configuration(text: &str) -> Result<ConciseDcf, JsonError> {
-    expect(text, Kind::ConciseDcf)?;
+    expect(text, DocumentKind::ConciseDcf)?;
     let document: ConciseDocument<ConciseDcf> = serde_json::from_str(text)?;
     Ok(document.entries)
 }
 
-fn expect(text: &str, expected: Kind) -> Result<(), JsonError> {
+fn expect(text: &str, expected: DocumentKind) -> Result<(), JsonError> {
     let found = kind(text)?;
     if found == expected {
         return Ok(());
@@ -117,7 +117,7 @@ fn print(document: &impl Serialize) -> String {
     text
 }
 
-impl Kind {
+impl DocumentKind {
     /// What people call it.
     pub const fn name(self) -> &'static str {
         match self {

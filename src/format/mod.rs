@@ -15,7 +15,7 @@ pub mod nodelist;
 mod write;
 
 #[cfg(feature = "node")]
-pub use self::configured::{Configured, NodeSettings};
+pub use self::configured::{ConfiguredFile, NodeSettings};
 pub use self::description::Description;
 pub use self::input::{ReadError, open};
 #[cfg(all(feature = "json", feature = "xdd"))]

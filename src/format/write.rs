@@ -10,7 +10,7 @@ use super::carried::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
 use super::{Format, Style, Syntax, XddVersion, eds, xdd};
-use crate::compare::{Change, Difference, differences};
+use crate::compare::{DatumChange, DatumDifference, differences};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
@@ -83,15 +83,15 @@ fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::O
 
 impl Loss {
     /// The losses that a difference tells of. What the text says and the device does not is none.
-    fn of(difference: Difference, fate: Fate, losses: &mut Vec<Self>) {
+    fn of(difference: DatumDifference, fate: Fate, losses: &mut Vec<Self>) {
         let place = difference.place();
-        let Difference { path, left, right } = difference;
+        let DatumDifference { path, left, right } = difference;
         match (left, right) {
             // a part that is gone as a whole: what it said, datum by datum
             (Some(Value::Object(fields)), None) if PARTS.iter().any(|part| path.ends_with(part)) => {
                 for (name, value) in fields {
                     let path = format!("{path}/{name}");
-                    Self::of(Difference { path, left: Some(value), right: None }, fate, losses);
+                    Self::of(DatumDifference { path, left: Some(value), right: None }, fate, losses);
                 }
             }
             (Some(value), becomes) => losses.push(Self { place, path, fate, value, becomes }),
@@ -174,7 +174,7 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
 
 /// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
 /// what is carried is measured again until it is what is lost.
-fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[Difference]) -> Vec<u8> {
+fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[DatumDifference]) -> Vec<u8> {
     const ROUNDS: usize = 4;
     let mut needed = changes(lost);
     let mut bytes = Vec::new();
@@ -211,14 +211,14 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     }
 }
 
-fn told(differences: Vec<Difference>, fate: Fate) -> Vec<Loss> {
+fn told(differences: Vec<DatumDifference>, fate: Fate) -> Vec<Loss> {
     let mut losses = Vec::new();
     differences.into_iter().for_each(|found| Loss::of(found, fate, &mut losses));
     losses
 }
 
 /// Whether a difference, or one inside it or around it, is among others.
-fn is_among(found: &Difference, others: &[Difference]) -> bool {
+fn is_among(found: &DatumDifference, others: &[DatumDifference]) -> bool {
     let within = |inner: &str, outer: &str| {
         inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
     };
@@ -226,10 +226,10 @@ fn is_among(found: &Difference, others: &[Difference]) -> bool {
 }
 
 /// What brings back what is lost.
-fn changes(lost: &[Difference]) -> Vec<Change> {
-    let change = |Difference { path, left, right }: &Difference| Change {
+fn changes(lost: &[DatumDifference]) -> Vec<DatumChange> {
+    let change = |DatumDifference { path, left, right }: &DatumDifference| DatumChange {
         path: path.clone(),
-        before: right.as_ref().map(Change::fingerprint),
+        before: right.as_ref().map(DatumChange::fingerprint),
         after: left.clone(),
     };
     lost.iter().map(change).collect()

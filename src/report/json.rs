@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprints};
-use crate::diagnostic::{Diagnostic, Findings, Safety, Severity};
+use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
 use crate::source::Span;
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
@@ -42,7 +42,7 @@ struct Finding<'a> {
 #[derive(Serialize)]
 struct Fix<'a> {
     title: &'a str,
-    safety: Safety,
+    safety: Applicability,
     #[serde(skip_serializing_if = "Option::is_none")]
     encoding: Option<String>,
     edits: Vec<Edit>,

@@ -26,7 +26,7 @@ use std::fmt;
 use std::io;
 
 use crate::diagnostic::At;
-use crate::diagnostic::{Diagnostic, Findings, Label, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, SourceLabel};
 use crate::model::Place;
 use crate::source::{LineColumn, Span};
 
@@ -103,7 +103,7 @@ pub struct Location<'a> {
 
 impl<'a> Location<'a> {
     /// The location of a label in the text that its finding is about.
-    pub fn new(subject: Subject<'_>, label: &'a Label) -> Self {
+    pub fn new(subject: Subject<'_>, label: &'a SourceLabel) -> Self {
         let span = subject.span_of(&label.at);
         let source = subject.source();
         let place = match &label.at {

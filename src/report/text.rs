@@ -12,7 +12,7 @@ use self::excerpt::Excerpts;
 pub(crate) use self::problem::problem;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use crate::diagnostic::visible;
-use crate::diagnostic::{Diagnostic, Findings, Safety, Severity};
+use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
 use crate::format::Description;
 
 /// Columns that a message may take before it goes on in the next line.
@@ -75,7 +75,7 @@ impl<W> Text<W> {
     fn count_fixes(&mut self, description: &Description, findings: &Findings) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref());
         for fix in fixes.filter(|fix| description.can_mend(fix)) {
-            self.fixable[usize::from(fix.safety == Safety::Unsafe)] += 1;
+            self.fixable[usize::from(fix.safety == Applicability::Unsafe)] += 1;
         }
     }
 }

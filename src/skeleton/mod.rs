@@ -45,14 +45,14 @@ pub enum Functions {
     /// Nothing that a profile knows: the communication objects that every device has (CiA 301).
     Bare,
     /// Inputs and outputs (CiA 401).
-    InputsOutputs(Channels),
+    InputsOutputs(ChannelCounts),
     /// An encoder (CiA 406).
     Encoder(Encoder),
 }
 
 /// Channels of an I/O module (CiA 401).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Channels {
+pub struct ChannelCounts {
     /// Digital inputs, each a bit; up to [`MAX_DIGITAL`].
     pub digital_inputs: u16,
     /// Digital outputs, each a bit; up to [`MAX_DIGITAL`].
@@ -108,7 +108,8 @@ impl Functions {
         match self {
             Self::Bare => 0,
             Self::InputsOutputs(channels) => {
-                let Channels { digital_inputs, digital_outputs, analog_inputs, analog_outputs } = channels;
+                let ChannelCounts { digital_inputs, digital_outputs, analog_inputs, analog_outputs } =
+                    channels;
                 let has = [digital_inputs, digital_outputs, analog_inputs.into(), analog_outputs.into()];
                 let bits = has.iter().enumerate().filter(|(_, count)| **count > 0);
                 bits.fold(0x191, |device_type, (bit, _)| device_type | 0x1_0000 << bit)

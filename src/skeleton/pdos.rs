@@ -2,7 +2,7 @@
 //! these have no room for.
 
 use super::objects::Maker;
-use super::{Channels, Encoder, Functions, number};
+use super::{ChannelCounts, Encoder, Functions, number};
 use crate::model::{CobId, DataType, Device, Entry, MappedObject, Object, ObjectType, PdoKind, predefined};
 use crate::profile::default_mapping::{self, PdoMap};
 
@@ -28,7 +28,7 @@ pub(super) fn add(device: &mut Device, maker: &Maker<'_>) {
 }
 
 /// Entries of the arrays that hold the channels.
-fn counts(channels: Channels) -> default_mapping::Channels {
+fn counts(channels: ChannelCounts) -> default_mapping::Channels {
     let bytes = |bits: u16| u8::try_from(bits.div_ceil(8)).unwrap_or(u8::MAX);
     default_mapping::Channels {
         digital_inputs: bytes(channels.digital_inputs),

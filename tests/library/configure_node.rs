@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use objdict::configure::{Problem, Setting, configure};
+use objdict::configure::{Setting, SettingProblem, configure};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
 use objdict::lint::{self, Options};
@@ -131,7 +131,7 @@ fn all_problems_are_told_at_once() {
         Setting::heartbeat_consumer("5=100").unwrap(),
     ];
     let problems = configure(&device, 5, &settings).unwrap_err();
-    let told = |problem: &Problem| match &problem.help {
+    let told = |problem: &SettingProblem| match &problem.help {
         Some(help) => format!("{problem}\n    {help}"),
         None => problem.to_string(),
     };

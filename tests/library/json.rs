@@ -2,7 +2,7 @@
 
 use objdict::download::{ConciseDcf, Download};
 use objdict::format;
-use objdict::format::json::{self, JsonError, Kind};
+use objdict::format::json::{self, DocumentKind, JsonError};
 use objdict::model::Device;
 use objdict::source::SourceOptions;
 use proptest::prelude::*;
@@ -70,7 +70,7 @@ fn the_names_are_stable() {
 fn a_document_says_what_it_holds() {
     let configuration = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0]), Download::new(0x2000, 1, [])]);
     let text = json::write_configuration(&configuration);
-    assert_eq!(json::kind(&text), Ok(Kind::ConciseDcf));
+    assert_eq!(json::kind(&text), Ok(DocumentKind::ConciseDcf));
     assert_eq!(json::read_configuration(&text), Ok(configuration));
     let error = json::read_device(&text).unwrap_err();
     assert_eq!(

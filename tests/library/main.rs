@@ -21,6 +21,7 @@ mod json;
 mod lossless;
 mod mend;
 mod mutations;
+mod namesakes;
 mod new;
 mod rules;
 mod structure;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use objdict::diagnostic::{Findings, Fix, Safety};
+use objdict::diagnostic::{Applicability, Findings, Fix};
 use objdict::format::{self, Description};
 use objdict::source::{Edits, SourceFile, SourceOptions};
 use objdict::{Mended, check, mend};
@@ -51,7 +51,7 @@ fn counts(findings: &Findings) -> BTreeMap<&'static str, usize> {
 }
 
 /// What mending a description did, held against what it promises.
-fn assert_mended(description: &Description, safety: Safety, before: &BTreeMap<&str, usize>) -> Mended {
+fn assert_mended(description: &Description, safety: Applicability, before: &BTreeMap<&str, usize>) -> Mended {
     let mended = mend(copy(description), safety, check);
     let name = description.source().name();
     let after = counts(&mended.findings);
@@ -73,7 +73,7 @@ fn findings_go_and_none_come() {
     for description in descriptions() {
         let findings = check(&description);
         let before = counts(&findings);
-        for safety in [Safety::Safe, Safety::Unsafe] {
+        for safety in [Applicability::Safe, Applicability::Unsafe] {
             let is_fixable = |fix: &Fix| fix.safety == safety && description.can_mend(fix);
             if !findings.iter().filter_map(|finding| finding.fix.as_ref()).any(is_fixable) {
                 continue;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{fs, thread};
 
-use objdict::diagnostic::{Safety, Tool};
+use objdict::diagnostic::{Applicability, Tool};
 use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::source::{SourceFile, SourceOptions};
@@ -55,7 +55,7 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
     }
     if mends {
         let _ = description.arranged();
-        objdict::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Applicability::Unsafe, objdict::check);
     }
 }
 

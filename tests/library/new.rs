@@ -5,7 +5,7 @@ use std::fmt::Write;
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{ClockTime, Date, Device, PdoKind};
 use objdict::skeleton::{
-    Channels, Encoder, EncoderClass, Functions, MAX_ANALOG, MAX_DIGITAL, Wanted, skeleton,
+    ChannelCounts, Encoder, EncoderClass, Functions, MAX_ANALOG, MAX_DIGITAL, Wanted, skeleton,
 };
 use objdict::source::SourceFile;
 use proptest::prelude::*;
@@ -55,7 +55,7 @@ fn a_bare_device_is_clean() {
 
 #[test]
 fn an_io_module_has_the_default_mapping() {
-    let channels = Channels { digital_inputs: 16, analog_outputs: 2, ..Channels::default() };
+    let channels = ChannelCounts { digital_inputs: 16, analog_outputs: 2, ..ChannelCounts::default() };
     let device = assert_clean(Functions::InputsOutputs(channels));
     assert_eq!(device.object(0x6000).unwrap().highest_sub(), Some(2));
     assert_eq!(device.object(0x6411).unwrap().highest_sub(), Some(2));
@@ -82,7 +82,7 @@ fn every_encoder_is_clean() {
 #[test]
 fn the_largest_module_is_clean() {
     let (digital, analog) = (MAX_DIGITAL, MAX_ANALOG);
-    let device = assert_clean(Functions::InputsOutputs(Channels {
+    let device = assert_clean(Functions::InputsOutputs(ChannelCounts {
         digital_inputs: digital,
         digital_outputs: digital,
         analog_inputs: analog,
@@ -100,8 +100,8 @@ proptest! {
         analog_inputs in prop_oneof![Just(0), 1u8..40],
         analog_outputs in prop_oneof![Just(0), 1u8..40],
     ) {
-        let channels = Channels { digital_inputs, digital_outputs, analog_inputs, analog_outputs };
-        prop_assume!(channels != Channels::default());
+        let channels = ChannelCounts { digital_inputs, digital_outputs, analog_inputs, analog_outputs };
+        prop_assume!(channels != ChannelCounts::default());
         assert_clean(Functions::InputsOutputs(channels));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict::diagnostic::Safety;
+use objdict::diagnostic::Applicability;
 use objdict::format::{self, Description};
 use objdict::model::{Access, Commissioning, Device, PdoKind, Value};
 use objdict::source::SourceOptions;
@@ -168,7 +168,7 @@ fn a_byte_order_mark_hides_nothing() {
 
 #[test]
 fn a_formula_turned_around_is_mended() {
-    let mended = objdict::mend(open("09_rev_nodeid"), Safety::Safe, objdict::check);
+    let mended = objdict::mend(open("09_rev_nodeid"), Applicability::Safe, objdict::check);
     assert!(mended.findings.is_empty());
     let text = mended.description.source().text();
     assert!(text.contains("DefaultValue=$NODEID+0x80"), "{text}");

@@ -6,7 +6,7 @@ use objdict::model::{
     Access, BaudRates, ClockTime, Commissioning, Compact, Configured, DataType, Date, Device, DeviceInfo,
     DeviceKind, DummyUsage, DynamicChannels, Entry, Extension, ExtensionCount, Extra, ExtraSection, Field,
     FileInfo, Misfits, Module, Modules, ObjFlags, Object, ObjectLists, ObjectType, PdoMapping, Reason,
-    Safety, Segment, Subs, Time, Tool, TypeKind, Value,
+    SafetyMapping, Segment, Subs, Time, ToolCommand, TypeKind, Value,
 };
 use proptest::collection::{btree_map, btree_set, vec};
 use proptest::option;
@@ -110,9 +110,9 @@ fn configured(data_type: Option<DataType>, texts: Texts) -> BoxedStrategy<Option
     prop_oneof![2 => Just(None), 1 => some].boxed()
 }
 
-fn safety() -> BoxedStrategy<Option<Box<Safety>>> {
+fn safety() -> BoxedStrategy<Option<Box<SafetyMapping>>> {
     let safety = (option::of(any::<bool>()), any::<u32>())
-        .prop_map(|(srdo_mapping, srad)| Safety { srdo_mapping, inverted_srad: Some(srad) });
+        .prop_map(|(srdo_mapping, srad)| SafetyMapping { srdo_mapping, inverted_srad: Some(srad) });
     option::weighted(0.1, safety.prop_map(Box::new)).boxed()
 }
 
@@ -428,8 +428,8 @@ fn dynamic_channels(texts: Texts) -> BoxedStrategy<DynamicChannels> {
         .boxed()
 }
 
-fn tools(texts: Texts) -> BoxedStrategy<Vec<Tool>> {
-    vec((texts.text(), texts.text()).prop_map(|(name, command)| Tool { name, command }), 0..3).boxed()
+fn tools(texts: Texts) -> BoxedStrategy<Vec<ToolCommand>> {
+    vec((texts.text(), texts.text()).prop_map(|(name, command)| ToolCommand { name, command }), 0..3).boxed()
 }
 
 fn extra_sections(texts: Texts) -> BoxedStrategy<Vec<ExtraSection>> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict::diagnostic::{Findings, Safety};
+use objdict::diagnostic::{Applicability, Findings};
 use objdict::format::{self, Description};
 use objdict::source::{SourceFile, SourceOptions};
 use objdict::{check, mend};
@@ -31,7 +31,7 @@ fn arranged(description: &Description, problems: &mut Vec<String>) {
 }
 
 fn mended(description: Description, before: &BTreeMap<&str, usize>, problems: &mut Vec<String>) {
-    let mended = mend(description, Safety::Unsafe, check);
+    let mended = mend(description, Applicability::Unsafe, check);
     let after = counts(&mended.findings);
     for (rule, count) in &after {
         if Some(count) > before.get(rule) {

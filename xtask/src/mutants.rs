@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::{fs, thread};
 
-use objdict::diagnostic::{Safety, Tool};
+use objdict::diagnostic::{Applicability, Tool};
 use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::source::{SourceFile, SourceOptions};
@@ -84,6 +84,6 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
     }
     if mends {
         let _ = description.arranged();
-        objdict::mend(description, Safety::Unsafe, objdict::check);
+        objdict::mend(description, Applicability::Unsafe, objdict::check);
     }
 }

@@ -2,7 +2,7 @@
 //! others that it uses.
 
 use super::anchor::Anchor;
-use super::sentence::{self, Change, is_same};
+use super::sentence::{self, ChangedCobId, is_same};
 use super::services::emcy_consumers;
 use super::texts::Texts;
 use crate::decoded::{Decoder, can_id};
@@ -156,7 +156,7 @@ impl Table<'_> {
             0x100C | 0x1017 | 0x1300 => false,
             0x1016 => sentence::is_changed(self.decoder, index, sub),
             _ => {
-                let change = Change::of(self.decoder, index, sub);
+                let change = ChangedCobId::of(self.decoder, index, sub);
                 change.can_id || (change.bit_31 && index != 0x1005)
             }
         }

@@ -1,7 +1,7 @@
 //! The frame of a PDO as a drawing: a row for each byte, bit 7 on the left, as data sheets draw it.
 
 use super::anchor::Anchor;
-use super::layout::{Field, Kind, Layout, Span};
+use super::layout::{Field, FieldKind, Layout, Span};
 use super::text_width::{fit, wrap};
 use crate::Language;
 
@@ -96,9 +96,9 @@ impl Diagram {
         let mut shapes = Vec::new();
         for (hue, (field, span)) in layout.shown().enumerate() {
             let class = match field.kind {
-                Kind::Dummy | Kind::Gap => "dummy".to_owned(),
-                Kind::Missing => "missing".to_owned(),
-                Kind::Object => format!("f{}", hue % HUES),
+                FieldKind::Dummy | FieldKind::Gap => "dummy".to_owned(),
+                FieldKind::Missing => "missing".to_owned(),
+                FieldKind::Object => format!("f{}", hue % HUES),
             };
             shapes.push(Shape {
                 path: outline(span),
@@ -131,8 +131,8 @@ fn rest(layout: &Layout) -> Option<Rest> {
 /// What a field is called in the drawing.
 fn name(field: &Field) -> String {
     match (field.kind, field.object) {
-        (Kind::Object, _) if !field.name.is_empty() => field.name.clone(),
-        (Kind::Dummy, _) => field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
+        (FieldKind::Object, _) if !field.name.is_empty() => field.name.clone(),
+        (FieldKind::Dummy, _) => field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
         (_, Some(object)) => Anchor::entry(object.index, object.sub).spoken(),
         (_, None) => "?".to_owned(),
     }
@@ -141,12 +141,12 @@ fn name(field: &Field) -> String {
 fn in_words(field: &Field, span: Span, language: Language) -> String {
     let mut words = vec![name(field)];
     match field.kind {
-        Kind::Object => {
+        FieldKind::Object => {
             words.extend(field.anchor().map(Anchor::spoken));
             words.extend(field.data_type.map(|data_type| data_type.to_string()));
         }
-        Kind::Dummy => words.push("Dummy".to_owned()),
-        Kind::Missing | Kind::Gap => {
+        FieldKind::Dummy => words.push("Dummy".to_owned()),
+        FieldKind::Missing | FieldKind::Gap => {
             words.push(language.pick("not in the description", "nicht in der Beschreibung").to_owned());
         }
     }
@@ -234,7 +234,7 @@ fn texts_in(field: &Field, room: Room) -> Vec<Text> {
     let (x, middle) = (room.left.midpoint(room.right), room.top.midpoint(room.bottom));
     let text = |y, text| Text { x, y, is_place: false, text };
     let name = name(field);
-    let place = field.object.filter(|_| field.kind == Kind::Object).map(|object| {
+    let place = field.object.filter(|_| field.kind == FieldKind::Object).map(|object| {
         let place = Anchor::entry(object.index, object.sub).spoken();
         fit(&place, width, PLACE_SIZE)
     });

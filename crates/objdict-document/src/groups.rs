@@ -11,7 +11,7 @@ const MAX_DEPTH: usize = 8;
 
 /// A group of parameters.
 #[derive(Debug)]
-pub(crate) struct Group<'a> {
+pub(crate) struct ShownGroup<'a> {
     /// How many groups it lies in.
     pub(crate) depth: usize,
     /// Empty where it has none.
@@ -32,7 +32,7 @@ pub(crate) struct Member {
 }
 
 /// All groups, each before those in it.
-pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<Group<'a>> {
+pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<ShownGroup<'a>> {
     let mut groups = Vec::new();
     let top: Vec<&ParameterGroup> =
         context.device.application.iter().flat_map(|process| &process.groups).collect();
@@ -51,9 +51,9 @@ fn add<'a>(
     members: &Members<'a>,
     group: &'a ParameterGroup,
     depth: usize,
-    groups: &mut Vec<Group<'a>>,
+    groups: &mut Vec<ShownGroup<'a>>,
 ) {
-    groups.push(Group {
+    groups.push(ShownGroup {
         depth: depth.min(MAX_DEPTH),
         name: group.labels.name_in(context.tag).unwrap_or_default(),
         description: group.labels.description_in(context.tag).unwrap_or_default(),

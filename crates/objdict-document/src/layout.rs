@@ -43,7 +43,7 @@ pub(crate) struct Field {
     pub(crate) first: Option<u32>,
     /// Its length in bits, also where the frame has not as many left.
     pub(crate) bits: u32,
-    pub(crate) kind: Kind,
+    pub(crate) kind: FieldKind,
     /// `None` where the description gives the sub-index no object.
     pub(crate) object: Option<MappedObject>,
     /// The name of the entry; empty where there is none.
@@ -54,7 +54,7 @@ pub(crate) struct Field {
 
 /// What a field is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum FieldKind {
     /// An entry of the dictionary.
     Object,
     /// Bits that mean nothing.
@@ -119,24 +119,24 @@ fn field(device: &Device, slot: u8, object: Option<MappedObject>, name: &dyn Fn(
         slot,
         first: None,
         bits: object.map_or(0, |object| object.bits.into()),
-        kind: Kind::Gap,
+        kind: FieldKind::Gap,
         object,
         name: String::new(),
         data_type: None,
     };
     let Some(object) = object.filter(|object| !object.is_unused()) else { return field };
     if object.is_dummy() {
-        field.kind = Kind::Dummy;
+        field.kind = FieldKind::Dummy;
         field.data_type = Some(DataType(object.index));
         return field;
     }
     match device.entry(object.index, object.sub) {
         Some(entry) => {
-            field.kind = Kind::Object;
+            field.kind = FieldKind::Object;
             field.name = name(&entry);
             field.data_type = entry.data_type;
         }
-        None => field.kind = Kind::Missing,
+        None => field.kind = FieldKind::Missing,
     }
     field
 }
@@ -156,7 +156,7 @@ impl Field {
 
     /// The entry that it carries, where the description has it.
     pub(crate) fn anchor(&self) -> Option<Anchor> {
-        let object = self.object.filter(|_| self.kind == Kind::Object)?;
+        let object = self.object.filter(|_| self.kind == FieldKind::Object)?;
         Some(Anchor::entry(object.index, object.sub))
     }
 }
@@ -236,8 +236,8 @@ pub(super) mod tests {
     fn objects_follow_each_other_bit_by_bit() {
         let layout = layout(Some(4), &[0x6000_0101, 0x0005_0003, 0x6000_020C, 0x6000_0310]);
         assert_eq!(spans(&layout), ["0.0", "0.1–0.3", "0.4–1.7", "2.0–3.7"]);
-        let kinds: Vec<Kind> = layout.fields.iter().map(|field| field.kind).collect();
-        assert_eq!(kinds, [Kind::Object, Kind::Dummy, Kind::Object, Kind::Object]);
+        let kinds: Vec<FieldKind> = layout.fields.iter().map(|field| field.kind).collect();
+        assert_eq!(kinds, [FieldKind::Object, FieldKind::Dummy, FieldKind::Object, FieldKind::Object]);
         assert_eq!((layout.bits(), layout.rest()), (Some(32), Some(Span { start: 32, end: 64 })));
         let rows: Vec<_> = Span { start: 4, end: 18 }.rows().collect();
         assert_eq!(rows, [(0, 4, 8), (1, 0, 8), (2, 0, 2)]);
@@ -281,11 +281,11 @@ pub(super) mod tests {
         assert_eq!(
             places,
             [
-                (Some(0), Kind::Object),
-                (Some(8), Kind::Gap),
-                (None, Kind::Object),
-                (None, Kind::Gap),
-                (None, Kind::Gap)
+                (Some(0), FieldKind::Object),
+                (Some(8), FieldKind::Gap),
+                (None, FieldKind::Object),
+                (None, FieldKind::Gap),
+                (None, FieldKind::Gap)
             ]
         );
         assert_eq!(layout.bits(), None);
@@ -296,6 +296,9 @@ pub(super) mod tests {
         let layout = layout(Some(3), &[0x7000_0108, 0, 0x6000_4010]);
         let kinds: Vec<_> = layout.fields.iter().map(|field| (field.kind, field.span())).collect();
         let span = |start, end| Some(Span { start, end });
-        assert_eq!(kinds, [(Kind::Missing, span(0, 8)), (Kind::Gap, None), (Kind::Missing, span(8, 24))]);
+        assert_eq!(
+            kinds,
+            [(FieldKind::Missing, span(0, 8)), (FieldKind::Gap, None), (FieldKind::Missing, span(8, 24))]
+        );
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::card::Card;
 use super::communication::Communication;
-use super::groups::{self, Group};
+use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
 use super::texts::Texts;
 use super::{Finding, Options, Subject};
@@ -26,7 +26,7 @@ pub(crate) struct Page<'a> {
     pub(crate) findings: Option<Vec<&'a Finding>>,
     pub(crate) communication: Communication,
     pub(crate) areas: Vec<Area<'a>>,
-    pub(crate) groups: Vec<Group<'a>>,
+    pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether an entry has a value beside its default.
     pub(crate) is_configured: bool,
 }

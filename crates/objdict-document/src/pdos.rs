@@ -2,8 +2,8 @@
 
 use super::anchor::Anchor;
 use super::diagram::Diagram;
-use super::layout::{Content, FRAME_BITS, Field, Kind, Layout};
-use super::sentence::{self, Change, Part};
+use super::layout::{Content, FRAME_BITS, Field, FieldKind, Layout};
+use super::sentence::{self, ChangedCobId, Part};
 use crate::Language;
 use crate::decoded::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
@@ -40,7 +40,7 @@ pub(crate) struct Row {
     /// Empty where it is not known.
     pub(crate) data_type: String,
     pub(crate) bits: u32,
-    pub(crate) kind: Kind,
+    pub(crate) kind: FieldKind,
     /// Whether a DCF maps another object than the default.
     pub(crate) is_changed: bool,
 }
@@ -101,7 +101,7 @@ impl Parts<'_> {
         let Some(id) = self.pdo.cob_id else {
             return self.say(1, ("COB-ID not stated", "COB-ID nicht angegeben"));
         };
-        let change = Change::of(self.decoder, self.pdo.communication_index(), 1);
+        let change = ChangedCobId::of(self.decoder, self.pdo.communication_index(), 1);
         self.put(1, sentence::cob_id(self.decoder, id));
         // one that is switched on has nothing else to show it
         self.only_if(change.can_id || (change.bit_31 && id.is_valid()));
@@ -243,18 +243,18 @@ fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &Field) -> Row {
     let language = decoder.language;
     let object = field.object.filter(|object| !object.is_unused());
     let (english, german) = match field.kind {
-        Kind::Object => ("", ""),
-        Kind::Dummy => ("unused (dummy)", "unbenutzt (Dummy)"),
-        Kind::Missing => ("not in the description", "nicht in der Beschreibung"),
-        Kind::Gap if field.object.is_some() => ("nothing", "nichts"),
-        Kind::Gap => ("not stated", "nicht angegeben"),
+        FieldKind::Object => ("", ""),
+        FieldKind::Dummy => ("unused (dummy)", "unbenutzt (Dummy)"),
+        FieldKind::Missing => ("not in the description", "nicht in der Beschreibung"),
+        FieldKind::Gap if field.object.is_some() => ("nothing", "nichts"),
+        FieldKind::Gap => ("not stated", "nicht angegeben"),
     };
     Row {
         span: field.span().map(|span| span.to_string()).unwrap_or_default()
             + if field.is_cut() && field.span().is_some() { "…" } else { "" },
         anchor: field.anchor(),
         place: object.map(|object| Anchor::entry(object.index, object.sub).spoken()).unwrap_or_default(),
-        name: if field.kind == Kind::Object {
+        name: if field.kind == FieldKind::Object {
             field.name.clone()
         } else {
             language.pick(english, german).to_owned()

@@ -57,13 +57,13 @@ pub(super) fn is_changed(decoder: &Decoder<'_>, index: u16, sub: u8) -> bool {
 
 /// What of a COB-ID is configured to another value than its default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Change {
+pub(super) struct ChangedCobId {
     pub(super) can_id: bool,
     pub(super) bit_31: bool,
     pub(super) bit_30: bool,
 }
 
-impl Change {
+impl ChangedCobId {
     /// That of the COB-ID in an entry; all of it where there is no default.
     pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8) -> Self {
         let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));

@@ -1,6 +1,6 @@
 //! The services of a device beside its PDOs, in words.
 
-use super::sentence::{self, Change, Part};
+use super::sentence::{self, ChangedCobId, Part};
 use crate::Language;
 use crate::decoded::{Decoder, time};
 use crate::model::{CobId, Entry, Object, SdoChannel, Services};
@@ -69,7 +69,7 @@ impl Speaker<'_> {
             Some(id) => sentence::cob_id(self.decoder, id),
             None => self.pick("COB-ID not stated", "COB-ID nicht angegeben").to_owned(),
         };
-        let change = Change::of(self.decoder, index, sub);
+        let change = ChangedCobId::of(self.decoder, index, sub);
         let is_switched_on = index == 0x1014 && change.bit_31 && id.is_some_and(CobId::is_valid);
         let is_changed = change.can_id || is_switched_on;
         self.has(index).then(|| self.part(index, sub, text).only_if(is_changed))
@@ -94,7 +94,7 @@ impl Speaker<'_> {
     fn sync(&self) -> Vec<Part> {
         let Some(cob_id) = self.cob_id(0x1005, 0, self.facts.sync) else { return Vec::new() };
         let language = self.decoder.language;
-        let change = Change::of(self.decoder, 0x1005, 0);
+        let change = ChangedCobId::of(self.decoder, 0x1005, 0);
         let produces = self.facts.sync.is_some_and(CobId::bit_30);
         let role = if produces {
             self.pick("produced", "wird gesendet")
@@ -127,7 +127,7 @@ impl Speaker<'_> {
     fn time(&self) -> Vec<Part> {
         let Some(cob_id) = self.cob_id(0x1012, 0, self.facts.time) else { return Vec::new() };
         let roles = self.facts.time.map(|id| {
-            let change = Change::of(self.decoder, 0x1012, 0);
+            let change = ChangedCobId::of(self.decoder, 0x1012, 0);
             self.part(0x1012, 0, self.decoder.time_roles(id)).only_if(change.bit_31 || change.bit_30)
         });
         std::iter::once(cob_id).chain(roles).collect()
@@ -138,7 +138,7 @@ impl Speaker<'_> {
         if self.facts.emcy.is_some_and(|id| !id.is_valid()) {
             let off =
                 self.pick("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird");
-            let change = Change::of(self.decoder, 0x1014, 0);
+            let change = ChangedCobId::of(self.decoder, 0x1014, 0);
             parts.push(self.part(0x1014, 0, off).only_if(change.bit_31));
         }
         match self.facts.emcy_inhibit_time {

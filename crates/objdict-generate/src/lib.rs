@@ -70,7 +70,7 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
-pub use options::{CTable, Choice, Derive, Group, Names, OptionField, OptionValue, Options};
+pub use options::{CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StorageGroup};
 pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
 pub use renames::renames;

@@ -87,9 +87,9 @@ macro_rules! with_options {
             /// The last one that has an index counts; one that the description states comes first. A name is a letter
             /// with letters, digits and `_` behind it.
             Groups "group" {
-                field: groups: Vec<Group> = Vec::new(),
-                argument: Vec<Group> [value_name = "INDEXES=NAME"],
-                method: group(objects: RangeInclusive<u16>, name: &str) => Group::new(objects, name),
+                field: groups: Vec<StorageGroup> = Vec::new(),
+                argument: Vec<StorageGroup> [value_name = "INDEXES=NAME"],
+                method: group(objects: RangeInclusive<u16>, name: &str) => StorageGroup::new(objects, name),
             }
             /// Call the application before reads and after writes of an object or entry, as `6000` or `6000:1`; may be given several
             /// times, or with commas between
@@ -325,7 +325,7 @@ impl OptionValue for Derive {
 
 /// A storage group: objects whose values are kept together.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Group {
+pub struct StorageGroup {
     /// The indexes that belong to it.
     pub objects: RangeInclusive<u16>,
     /// Its name, as the application writes it.
@@ -416,7 +416,7 @@ mod tests {
 
     #[test]
     fn the_last_group_that_has_an_index_counts() {
-        let group = |objects, name: &str| Group { objects, name: name.to_owned() };
+        let group = |objects, name: &str| StorageGroup { objects, name: name.to_owned() };
         let groups = vec![group(0x1000..=0x1FFF, "COMM"), group(0x1010..=0x1011, "RAM")];
         let options = Options { groups, ..Options::default() };
         assert_eq!(options.group_of(0x1011), Some("RAM"));

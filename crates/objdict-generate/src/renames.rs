@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-use super::Group;
+use super::StorageGroup;
 use crate::model::Address;
 #[cfg(feature = "toml")]
 use crate::model::NoAddress;
@@ -56,7 +56,7 @@ pub fn renames(text: &str) -> Result<BTreeMap<Address, String>, ChoiceError> {
 }
 
 /// `2000=NAME` or `2000-2FFF=NAME`.
-impl FromStr for Group {
+impl FromStr for StorageGroup {
     type Err = ChoiceError;
 
     fn from_str(text: &str) -> Result<Self, ChoiceError> {
@@ -72,7 +72,7 @@ impl FromStr for Group {
     }
 }
 
-impl Group {
+impl StorageGroup {
     /// The objects of a range, as a group of this name: a letter, with letters, digits and `_` behind it.
     ///
     /// # Errors
@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn groups_are_ranges() {
-        let group = |text: &str| text.parse::<Group>();
-        assert_eq!(group("2000=RAM"), Ok(Group { objects: 0x2000..=0x2000, name: "RAM".to_owned() }));
+        let group = |text: &str| text.parse::<StorageGroup>();
+        assert_eq!(group("2000=RAM"), Ok(StorageGroup { objects: 0x2000..=0x2000, name: "RAM".to_owned() }));
         assert_eq!(group("2000-2FFF=PERSIST_APP").map(|group| group.objects).ok(), Some(0x2000..=0x2FFF));
         for text in ["2000", "=RAM", "2FFF-2000=RAM", "2000=", "2000=a b", "2000sub1=RAM"] {
             assert!(group(text).is_err(), "{text}");

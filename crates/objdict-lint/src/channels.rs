@@ -12,7 +12,7 @@ use crate::{Facts, PdoFacts};
 const LAST: u16 = 4;
 
 /// A kind of channels.
-pub(crate) struct Kind {
+pub(crate) struct ChannelKind {
     /// Its bit of the device type.
     pub bit: u8,
     /// What it is called.
@@ -22,22 +22,30 @@ pub(crate) struct Kind {
 }
 
 /// All kinds, in the order of their bits.
-pub(crate) static KINDS: [Kind; 4] = [
-    Kind {
+pub(crate) static KINDS: [ChannelKind; 4] = [
+    ChannelKind {
         bit: 16,
         name: "digital inputs",
         indexes: &[0x6000..=0x6000, 0x6100..=0x6100, 0x6120..=0x6120, 0x6020..=0x6027],
     },
-    Kind {
+    ChannelKind {
         bit: 17,
         name: "digital outputs",
         indexes: &[0x6200..=0x6200, 0x6300..=0x6300, 0x6320..=0x6320, 0x6220..=0x6227],
     },
-    Kind { bit: 18, name: "analogue inputs", indexes: &[0x6401..=0x6401, 0x6400..=0x6400, 0x6402..=0x6404] },
-    Kind { bit: 19, name: "analogue outputs", indexes: &[0x6411..=0x6411, 0x6410..=0x6410, 0x6412..=0x6414] },
+    ChannelKind {
+        bit: 18,
+        name: "analogue inputs",
+        indexes: &[0x6401..=0x6401, 0x6400..=0x6400, 0x6402..=0x6404],
+    },
+    ChannelKind {
+        bit: 19,
+        name: "analogue outputs",
+        indexes: &[0x6411..=0x6411, 0x6410..=0x6410, 0x6412..=0x6414],
+    },
 ];
 
-impl Kind {
+impl ChannelKind {
     fn indexes(&self, block: u8) -> impl Iterator<Item = u16> {
         self.indexes.iter().cloned().flatten().map(move |index| index_in(block, index))
     }

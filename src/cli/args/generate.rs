@@ -9,7 +9,9 @@ use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{CTable, Choice, Derive, Group, Names, OptionField, OptionValue, Options, Target};
+use crate::generate::{
+    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StorageGroup, Target,
+};
 use crate::model::Address;
 
 /// Turn a description into what a product compiles or downloads

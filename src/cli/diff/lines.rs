@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// Lines of the old version that lines of the new one replace; one of the ranges may be empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Change {
+pub(super) struct LineChange {
     pub(super) old: Range<usize>,
     pub(super) new: Range<usize>,
 }
@@ -16,11 +16,11 @@ pub(super) struct Change {
 const MAX_STEPS: usize = 1 << 26;
 
 /// The changes that make `new` of `old`, in order.
-pub(super) fn changes(old: &[&str], new: &[&str]) -> Vec<Change> {
+pub(super) fn changes(old: &[&str], new: &[&str]) -> Vec<LineChange> {
     changes_within(MAX_STEPS, old, new)
 }
 
-fn changes_within(mut patience: usize, old: &[&str], new: &[&str]) -> Vec<Change> {
+fn changes_within(mut patience: usize, old: &[&str], new: &[&str]) -> Vec<LineChange> {
     let mut numbers = HashMap::new();
     let mut number = |line| {
         let next = numbers.len();
@@ -119,12 +119,12 @@ impl<'a> Diff<'a> {
     }
 
     /// The changes that the marks say.
-    fn changes(&self) -> Vec<Change> {
+    fn changes(&self) -> Vec<LineChange> {
         let mut changes = Vec::new();
         let (mut old, mut new) = (0, 0);
         while old < self.old.len() || new < self.new.len() {
             let change =
-                Change { old: old..run_end(&self.is_old, old), new: new..run_end(&self.is_new, new) };
+                LineChange { old: old..run_end(&self.is_old, old), new: new..run_end(&self.is_new, new) };
             // both have a shared line there, or both are at their ends
             (old, new) = (change.old.end + 1, change.new.end + 1);
             if !change.old.is_empty() || !change.new.is_empty() {

@@ -5,7 +5,7 @@ mod lines;
 use std::io::Write;
 use std::ops::Range;
 
-use self::lines::{Change, changes};
+use self::lines::{LineChange, changes};
 use super::Failure;
 use super::output::Output;
 use crate::diagnostic::visible;
@@ -31,7 +31,7 @@ pub(super) fn print(before: &SourceFile, after: &SourceFile, out: &mut Output) -
     Ok(())
 }
 
-fn print_hunk(hunk: &[Change], old: &[&str], new: &[&str], out: &mut Output) -> Result<(), Failure> {
+fn print_hunk(hunk: &[LineChange], old: &[&str], new: &[&str], out: &mut Output) -> Result<(), Failure> {
     let (Some(first), Some(last)) = (hunk.first(), hunk.last()) else { return Ok(()) };
     let before = first.old.start.min(AROUND);
     let behind = (old.len() - last.old.end).min(AROUND);

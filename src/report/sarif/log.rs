@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::level;
-use crate::diagnostic::{RuleInfo, Safety};
+use crate::diagnostic::{Applicability, RuleInfo};
 use crate::report::Fingerprint;
 
 /// The schema that a log follows.
@@ -68,7 +68,7 @@ struct Configuration {
 struct RuleProperties {
     tags: [&'static str; 1],
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Safety>,
+    fix: Option<Applicability>,
 }
 
 /// A message (§3.11).
@@ -196,7 +196,7 @@ pub(super) struct Fix {
 
 #[derive(Serialize)]
 pub(super) struct FixProperties {
-    pub(super) safety: Safety,
+    pub(super) safety: Applicability,
 }
 
 /// The edits of a file (§3.56).

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use objdict::generate::{CTable, Group, Options, SizeReport, Sizes, Target, generate, size};
+use objdict::generate::{CTable, Options, SizeReport, Sizes, StorageGroup, Target, generate, size};
 use objdict::model::Device;
 
 use crate::compile::succeed;
@@ -38,7 +38,7 @@ const CASES: [Case; 8] = [
         target: "canopen-stack",
         declarations: "canopen_stack/include",
         options: |options| {
-            let group = |text: &str| text.parse::<Group>().unwrap();
+            let group = |text: &str| text.parse::<StorageGroup>().unwrap();
             options.groups = vec![group("1000-1FFF=COMM"), group("2000-9FFF=APP"), group("2100=ram")];
         },
     },

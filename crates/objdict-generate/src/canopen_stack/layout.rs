@@ -60,7 +60,7 @@ impl Member {
 
 /// Values that are stored together.
 #[derive(Debug)]
-pub(super) struct Group {
+pub(super) struct ParaGroup {
     /// As the options or the description write it.
     pub(super) name: String,
     /// The variable, and with `_t` its type.
@@ -75,7 +75,7 @@ pub(super) struct Group {
 /// Everything that the rows point at.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
-    pub(super) groups: Vec<Group>,
+    pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Member>,
     /// Definitions in flash, and of what the types of the stack need in RAM.
     pub(super) definitions: Vec<String>,
@@ -172,14 +172,14 @@ impl Layout {
         let room = word.len().min(40);
         let variable = format!("{prefix}_{}", scope.claim(&word[..room], format_args!("{suffix}")));
         let name = name.to_owned();
-        self.groups.push(Group { name, variable, members: Vec::new(), first: index, communication });
+        self.groups.push(ParaGroup { name, variable, members: Vec::new(), first: index, communication });
     }
 
     /// Puts a variable where it belongs.
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
-        variable: &Variable<Kind>,
+        variable: &Variable<RamType>,
         planned: &[Planned],
         group: Option<&str>,
         (prefix, notes): (&str, &mut Vec<Note>),
@@ -198,7 +198,7 @@ impl Layout {
         };
         let path = group.as_ref().map_or(name.clone(), |group| format!("{}.{name}", group.variable));
         let array = if variable.array { format!("[{}]", variable.entries.len()) } else { String::new() };
-        let Kind { base, suffix, .. } = &variable.kind;
+        let RamType { base, suffix, .. } = &variable.kind;
         let values: Vec<String> = variable.entries.clone().map(|at| initializer(&planned[at].cell)).collect();
         let member = Member {
             base: base.clone(),
@@ -309,7 +309,7 @@ impl Layout {
 
 /// What a variable is; equal ones can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Kind {
+pub(super) struct RamType {
     base: String,
     suffix: String,
     extent: Extent,
@@ -318,9 +318,9 @@ pub(super) struct Kind {
 }
 
 /// The variable that a cell needs.
-fn ram(cell: &Cell) -> Option<Kind> {
+fn ram(cell: &Cell) -> Option<RamType> {
     let kind = |base: &str, suffix: String, extent, stored| {
-        Some(Kind { base: base.to_owned(), suffix, extent, stored })
+        Some(RamType { base: base.to_owned(), suffix, extent, stored })
     };
     let number = |c_type: &str| kind(c_type, String::new(), Extent::of_c(c_type), true);
     match cell {

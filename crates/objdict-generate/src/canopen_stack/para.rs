@@ -1,7 +1,7 @@
 //! The parameter groups behind 1010h and 1011h.
 
 use super::cell::{Cell, Planned};
-use super::layout::{Group, Layout};
+use super::layout::{Layout, ParaGroup};
 use crate::Note;
 use crate::dictionary::Dictionary;
 use crate::model::Place;
@@ -60,7 +60,7 @@ impl Parameters {
     /// The initializer of a `CO_PARA`.
     fn line(
         &mut self,
-        groups: &[Group],
+        groups: &[ParaGroup],
         group: Option<usize>,
         row: &GroupRow,
         index: u16,
@@ -72,7 +72,7 @@ impl Parameters {
                 let before: Vec<String> =
                     groups[..at].iter().map(|group| format!("sizeof({}_t)", group.variable)).collect();
                 let offset = if before.is_empty() { "0u".to_owned() } else { before.join(" + ") };
-                let Group { variable, communication, .. } = &groups[at];
+                let ParaGroup { variable, communication, .. } = &groups[at];
                 let reset = if *communication { "CO_RESET_COM" } else { "CO_RESET_NODE" };
                 let defaults = format!("(uint8_t *)&{variable}_defaults");
                 (offset, format!("sizeof({variable}_t)"), format!("(uint8_t *)&{variable}"), defaults, reset)
@@ -121,7 +121,7 @@ fn group_rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], index: u16)
 }
 
 /// The sub-index that stores each group: 2 for communication, 3 for the application, the others behind.
-fn assign(groups: &[Group], count: u8, notes: &mut Vec<Note>) -> Vec<Option<u8>> {
+fn assign(groups: &[ParaGroup], count: u8, notes: &mut Vec<Note>) -> Vec<Option<u8>> {
     if count <= 1 {
         return groups.iter().map(|_| (count == 1).then_some(1)).collect();
     }
@@ -149,7 +149,7 @@ fn assign(groups: &[Group], count: u8, notes: &mut Vec<Note>) -> Vec<Option<u8>>
     subs
 }
 
-fn missing(groups: &[Group], notes: &mut Vec<Note>) {
+fn missing(groups: &[ParaGroup], notes: &mut Vec<Note>) {
     for group in groups {
         let text = format!("there is no 1010h, so no SDO stores the group `{}`", group.name);
         notes.push(Note::new(Place::object(group.first), text));
@@ -157,7 +157,7 @@ fn missing(groups: &[Group], notes: &mut Vec<Note>) {
 }
 
 /// Notes where reading 1010h and 1011h does not give what the description says, or does not mean what it gives.
-fn note_value(groups: &[Group], group: Option<usize>, row: &GroupRow, index: u16, notes: &mut Vec<Note>) {
+fn note_value(groups: &[ParaGroup], group: Option<usize>, row: &GroupRow, index: u16, notes: &mut Vec<Note>) {
     let place = Place::entry(index, row.sub);
     match group {
         Some(at) if row.value & 1 == 0 => {

@@ -115,7 +115,7 @@ struct Definition {
 
 /// What a variable is; equal ones can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
-struct Kind {
+struct VariableType {
     constant: bool,
     base: &'static str,
     suffix: String,
@@ -141,7 +141,7 @@ impl Objects {
                 addresses[variable.object][at] = format!("&{name}{element}");
             }
             let array = if variable.array { format!("[{}]", values.len()) } else { String::new() };
-            let Kind { constant, base, suffix } = &variable.kind;
+            let VariableType { constant, base, suffix } = &variable.kind;
             let constant = if *constant { "const " } else { "" };
             let object = &dictionary.objects[variable.object];
             let first = &object.entries[variable.entries.start].entry.name;
@@ -197,15 +197,15 @@ fn length(entry: &ResolvedEntry<'_>) -> usize {
     entry.resolved.shape.size()
 }
 
-fn kind(entry: &ResolvedEntry<'_>) -> Option<Kind> {
+fn kind(entry: &ResolvedEntry<'_>) -> Option<VariableType> {
     let resolved = &entry.resolved;
     let constant = resolved.constant;
-    let block = || Some(Kind { constant, base: "uint8_t", suffix: format!("[{}]", length(entry)) });
+    let block = || Some(VariableType { constant, base: "uint8_t", suffix: format!("[{}]", length(entry)) });
     match resolved.shape {
         _ if length(entry) == 0 => None,
         Shape::Word(data_type) => match (exact_type(data_type), word(entry)) {
             (Some(base), Some(value)) if number(value, data_type).is_some() => {
-                Some(Kind { constant, base, suffix: String::new() })
+                Some(VariableType { constant, base, suffix: String::new() })
             }
             _ => block(),
         },

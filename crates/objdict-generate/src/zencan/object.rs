@@ -3,7 +3,7 @@
 use super::Maker;
 use super::answers::{Answer, Held};
 use super::value::Kept;
-use super::view::{EntryView, Kind, ObjectView, SubView};
+use super::view::{EntryView, ObjectContent, ObjectView, SubView};
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::escape::toml_string;
 use crate::model::{Access, ObjectType, Place};
@@ -17,7 +17,7 @@ impl Maker<'_> {
         let name = toml_string(object.object.name());
         if object.is_single() {
             let entry = self.entry(object, &object.entries[0]);
-            return ObjectView { index, name, kind: Kind::Var(entry) };
+            return ObjectView { index, name, kind: ObjectContent::Var(entry) };
         }
         // zencan says itself what sub-index 0 is, and FFh would count as the highest one
         let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
@@ -37,9 +37,9 @@ impl Maker<'_> {
             Some((first, rest)) if is_array && are_alike(first, rest) => array(subs),
             Some(_) if is_array => {
                 self.note(Place::object(index), "an ARRAY whose elements differ becomes a record in zencan");
-                Kind::Record(subs)
+                ObjectContent::Record(subs)
             }
-            _ => Kind::Record(subs),
+            _ => ObjectContent::Record(subs),
         };
         ObjectView { index, name, kind }
     }
@@ -115,7 +115,7 @@ fn are_alike(first: &SubView, rest: &[SubView]) -> bool {
         && (2..=0xFF).zip(rest).all(|(sub, entry)| entry.sub == sub && shape(entry) == shape(first))
 }
 
-fn array(subs: Vec<SubView>) -> Kind {
+fn array(subs: Vec<SubView>) -> ObjectContent {
     let size = subs.len();
     let none = subs.iter().all(|sub| sub.entry.default.is_none());
     let mut defaults = Vec::with_capacity(size);
@@ -126,10 +126,10 @@ fn array(subs: Vec<SubView>) -> Kind {
         alike.get_or_insert(entry);
     }
     match alike {
-        Some(entry) => Kind::Array {
+        Some(entry) => ObjectContent::Array {
             entry: EntryView { default: (!none).then(|| format!("[{}]", defaults.join(", "))), ..entry },
             size,
         },
-        None => Kind::Record(Vec::new()),
+        None => ObjectContent::Record(Vec::new()),
     }
 }

@@ -60,11 +60,11 @@ pub(super) struct Mapping {
 pub(super) struct ObjectView {
     pub(super) index: u16,
     pub(super) name: String,
-    pub(super) kind: Kind,
+    pub(super) kind: ObjectContent,
 }
 
 /// What an object is made of.
-pub(super) enum Kind {
+pub(super) enum ObjectContent {
     Var(EntryView),
     Array { entry: EntryView, size: usize },
     Record(Vec<SubView>),

@@ -13,7 +13,7 @@ pub struct Fix {
     /// What is done, as a command: "remove the blanks before `=`".
     pub title: Cow<'static, str>,
     /// Whether the meaning stays.
-    pub safety: Safety,
+    pub safety: Applicability,
     /// The changes; all of them or none are made.
     pub changes: Vec<Change>,
 }
@@ -22,14 +22,14 @@ pub struct Fix {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum Safety {
+pub enum Applicability {
     /// The description means the same to every tool afterwards, or what no tool could have understood is gone.
     Safe,
     /// The most likely intention; somebody should look at it.
     Unsafe,
 }
 
-impl fmt::Display for Safety {
+impl fmt::Display for Applicability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Safe => "safe",
@@ -83,12 +83,12 @@ pub const MAX_FIX_LINES: usize = 50_000;
 impl Fix {
     /// A fix without changes yet that keeps the meaning.
     pub fn safe(title: impl Into<Cow<'static, str>>) -> Self {
-        Self { title: title.into(), safety: Safety::Safe, changes: Vec::new() }
+        Self { title: title.into(), safety: Applicability::Safe, changes: Vec::new() }
     }
 
     /// A fix without changes yet that somebody should look at.
     pub fn risky(title: impl Into<Cow<'static, str>>) -> Self {
-        Self { safety: Safety::Unsafe, ..Self::safe(title) }
+        Self { safety: Applicability::Unsafe, ..Self::safe(title) }
     }
 
     /// Also puts `text` in the place of `span`.

@@ -19,7 +19,7 @@ pub use crate::source::Span;
 pub use crate::{fix_of, text_rule};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
-pub use fix::{Change, Fix, Safety, Tidy};
+pub use fix::{Applicability, Change, Fix, Tidy};
 pub use rule::{HEADINGS, RuleInfo};
 pub use selection::Selection;
 pub use tool::Tool;
@@ -78,7 +78,7 @@ impl From<Place> for At {
 
 /// A place with a remark.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Label {
+pub struct SourceLabel {
     /// Where.
     pub at: At,
     /// The remark; empty where the message says all.
@@ -95,7 +95,7 @@ pub struct Diagnostic {
     /// What is wrong: lower case, offending text in backticks, no full stop.
     pub message: String,
     /// Where; the first label is the place of the finding, further ones are related places.
-    pub labels: Vec<Label>,
+    pub labels: Vec<SourceLabel>,
     /// What to do.
     pub help: Option<Cow<'static, str>>,
     /// How the program does it, where it can.
@@ -109,7 +109,7 @@ impl Diagnostic {
             rule,
             severity: rule.severity,
             message: message.into(),
-            labels: vec![Label { at: at.into(), text: Cow::Borrowed("") }],
+            labels: vec![SourceLabel { at: at.into(), text: Cow::Borrowed("") }],
             help: None,
             fix: None,
         }
@@ -125,7 +125,7 @@ impl Diagnostic {
     /// With a related place.
     #[must_use]
     pub fn label(mut self, at: impl Into<At>, text: impl Into<Cow<'static, str>>) -> Self {
-        self.labels.push(Label { at: at.into(), text: text.into() });
+        self.labels.push(SourceLabel { at: at.into(), text: text.into() });
         self
     }
 

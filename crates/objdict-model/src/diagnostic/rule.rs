@@ -1,6 +1,6 @@
 //! What a rule is: its name, its severity and its page.
 
-use super::{Safety, Severity};
+use super::{Applicability, Severity};
 
 /// The facts about a rule that every report and the documentation need.
 #[derive(Debug)]
@@ -10,7 +10,7 @@ pub struct RuleInfo {
     /// The severity of its findings.
     pub severity: Severity,
     /// Whether its findings can have a [fix](super::Fix), and the least safe that it can be.
-    pub fix: Option<Safety>,
+    pub fix: Option<Applicability>,
     /// The rule's page in Markdown: a first line that names the defect, then the headings of [`HEADINGS`].
     pub docs: &'static str,
 }
@@ -77,6 +77,6 @@ macro_rules! fix_of {
         None
     };
     ($safety:ident) => {
-        Some($crate::diagnostic::Safety::$safety)
+        Some($crate::diagnostic::Applicability::$safety)
     };
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
     DynamicChannels, ExtraSection, FileInfo, Misfits, ModuleObjects, Modules, NetworkIdentity, Object,
-    ObjectList, ProfileHeaders, Tool,
+    ObjectList, ProfileHeaders, ToolCommand,
 };
 
 /// A device description, whatever format it came from.
@@ -44,7 +44,7 @@ pub struct Device {
     pub dynamic_channels: Option<DynamicChannels>,
     /// The tools that can be started from the description.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub tools: Vec<Tool>,
+    pub tools: Vec<ToolCommand>,
     /// What the profiles say of themselves (CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub headers: ProfileHeaders,

@@ -49,7 +49,7 @@ pub struct Segment {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct Tool {
+pub struct ToolCommand {
     /// `Name`.
     pub name: String,
     /// `Command`, with the placeholders `$DCF`, `$EDS` and `$NODEID`.

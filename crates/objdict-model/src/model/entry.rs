@@ -40,7 +40,7 @@ pub struct Entry {
     pub configured: Option<Box<Configured>>,
     /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub safety: Option<Box<Safety>>,
+    pub safety: Option<Box<SafetyMapping>>,
     /// What the application process says of the entry (CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub parameter: Option<Box<Parameter>>,
@@ -99,7 +99,7 @@ pub struct Configured {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct Safety {
+pub struct SafetyMapping {
     /// `SRDOMapping`: whether an SRDO may carry the entry.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub srdo_mapping: Option<bool>,
@@ -167,7 +167,7 @@ impl Entry {
     }
 
     /// The safety facts, for writing.
-    pub fn safety_mut(&mut self) -> &mut Safety {
+    pub fn safety_mut(&mut self) -> &mut SafetyMapping {
         self.safety.get_or_insert_default()
     }
 }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{
     Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, Misfits, ObjFlags,
-    Object, ObjectType, Parameter, PdoMapping, Safety, StackOptions, Subs, Value,
+    Object, ObjectType, Parameter, PdoMapping, SafetyMapping, StackOptions, Subs, Value,
 };
 
 macro_rules! form {
@@ -25,7 +25,7 @@ macro_rules! form {
             high_limit: Option<Value>,
             flags: Option<ObjFlags>,
             configured: Option<Box<Configured>>,
-            safety: Option<Box<Safety>>,
+            safety: Option<Box<SafetyMapping>>,
             parameter: Option<Box<Parameter>>,
             stack: Option<Box<StackOptions>>,
             extra: Extra,

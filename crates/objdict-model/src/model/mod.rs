@@ -69,8 +69,8 @@ pub use device_profile::{
     LedColors, LedOn, LedState, LedType, ModuleInterface, ModuleObjects, ModuleRange, ModuleRanges,
     ModuleType, NetworkIdentity, OwnAddressing, OwnInterface, Picture, ProfileHeader, ProfileHeaders,
 };
-pub use dynamic::{DynamicChannels, Segment, Tool};
-pub use entry::{Configured, Entry, ObjFlags, Safety};
+pub use dynamic::{DynamicChannels, Segment, ToolCommand};
+pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
 pub use field::Field;
 pub use file_info::{ClockTime, Date, FileInfo};
 pub use identity::Identity;

@@ -6,12 +6,12 @@ use super::{SourceFile, Span, Unencodable};
 #[derive(Clone, Debug)]
 pub struct Edits<'a> {
     source: &'a SourceFile,
-    changes: Vec<Change>,
+    changes: Vec<SpanEdit>,
 }
 
 /// A span and the text that takes its place; of changes at one offset the first one made comes first.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Change {
+struct SpanEdit {
     span: Span,
     text: String,
 }
@@ -58,7 +58,7 @@ impl<'a> Edits<'a> {
 
     /// Puts `text` in the place of `span`; an empty span is where it is inserted.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
-        self.changes.push(Change { span, text: text.into() });
+        self.changes.push(SpanEdit { span, text: text.into() });
     }
 
     /// The changes in the order of the text; those at one offset are one.
@@ -68,7 +68,7 @@ impl<'a> Edits<'a> {
     pub fn into_list(mut self) -> Result<Vec<(Span, String)>, EditError> {
         self.changes.sort_by_key(|change| (change.span.start, change.span.end));
         let mut list: Vec<(Span, String)> = Vec::with_capacity(self.changes.len());
-        for Change { span, text } in self.changes {
+        for SpanEdit { span, text } in self.changes {
             match list.last_mut() {
                 Some((last, _)) if span.start < last.end => return Err(EditError::Overlap(span)),
                 Some((last, before)) if last.is_empty() && span.is_empty() && *last == span => {
@@ -86,7 +86,7 @@ impl<'a> Edits<'a> {
     /// When two changes overlap.
     pub fn text(&self) -> Result<String, EditError> {
         let text = self.source.text();
-        let mut changes: Vec<&Change> = self.changes.iter().collect();
+        let mut changes: Vec<&SpanEdit> = self.changes.iter().collect();
         changes.sort_by_key(|change| (change.span.start, change.span.end));
         let mut edited = String::with_capacity(text.len());
         let mut at = 0;

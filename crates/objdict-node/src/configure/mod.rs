@@ -40,7 +40,7 @@ pub use setting::{CanId, NoSetting, PdoName, Setting};
 
 /// Why a setting cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
+pub struct SettingProblem {
     /// The setting, as it was written.
     pub setting: String,
     /// What is wrong: lower case, offending text in backticks, no full stop.
@@ -49,7 +49,7 @@ pub struct Problem {
     pub help: Option<String>,
 }
 
-impl fmt::Display for Problem {
+impl fmt::Display for SettingProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "`{}`: {}", self.setting, self.message)
     }
@@ -81,13 +81,13 @@ pub fn configure(
     device: &Device,
     node_id: u8,
     settings: &[Setting],
-) -> Result<Vec<Assignment>, Vec<Problem>> {
+) -> Result<Vec<Assignment>, Vec<SettingProblem>> {
     let mut desk = Desk { device, node_id, values: BTreeMap::new() };
     let mut problems = Vec::new();
     for setting in settings {
         if let Err(wrong) = desk.take(setting) {
             let Wrong { message, help } = wrong;
-            problems.push(Problem { setting: setting.to_string(), message, help });
+            problems.push(SettingProblem { setting: setting.to_string(), message, help });
         }
     }
     if !problems.is_empty() {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use objdict::generate::{Generated, Group, Note, Options, Target, generate};
+use objdict::generate::{Generated, Note, Options, StorageGroup, Target, generate};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, succeed};
@@ -47,7 +47,7 @@ pub(crate) fn options(node_id: u8, grouped: bool) -> Options {
     options.node_id = Some(node_id);
     options.file_stem = "device".to_owned();
     if grouped {
-        let group = |text: &str| text.parse::<Group>().unwrap();
+        let group = |text: &str| text.parse::<StorageGroup>().unwrap();
         options.groups = vec![group("1000-1FFF=COMM"), group("2000-9FFF=APP"), group("2100=ram")];
     }
     options

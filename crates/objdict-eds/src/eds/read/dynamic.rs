@@ -4,7 +4,7 @@ use super::lists::check_count;
 use super::modules::index_range;
 use super::{Items, Reader};
 use crate::ini;
-use crate::model::{DataType, DynamicChannels, Extra, Field, Misfits, Segment, Tool};
+use crate::model::{DataType, DynamicChannels, Extra, Field, Misfits, Segment, ToolCommand};
 
 /// So many segments are read; a device has a handful. A larger number in a key is a key that is not known.
 const MAX_SEGMENTS: usize = 1024;
@@ -60,7 +60,7 @@ impl Reader<'_> {
 
     /// The tools are numbered from 1, and come in that order; a gap is filled by the next.
     pub(super) fn tool(&mut self, _number: u16, section: &ini::Section) {
-        let mut tool = Tool::default();
+        let mut tool = ToolCommand::default();
         let mut extra = Extra::default();
         let (name, _) = self.header_of(section);
         let mut items = Items::new(self.text, section, &mut self.findings);

@@ -6,7 +6,7 @@ use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{
     Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags,
-    Object, ObjectType, PdoMapping, Place, Reason, Safety, StackOptions, Value,
+    Object, ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
 };
 
 /// An object section as it is read: the entry, and the keys that only an object's own section or a module's has.
@@ -146,7 +146,7 @@ fn stack_option(entry: &mut Entry, comment: &str) {
 /// An empty key says as much as a missing one.
 fn drop_empty(entry: &mut Entry) {
     entry.configured = entry.configured.take().filter(|configured| **configured != Configured::default());
-    entry.safety = entry.safety.take().filter(|safety| **safety != Safety::default());
+    entry.safety = entry.safety.take().filter(|safety| **safety != SafetyMapping::default());
 }
 
 fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item: &Item<'a>) {

@@ -3,7 +3,7 @@
 use super::super::transfer::EntryType;
 use super::ObjectionKind;
 use super::node::{Judgement, Node};
-use super::services::{Change, is_invalid};
+use super::services::{CobIdChange, is_invalid};
 use crate::model::{DataType, MappedObject, PdoKind};
 
 /// The bits of a frame.
@@ -16,7 +16,7 @@ impl Node<'_> {
             1 => {
                 let present = kind.communication_index(pdo).and_then(|index| self.word((index, 1)));
                 let new = u32::try_from(new).unwrap_or(u32::MAX);
-                Change { present, new }.judge(is_invalid, "set bit 31 of the COB-ID")
+                CobIdChange { present, new }.judge(is_invalid, "set bit 31 of the COB-ID")
             }
             2 if is_reserved(kind, new) => Err(ObjectionKind::Undefined("the transmission type is reserved")),
             // inhibit time and SYNC start value; others may change at any time

@@ -13,14 +13,14 @@ const USES_TIME: u32 = CobId::BIT_30 | CobId::BIT_31;
 
 /// A change of a COB-ID.
 #[derive(Clone, Copy)]
-pub(super) struct Change {
+pub(super) struct CobIdChange {
     /// The COB-ID that the service has; `None` where nobody knows.
     pub(super) present: Option<u32>,
     /// The new one.
     pub(super) new: u32,
 }
 
-impl Change {
+impl CobIdChange {
     /// Judges the change of an identifier: it may differ only where the service `is_off`, and must be free where the
     /// new COB-ID switches the service on.
     pub(super) fn judge(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
@@ -73,16 +73,16 @@ impl Node<'_> {
                 Err(ObjectionKind::Undefined("it takes only 0, which clears the history"))
             }
             (0x1005, 0) => {
-                let change = Change { present: self.word((index, sub)), new: word };
+                let change = CobIdChange { present: self.word((index, sub)), new: word };
                 change.judge(|cob_id| cob_id & CobId::BIT_30 == 0, "clear bit 30 of 1005h")
             }
             (0x1019, 0) => self.judge_counter(new),
             (0x1012, 0) => {
-                let change = Change { present: self.word((index, sub)), new: word };
+                let change = CobIdChange { present: self.word((index, sub)), new: word };
                 change.judge(|cob_id| cob_id & USES_TIME == 0, "clear bits 30 and 31 of 1012h")
             }
             (0x1014, 0) | (0x1028, 1..=0x7F) => {
-                let change = Change { present: self.word((index, sub)), new: word };
+                let change = CobIdChange { present: self.word((index, sub)), new: word };
                 change.judge(is_invalid, "set bit 31")
             }
             (0x1016, 1..=0x7F) => self.judge_consumer(sub, word),
@@ -139,7 +139,7 @@ impl Node<'_> {
     fn judge_sdo(&mut self, index: u16, sub: u8, new: u32) -> Judgement {
         let other = self.word((index, 3 - sub));
         let present = self.word((index, sub)).filter(|_| !other.is_some_and(is_invalid));
-        let change = Change { present, new };
+        let change = CobIdChange { present, new };
         let is_default_sdo = matches!(new, 0x581..=0x5FF | 0x601..=0x67F);
         let how = "set bit 31 of one of its COB-IDs";
         match index >= 0x1280 && is_default_sdo {
