@@ -37,9 +37,9 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The name of the public type that a line declares.
+/// The name of the public type that a line declares; none where a macro does.
 fn public_type(line: &str) -> Option<&str> {
     let declared = line.trim_start().strip_prefix("pub ")?;
     let name = ["struct ", "enum ", "trait ", "type "].iter().find_map(|word| declared.strip_prefix(word))?;
-    name.split(|c: char| !c.is_alphanumeric()).next()
+    name.split(|c: char| !c.is_alphanumeric()).next().filter(|name| !name.is_empty())
 }
