@@ -144,7 +144,7 @@ impl fmt::Display for Shown<'_> {
 /// The value of an entry that JSON is, if it is one.
 fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
     let is_one = json.as_object().is_some_and(|map| map.len() == 1);
-    if is_one { serde_json::from_value(json.clone()).ok() } else { None }
+    if is_one { serde_json::from_str(&json.to_string()).ok() } else { None }
 }
 
 /// The text of a device in a format, and what it does not give back.

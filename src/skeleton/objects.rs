@@ -15,7 +15,8 @@ impl Maker<'_> {
     pub(super) fn add(&self, device: &mut Device, index: u16) {
         let facts: Vec<ObjectFacts<'_>> = self.facts(index);
         let has_subs = facts.iter().any(|facts| facts.states_type() && facts.object_type().has_subs());
-        let object_type = facts.iter().find(|facts| facts.states_type()).map(|facts| facts.object_type());
+        let object_type =
+            facts.iter().find(|facts| facts.states_type()).map(objdict_profile::ObjectFacts::object_type);
         let mut object = Object::default();
         object.main.name = self.facts(index).last().map_or("", |facts| facts.name).into();
         object.main.object_type = Some(object_type.unwrap_or(ObjectType::Var));

@@ -4,6 +4,13 @@
 #[derive(Clone, Copy, Debug)]
 pub struct Fnv(pub u64);
 
+/// The hash of nothing.
+impl Default for Fnv {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Fnv {
     /// The hash of nothing.
     pub const fn new() -> Self {

@@ -100,8 +100,8 @@ macro_rules! names {
         pub mod n {
             use super::Name;
 
-            #[allow(non_camel_case_types)]
-            enum Number { _Other, $($name),+ }
+            #[allow(non_camel_case_types, dead_code, clippy::enum_variant_names, clippy::upper_case_acronyms, reason = "names as CiA 311 spells them")]
+            enum Number { Unknown, $($name),+ }
             $(pub const $name: Name = Name(Number::$name as u16);)+
         }
 

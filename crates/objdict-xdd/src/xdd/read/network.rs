@@ -149,17 +149,26 @@ impl<'a> Reader<'a> {
                     segment.data_type = data_type.map(DataType);
                     is_read
                 }
-                n::accessType => Ok(segment.direction = value_text(&text.text, None).map(direction)),
+                n::accessType => {
+                    segment.direction = value_text(&text.text, None).map(direction);
+                    Ok(())
+                }
                 n::startIndex => index(&mut first),
                 n::endIndex => index(&mut last),
                 n::maxNumber => text
                     .integer(u64::from(u32::MAX), &mut self.findings)
                     .map(|number| segment.max_number = number),
-                n::addressOffset => Ok(segment.offset = value_text(&text.text, None).map(offset)),
+                n::addressOffset => {
+                    segment.offset = value_text(&text.text, None).map(offset);
+                    Ok(())
+                }
                 n::bitAlignment => text
                     .integer(u64::from(u8::MAX), &mut self.findings)
                     .map(|bits| segment.bit_alignment = bits),
-                _ => Ok(self.leftovers.attribute(child, attribute)),
+                _ => {
+                    self.leftovers.attribute(child, attribute);
+                    Ok(())
+                }
             };
             if let Err(reason) = is_read {
                 channels.misfits.push(channel_field(attribute.tag(), number), &text.text, reason);

@@ -176,9 +176,9 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Mar
                 Child::Nowhere | Child::Either(..) => {}
                 Child::Same => {
                     if is_demanded {
-                        out.open(element)
+                        out.open(element);
                     } else {
-                        out.open_unless_empty(element)
+                        out.open_unless_empty(element);
                     }
                     write_content(part, element, out);
                     out.close();
