@@ -136,7 +136,7 @@ fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
 fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv) {
     let source = subject.source();
     let text = source.text();
-    let line = source.lines().line_span(text, source.lines().line_of(span.start));
+    let line = source.lines().line_span(text, source.lines().line_of(text, span.start));
     hash.field(sections.at(text, span.start).as_bytes());
     if line.len() as usize <= MAX_LINE {
         hash.text(line.of(text));

@@ -20,7 +20,7 @@ impl<'a> Columns<'a> {
     pub(super) fn at(&mut self, offset: u32) -> LineColumn {
         let text = self.source.text();
         let lines = self.source.lines();
-        let line = lines.line_of(offset);
+        let line = lines.line_of(text, offset);
         let offset = (offset as usize).min(text.len());
         if line != self.line || offset < self.at.0 {
             self.line = line;

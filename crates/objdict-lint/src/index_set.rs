@@ -1,31 +1,44 @@
 //! Sets of object indexes.
 
-/// A set of indexes, a bit each: a list of a hostile file may be long, and asking it must not take time.
-pub(crate) struct IndexSet(Vec<u64>);
+/// A set of indexes, a bit each: a list of a hostile file may be long, and asking it must not take time. Most devices have
+/// objects in a few places, so there are bits only where some are.
+pub(crate) struct IndexSet {
+    /// For the high byte of an index, where the bits of its low byte are.
+    pages: [u16; 256],
+    /// 256 bits each; those of the first page, where no index is, are not set.
+    bits: Vec<[u64; 4]>,
+}
 
 impl IndexSet {
     /// No index.
     pub(crate) fn new() -> Self {
-        Self(vec![0; 1 << 10])
+        Self { pages: [0; 256], bits: vec![[0; 4]] }
     }
 
     /// Puts an index; false when it was there already.
     pub(crate) fn insert(&mut self, index: u16) -> bool {
-        let (word, bit) = Self::position(index);
-        let is_new = self.0[word] & bit == 0;
-        self.0[word] |= bit;
+        let page = &mut self.pages[usize::from(index >> 8)];
+        if *page == 0 {
+            *page = self.bits.len() as u16;
+            self.bits.push([0; 4]);
+        }
+        let (word, bit) = position(index);
+        let word = &mut self.bits[usize::from(*page)][word];
+        let is_new = *word & bit == 0;
+        *word |= bit;
         is_new
     }
 
     /// Whether an index is in the set.
     pub(crate) fn contains(&self, index: u16) -> bool {
-        let (word, bit) = Self::position(index);
-        self.0[word] & bit != 0
+        let (word, bit) = position(index);
+        self.bits[usize::from(self.pages[usize::from(index >> 8)])][word] & bit != 0
     }
+}
 
-    fn position(index: u16) -> (usize, u64) {
-        (usize::from(index >> 6), 1 << (index & 63))
-    }
+/// The word and the bit of an index in its page.
+fn position(index: u16) -> (usize, u64) {
+    (usize::from(index >> 6) & 3, 1 << (index & 63))
 }
 
 impl FromIterator<u16> for IndexSet {

@@ -61,7 +61,7 @@ impl<'a> Excerpts<'a> {
     /// The bytes to show for `start..end` with so many lines around it; whole lines where they are not too long.
     fn window(&self, start: usize, end: usize, before: usize, after: usize) -> Option<(usize, usize)> {
         let lines = self.source.lines();
-        let (first, last) = (lines.line_of(start as u32), lines.line_of(end as u32));
+        let (first, last) = (lines.line_of(&self.text, start as u32), lines.line_of(&self.text, end as u32));
         let is_long = |line| {
             let (start, end) = self.line(line);
             end - start > MAX_LINE
@@ -107,7 +107,7 @@ impl SourceCode for Excerpts<'_> {
             self.window(start, end, lines_before, lines_after).ok_or(MietteError::OutOfBounds)?
         };
         let at = self.source.lines().line_column(&self.text, from as u32);
-        let last = self.source.lines().line_of(to.saturating_sub(1).max(from) as u32);
+        let last = self.source.lines().line_of(&self.text, to.saturating_sub(1).max(from) as u32);
         let line = at.line as usize - 1;
         Ok(Box::new(MietteSpanContents::new_named(
             self.name.clone(),
@@ -123,10 +123,12 @@ impl SourceCode for Excerpts<'_> {
 /// The text with every character that would steer a terminal replaced by one of the same length, so that all offsets
 /// stay; a lone CR is shown as the line end that it is.
 fn printable(text: &str) -> Cow<'_, str> {
-    let is_plain = |byte: &u8| matches!(byte, b' '..=b'~' | b'\t' | b'\n');
+    let is_odd = |byte: u8| (byte.wrapping_sub(b' ') > b'~' - b' ') & !matches!(byte, b'\t' | b'\n' | b'\r');
     let bytes = text.as_bytes();
+    // without an early exit the loop over a chunk is a few vector instructions
+    let has_odd = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_odd(*byte));
     let has_lone_cr = || memchr::memchr_iter(b'\r', bytes).any(|at| bytes.get(at + 1) != Some(&b'\n'));
-    if bytes.iter().all(|byte| is_plain(byte) || *byte == b'\r') && !has_lone_cr() {
+    if !bytes.chunks(4096).any(has_odd) && !has_lone_cr() {
         return Cow::Borrowed(text);
     }
     let mut shown = String::with_capacity(text.len());

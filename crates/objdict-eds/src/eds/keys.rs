@@ -1,22 +1,50 @@
 //! Keys to fields, fast: a large description has a hundred thousand of them.
 
-use std::sync::LazyLock;
-
 use crate::model::Field;
 
+/// No field.
+const NONE: u8 = u8::MAX;
+
 /// The numbers of all fixed fields, in groups that share length, first and last letter: one or two each.
-static GROUPS: LazyLock<[Vec<u8>; 256]> = LazyLock::new(|| {
-    let mut groups = [const { Vec::new() }; 256];
-    for (number, (name, _)) in Field::NAMED.iter().enumerate() {
-        groups[group_of(name.as_bytes())].push(number as u8);
+struct Groups {
+    /// The first field of each group.
+    first: [u8; 256],
+    /// The next field of the same group.
+    next: [u8; Field::NAMED.len()],
+}
+
+static GROUPS: Groups = {
+    let mut groups = Groups { first: [NONE; 256], next: [NONE; Field::NAMED.len()] };
+    let mut number = 0;
+    while number < Field::NAMED.len() {
+        let group = group_of(Field::NAMED[number].0.as_bytes());
+        groups.next[number] = groups.first[group];
+        groups.first[group] = number as u8;
+        number += 1;
     }
     groups
-});
+};
 
 /// The group of a name, the same for upper and lower case.
-fn group_of(name: &[u8]) -> usize {
-    let lower = |byte: Option<&u8>| byte.map_or(0, |byte| usize::from(byte | 0x20));
-    (name.len() * 3 + lower(name.first()) * 5 + lower(name.last()) * 11) % 256
+#[inline]
+const fn group_of(name: &[u8]) -> usize {
+    match name {
+        [first, .., last] => {
+            let (first, last) = ((*first | 0x20) as usize, (*last | 0x20) as usize);
+            (name.len() * 3 + first * 5 + last * 11) % 256
+        }
+        _ => name.len(),
+    }
+}
+
+/// Whether two names are the same but for the case of their letters. Most are spelled alike and have 8 to 16 bytes, which
+/// are two numbers that may overlap.
+#[inline]
+fn is_same(name: &[u8], text: &[u8]) -> bool {
+    let ends = |name: &[u8]| Some((*name.first_chunk::<8>()?, *name.last_chunk::<8>()?));
+    let is_short = name.len() == text.len() && name.len() <= 16;
+    (is_short && ends(name).is_some_and(|ends_of_name| ends(text) == Some(ends_of_name)))
+        || name.eq_ignore_ascii_case(text)
 }
 
 /// A field with a fixed name: its number in [`Field::NAMED`], small enough for a bit set.
@@ -25,23 +53,36 @@ pub(crate) struct Key(u8);
 
 impl Key {
     /// The key of a text, whatever the case of its letters; `None` for one that the standard does not have.
+    #[inline]
     pub(crate) fn find(text: &str) -> Option<Self> {
-        let group = &GROUPS[group_of(text.as_bytes())];
-        let is_name = |number: &&u8| {
-            let (name, _) = Field::NAMED[usize::from(**number)];
-            name.len() == text.len() && (name == text || name.eq_ignore_ascii_case(text))
-        };
-        group.iter().find(is_name).map(|&number| Self(number))
+        let mut number = GROUPS.first[group_of(text.as_bytes())];
+        while let Some((name, _)) = Field::NAMED.get(usize::from(number)) {
+            if is_same(name.as_bytes(), text.as_bytes()) {
+                return Some(Self(number));
+            }
+            number = GROUPS.next[usize::from(number)];
+        }
+        None
     }
 
     /// The field.
     pub(crate) fn field(self) -> &'static Field {
         &Field::NAMED[usize::from(self.0)].1
     }
+}
 
-    /// The bit of this key in a set of keys.
-    pub(crate) fn bit(self) -> u128 {
-        1 << self.0
+/// A set of keys.
+#[derive(Default)]
+pub(crate) struct KeySet([u64; 2]);
+
+impl KeySet {
+    /// Puts a key; false when it was there already.
+    #[inline]
+    pub(crate) fn insert(&mut self, Key(number): Key) -> bool {
+        let (word, bit) = (&mut self.0[usize::from(number >> 6) & 1], 1 << (number & 63));
+        let is_new = *word & bit == 0;
+        *word |= bit;
+        is_new
     }
 }
 

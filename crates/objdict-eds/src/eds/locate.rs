@@ -7,7 +7,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::order::Rank;
 use super::section::SectionName;
-use crate::ini::{Document, LineKind, Lines, Section, headers};
+use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 
@@ -15,7 +15,7 @@ use crate::source::Span;
 #[derive(Debug)]
 pub struct Locator {
     state: RandomState,
-    /// Hash of the part, and where its header line starts.
+    /// The number of the part, and where its header line starts.
     headers: Vec<(u32, u32)>,
     /// The keys of the sections that were asked for, by where their header line starts. A long list with many findings
     /// would be read from its start for each of them.
@@ -35,10 +35,11 @@ impl Locator {
         for line in headers(document.text()) {
             if let LineKind::Section { name } = line.kind {
                 let part = SectionName::parse(name.of(document.text())).part;
-                found.push((hash(&state, &part), line.span.start));
+                found.push((number_of(&state, &part), line.span.start));
             }
         }
-        found.sort_unstable();
+        // sections are mostly in their order already
+        found.sort();
         Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
@@ -46,13 +47,8 @@ impl Locator {
     /// the key is missing. `None` for the device as a whole and for sections that are not there.
     pub fn locate(&self, document: &Document, place: &Place) -> Option<Span> {
         let text = document.text();
-        let hash = hash(&self.state, &place.part);
-        let from = self.headers.partition_point(|(other, _)| *other < hash);
         let mut header = None;
-        for &(other, start) in &self.headers[from..] {
-            if other != hash {
-                break;
-            }
+        for start in self.starts(&place.part) {
             let header_line = Lines::from(text, start).next();
             let Some(LineKind::Section { name }) = header_line.map(|line| line.kind) else { continue };
             if SectionName::parse(name.of(text)).part != place.part {
@@ -82,45 +78,49 @@ impl Locator {
     }
 
     /// The sections of a part, in their order; more than one where it stands twice.
-    pub(crate) fn sections(&self, document: &Document, part: &Part) -> Vec<Section> {
+    pub(crate) fn sections(&self, document: &Document, part: &Part) -> impl Iterator<Item = Section> {
         let text = document.text();
-        let hash = hash(&self.state, part);
-        let from = self.headers.partition_point(|(other, _)| *other < hash);
-        let headers = self.headers[from..].iter().take_while(|(other, _)| *other == hash);
-        let sections = headers.filter_map(|&(_, start)| document.section_at(start));
         let is_of_part = |section: &Section| {
             section.header.is_some_and(|header| SectionName::parse(header.name.of(text)).part == *part)
         };
-        sections.filter(is_of_part).collect()
+        self.starts(part).filter_map(|start| document.section_at(start)).filter(is_of_part)
+    }
+
+    /// Where the headers start that may be those of a part.
+    fn starts(&self, part: &Part) -> impl Iterator<Item = u32> {
+        let number = number_of(&self.state, part);
+        let from = self.headers.partition_point(|(other, _)| *other < number);
+        self.headers[from..].iter().take_while(move |(other, _)| *other == number).map(|(_, start)| *start)
     }
 
     /// The value of a key, or the key where it has none, in the section whose header line starts at `header`.
     fn find_key(&self, text: &str, header: u32, field: &Field) -> Option<Span> {
         let name = field.name();
+        let value_of = |line: Line| match line.kind {
+            LineKind::Entry { key, value } if key.of(text).eq_ignore_ascii_case(&name) => {
+                Some(if value.is_empty() { key } else { value })
+            }
+            _ => None,
+        };
+        let mut lines = Lines::from(text, header).skip(1).take_while(|line| !is_header(line));
+        // most sections are short
+        if let Some(value) = lines.by_ref().take(SHORT).find_map(value_of) {
+            return Some(value);
+        }
+        lines.next()?;
         let hash = hash(&self.state, &name.to_ascii_lowercase());
         let mut sections = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
         let keys = sections.entry(header).or_insert_with(|| self.read_keys(text, header));
         let from = keys.partition_point(|(other, _)| *other < hash);
         let candidates = keys[from..].iter().take_while(|(other, _)| *other == hash);
-        candidates.filter_map(|&(_, start)| Lines::from(text, start).next()).find_map(|line| {
-            match line.kind {
-                LineKind::Entry { key, value } if key.of(text).eq_ignore_ascii_case(&name) => {
-                    Some(if value.is_empty() { key } else { value })
-                }
-                _ => None,
-            }
-        })
+        candidates.filter_map(|&(_, start)| Lines::from(text, start).next()).find_map(value_of)
     }
 
     fn read_keys(&self, text: &str, header: u32) -> Keys {
         let mut keys = Keys::new();
-        for line in Lines::from(text, header).skip(1) {
-            match line.kind {
-                LineKind::Section { .. } => break,
-                LineKind::Entry { key, .. } => {
-                    keys.push((hash(&self.state, &key.of(text).to_ascii_lowercase()), line.span.start));
-                }
-                _ => {}
+        for line in Lines::from(text, header).skip(1).take_while(|line| !is_header(line)) {
+            if let LineKind::Entry { key, .. } = line.kind {
+                keys.push((hash(&self.state, &key.of(text).to_ascii_lowercase()), line.span.start));
             }
         }
         keys.sort_unstable();
@@ -133,6 +133,23 @@ impl Locator {
             Part::Entry(index, _) => self.locate(document, &Place::object(index)),
             _ => None,
         }
+    }
+}
+
+/// So many lines of a section are looked at for a key before all its keys are sorted.
+const SHORT: usize = 32;
+
+fn is_header(line: &Line) -> bool {
+    matches!(line.kind, LineKind::Section { .. })
+}
+
+/// A number by which the sections of a part are found: that of an object or entry, or a hash, which is not the number of one.
+fn number_of(state: &RandomState, part: &Part) -> u32 {
+    const OBJECT: u32 = 1 << 31;
+    match *part {
+        Part::Object(index) => OBJECT | u32::from(index) << 9,
+        Part::Entry(index, sub) => OBJECT | u32::from(index) << 9 | (u32::from(sub) + 1),
+        _ => hash(state, part) & !OBJECT,
     }
 }
 

@@ -96,17 +96,16 @@ impl<'a> Rewriter<'a> {
             *indexes.get_mut(usize::try_from(*number).ok()?.checked_sub(1)?)? = u16::try_from(index).ok()?;
             return self.list(*list, &indexes);
         }
-        let (part, field) = self.holder(&place.part, field)?;
-        let section = self.section(&part)?;
-        self.edit(&section)?.set(field.name().into_owned(), value.to_owned());
+        let (section, field) = self.holder(&place.part, field)?;
+        self.edit(section)?.set(field.name().into_owned(), value.to_owned());
         Some(())
     }
 
-    /// The part whose section holds a field, and under which key: an entry of a compactly stored object has no section of
-    /// its own.
-    fn holder(&self, part: &Part, field: &Field) -> Option<(Part, Field)> {
-        match *part {
-            Part::Entry(index, sub) if self.section(part).is_none() => {
+    /// The section that holds a field, and under which key: an entry of a compactly stored object has no section of its own.
+    fn holder(&self, part: &Part, field: &Field) -> Option<(Section, Field)> {
+        match (self.section(part), part) {
+            (Some(section), _) => Some((section, field.clone())),
+            (None, &Part::Entry(index, sub)) => {
                 let compact = self.device.object(index)?.compact.as_ref()?;
                 let in_list = (1..=compact.count).contains(&sub);
                 let list = match field {
@@ -115,9 +114,10 @@ impl<'a> Rewriter<'a> {
                     Field::Denotation => Part::CompactDenotations(index),
                     _ => return None,
                 };
-                in_list.then_some((list, Field::Item(sub.into())))
+                let section = self.section(&list).filter(|_| in_list)?;
+                Some((section, Field::Item(sub.into())))
             }
-            _ => Some((part.clone(), field.clone())),
+            (None, _) => None,
         }
     }
 
@@ -128,10 +128,9 @@ impl<'a> Rewriter<'a> {
             (position < indexes.len()).then(|| indexes.remove(position))?;
             return self.list(*list, &indexes);
         }
-        let (part, field) = self.holder(part, field)?;
-        let section = self.section(&part)?;
+        let (section, field) = self.holder(part, field)?;
         let name = field.name();
-        self.edit(&section)?.remove(&name).then_some(())
+        self.edit(section)?.remove(&name).then_some(())
     }
 
     /// Takes all sections of a part away: an object with its sub-indexes and what else belongs to it.
@@ -141,7 +140,7 @@ impl<'a> Rewriter<'a> {
             Part::Module(number, ModulePart::Info) => {
                 self.sections_of(|part| matches!(part, Part::Module(other, _) if *other == number))
             }
-            _ => self.locator.sections(self.document, part),
+            _ => self.locator.sections(self.document, part).collect(),
         };
         for section in &sections {
             self.remove_section(section)?;
@@ -175,16 +174,16 @@ impl<'a> Rewriter<'a> {
 
     /// The section of a part; the first one counts.
     fn section(&self, part: &Part) -> Option<Section> {
-        self.locator.sections(self.document, part).into_iter().next()
+        self.locator.sections(self.document, part).next()
     }
 
     /// The keys of a section, to change them; `None` where there are too many.
-    fn edit(&mut self, section: &Section) -> Option<&mut SectionEdit> {
+    fn edit(&mut self, section: Section) -> Option<&mut SectionEdit> {
         if section.entries.len() > MAX_FIX_LINES {
             return None;
         }
         let start = section.header?.line.start;
-        Some(self.sections.entry(start).or_insert_with(|| SectionEdit::new(self.document, section.clone())))
+        Some(self.sections.entry(start).or_insert_with(|| SectionEdit::new(self.document, section)))
     }
 
     fn sections_of(&self, wanted: impl Fn(&Part) -> bool) -> Vec<Section> {

@@ -46,7 +46,7 @@ const FIXED: [(&str, Part); 12] = [
 impl SectionName {
     /// What a name stands for; [`Part::Section`] for one that the standard does not have.
     pub fn parse(name: &str) -> Self {
-        if let Some(part) = object_part(name) {
+        if let Some(part) = plain_object(name.as_bytes()).or_else(|| object_part(name)) {
             return Self::standard(part);
         }
         if let Some((_, part)) = FIXED.iter().find(|(fixed, _)| fixed.eq_ignore_ascii_case(name)) {
@@ -87,6 +87,31 @@ pub(crate) fn section_name(part: &Part) -> Option<String> {
         other => other.to_string(),
     };
     Some(name)
+}
+
+/// An object of four digits, or a sub-index of it: what nearly all sections are, by the shortest way.
+fn plain_object(name: &[u8]) -> Option<Part> {
+    let (&[first, second, third, last], rest) = name.split_first_chunk()?;
+    let digits = [hex_digit(first)?, hex_digit(second)?, hex_digit(third)?, hex_digit(last)?];
+    let index = digits.iter().fold(0, |index, digit| index << 4 | u16::from(*digit));
+    match *rest {
+        _ if first == b'0' => None,
+        [] => Some(Part::Object(index)),
+        [b's' | b'S', b'u' | b'U', b'b' | b'B', sub] => Some(Part::Entry(index, hex_digit(sub)?)),
+        [b's' | b'S', b'u' | b'U', b'b' | b'B', high, low] if high != b'0' => {
+            Some(Part::Entry(index, hex_digit(high)? << 4 | hex_digit(low)?))
+        }
+        _ => None,
+    }
+}
+
+fn hex_digit(byte: u8) -> Option<u8> {
+    match byte {
+        b'0'..=b'9' => Some(byte - b'0'),
+        b'A'..=b'F' => Some(byte - b'A' + 10),
+        b'a'..=b'f' => Some(byte - b'a' + 10),
+        _ => None,
+    }
 }
 
 /// The number of a name that starts with hex digits, and the known suffix behind them. A list of names is not a number:

@@ -99,16 +99,22 @@ impl Document {
 
     /// The line that holds `offset`.
     pub fn line_at(&self, offset: u32) -> Option<Line> {
-        let source = self.source();
-        let start = source.lines().line_span(source.text(), source.lines().line_of(offset)).start;
-        Lines::from(source.text(), start).next()
+        let text = self.text().as_bytes();
+        let before = match text.split_at((offset as usize).min(text.len())) {
+            // the line feed belongs to the line that it ends
+            ([before @ .., b'\r'], [b'\n', ..]) => before,
+            (before, _) => before,
+        };
+        let start = memchr::memrchr2(b'\n', b'\r', before).map_or(0, |end| end + 1);
+        Lines::from(self.text(), start as u32).next()
     }
 
     /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry. One section
     /// at a time is in memory, and its list is used again for the next.
     pub fn visit(&self, mut visit: impl FnMut(&Section), mut other: impl FnMut(&Line)) {
         let mut section = Section::default();
-        for line in self.lines() {
+        let mut lines = self.lines();
+        while let Some(line) = lines.advance() {
             match line.kind {
                 LineKind::Section { name } => {
                     visit(&section);

@@ -36,6 +36,7 @@ pub struct Quirks(u16);
 
 impl Quirks {
     /// Whether there are none.
+    #[inline]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
@@ -72,7 +73,15 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
 ///
 /// # Errors
 /// Why the text is no such number.
+#[inline]
 pub fn integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
+    match small_number(text.as_bytes()) {
+        Some((number, _)) if low <= i64::from(number) && u64::from(number) <= high => Ok(number.into()),
+        _ => any_integer(text, low, high, quirks),
+    }
+}
+
+fn any_integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
     let number = number(text, quirks)?;
     if number.value < i128::from(low) || number.value > i128::from(high) {
         return Err(Reason::OutOfRange { low, high });
@@ -98,6 +107,28 @@ pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
 struct Number {
     value: i128,
     hex: bool,
+}
+
+/// A number of a few digits in decimal, without leading zero, or hex, and whether it is hex: what nearly all numbers are, by
+/// the shortest way.
+#[inline]
+fn small_number(text: &[u8]) -> Option<(u32, bool)> {
+    match text {
+        [digit @ b'0'..=b'9'] => Some((u32::from(digit - b'0'), false)),
+        [b'0', b'x' | b'X', hex @ ..] if matches!(hex.len(), 1..=8) => {
+            let digit = |byte: u8| (byte as char).to_digit(16);
+            hex.iter()
+                .try_fold(0, |number, byte| Some(number << 4 | digit(*byte)?))
+                .map(|number| (number, true))
+        }
+        [b'1'..=b'9', ..] if text.len() < 10 => {
+            let digit = |byte: u8| byte.is_ascii_digit().then(|| u32::from(byte - b'0'));
+            text.iter()
+                .try_fold(0, |number, byte| Some(number * 10 + digit(*byte)?))
+                .map(|number| (number, false))
+        }
+        _ => None,
+    }
 }
 
 /// Reads the common spellings first; only what they do not cover pays for the others.
@@ -166,6 +197,15 @@ fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<Number, Reason>
 }
 
 fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result<Value, Reason> {
+    match (small_number(text.as_bytes()), data_type.kind()) {
+        (Some((number, _)), TypeKind::Unsigned(bits)) if u64::from(number) >> bits.min(63) == 0 => {
+            return Ok(Value::Unsigned(number.into()));
+        }
+        (Some((number, _)), TypeKind::Signed(bits)) if u64::from(number) >> (bits - 1) == 0 => {
+            return Ok(Value::Signed(number.into()));
+        }
+        _ => {}
+    }
     if text.contains('$') {
         return formula(strip_comment(text, quirks), quirks).map(Value::NodeId);
     }

@@ -124,8 +124,14 @@ impl Field {
 
     /// The item of a decimal number without leading zero.
     pub fn item(name: &str) -> Option<Self> {
-        let plain = !name.starts_with('0') && name.bytes().all(|byte| byte.is_ascii_digit());
-        if plain { name.parse().ok().map(Self::Item) } else { None }
+        Self::item_number(name).map(Self::Item)
+    }
+
+    /// The number of such an item.
+    pub fn item_number(name: &str) -> Option<u32> {
+        let plain = name.as_bytes().first().is_some_and(|first| matches!(first, b'1'..=b'9'));
+        // the parser takes a sign in the first place only, and that is a digit
+        if plain { name.parse().ok() } else { None }
     }
 }
 

@@ -11,50 +11,92 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-/// The starts of all lines of a text. LF, CR LF and a lone CR end a line.
+/// The lines of a text. LF, CR LF and a lone CR end a line.
 #[derive(Clone, Debug)]
 pub struct LineIndex {
-    starts: Vec<u32>,
+    /// How many lines end before each block of the text, and in all of it. To count in a block takes no longer than to search
+    /// a table of all lines, which would take time and memory to make.
+    ended: Vec<u32>,
 }
 
+/// Bytes of a block; fewer than a byte can count.
+const BLOCK: usize = 128;
+
 impl LineIndex {
-    /// Finds the line starts of `text`.
+    /// Counts the lines of `text`.
     pub fn new(text: &str) -> Self {
         let bytes = text.as_bytes();
-        let mut starts = vec![0];
-        for at in memchr::memchr2_iter(b'\n', b'\r', bytes) {
-            let crlf = bytes[at] == b'\r' && bytes.get(at + 1) == Some(&b'\n');
-            if !crlf {
-                starts.push(at as u32 + 1);
-            }
+        let mut ended = Vec::with_capacity(bytes.len() / BLOCK + 2);
+        let mut count = 0;
+        ended.push(count);
+        for start in (0..bytes.len()).step_by(BLOCK) {
+            count += line_ends(bytes, start, (start + BLOCK).min(bytes.len()));
+            ended.push(count);
         }
-        Self { starts }
+        Self { ended }
     }
 
-    /// The line, counted from 0, that holds the byte at `offset`.
-    pub fn line_of(&self, offset: u32) -> usize {
-        self.starts.partition_point(|&start| start <= offset).saturating_sub(1)
+    /// The line, counted from 0, that holds the byte at `offset`; an offset beyond the text counts as its end.
+    pub fn line_of(&self, text: &str, offset: u32) -> usize {
+        let offset = (offset as usize).min(text.len());
+        let block = offset / BLOCK;
+        let before = self.ended.get(block).copied().unwrap_or_default();
+        (before + line_ends(text.as_bytes(), block * BLOCK, offset)) as usize
     }
 
     /// Line and column of `offset`; an offset beyond the text counts as its end.
     pub fn line_column(&self, text: &str, offset: u32) -> LineColumn {
         let offset = (offset as usize).min(text.len());
-        let line = self.line_of(offset as u32);
-        let start = self.starts[line] as usize;
+        let line = self.line_of(text, offset as u32);
+        let start = self.line_start(text, line).min(offset);
         let column = text.as_bytes()[start..offset].iter().filter(|&&byte| !is_continuation(byte)).count();
         LineColumn { line: line as u32 + 1, column: column as u32 + 1 }
     }
 
     /// The span of a line, counted from 0, with its line end; empty at the end for a line that is not there.
     pub fn line_span(&self, text: &str, line: usize) -> Span {
-        let end = text.len() as u32;
-        let start = self.starts.get(line).copied().unwrap_or(end);
-        Span::new(start, self.starts.get(line + 1).copied().unwrap_or(end))
+        Span::new(self.line_start(text, line) as u32, self.line_start(text, line + 1) as u32)
     }
 
     /// Number of lines; a text that ends with a line end has an empty last line.
     pub fn line_count(&self) -> usize {
-        self.starts.len()
+        self.ended.last().map_or(0, |ended| *ended as usize) + 1
+    }
+
+    /// Where a line starts; the end of the text for one that is not there. Looks at one block, however long the line is.
+    fn line_start(&self, text: &str, line: usize) -> usize {
+        let bytes = text.as_bytes();
+        // the block in which the line before ends
+        let block = self.ended.partition_point(|ended| (*ended as usize) < line).saturating_sub(1);
+        let before = self.ended.get(block).map_or(0, |ended| *ended as usize);
+        let mut start = if line == 0 { 0 } else { (block * BLOCK).min(bytes.len()) };
+        for _ in before..line {
+            start = next_line(bytes, start);
+        }
+        start
+    }
+}
+
+/// How many lines end in `start..end`: at each LF, and at each CR that no LF follows.
+fn line_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
+    let here = bytes.get(start..end).unwrap_or_default();
+    let behind = bytes.get(start + 1..).unwrap_or_default();
+    let lf = here.iter().fold(0u8, |count, byte| count.wrapping_add(u8::from(*byte == b'\n')));
+    let cr = here.iter().fold(0u8, |count, byte| count.wrapping_add(u8::from(*byte == b'\r')));
+    if cr == 0 {
+        return u32::from(lf);
+    }
+    let followed = here.iter().zip(behind).filter(|pair| matches!(pair, (b'\r', b'\n'))).count() as u32;
+    u32::from(lf) + u32::from(cr) - followed
+}
+
+/// Where the next line starts behind `at`.
+fn next_line(bytes: &[u8], at: usize) -> usize {
+    let rest = bytes.get(at..).unwrap_or_default();
+    match memchr::memchr2(b'\n', b'\r', rest) {
+        None => bytes.len(),
+        Some(length) if rest[length..].starts_with(b"\r\n") => at + length + 2,
+        Some(length) => at + length + 1,
     }
 }
 
@@ -74,6 +116,28 @@ mod tests {
         assert_eq!(index.line_column(text, 3), LineColumn { line: 2, column: 1 });
         assert_eq!(index.line_column(text, 5), LineColumn { line: 3, column: 1 });
         assert_eq!(index.line_column(text, 7), LineColumn { line: 4, column: 1 });
+    }
+
+    #[test]
+    fn lines_are_found_in_every_block() {
+        for line_end in ["\n", "\r\n", "\r", "\n\r"] {
+            for length in [0, 1, 40, 126, 127, 128, 300] {
+                let line = format!("{}{line_end}", "x".repeat(length));
+                let text = format!("{}last", line.repeat(9));
+                let index = LineIndex::new(&text);
+                let (mut start, mut line) = (0, 0);
+                for (offset, _) in text.char_indices() {
+                    let ended = text[start..offset].ends_with('\n')
+                        || text[start..offset].ends_with('\r') && !text[offset..].starts_with('\n');
+                    (start, line) = if ended { (offset, line + 1) } else { (start, line) };
+                    assert_eq!(index.line_of(&text, offset as u32), line, "{text:?} at {offset}");
+                    assert_eq!(index.line_span(&text, line).start as usize, start, "{text:?}");
+                }
+                assert_eq!(index.line_count(), line + 1);
+                assert_eq!(index.line_span(&text, line).end as usize, text.len());
+                assert_eq!(index.line_span(&text, line + 1), Span::empty(text.len() as u32));
+            }
+        }
     }
 
     #[test]

@@ -34,6 +34,7 @@ impl Span {
     }
 
     /// The bytes of `text` in this span; empty where the span is not one of `text`.
+    #[inline]
     pub fn of(self, text: &str) -> &str {
         text.get(self.start as usize..self.end as usize).unwrap_or_default()
     }

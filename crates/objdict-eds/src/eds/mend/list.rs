@@ -12,11 +12,12 @@ impl Rewriter<'_> {
     /// Gives a list of objects these members.
     pub(super) fn list(&mut self, list: ObjectList, indexes: &[u16]) -> Option<()> {
         let part = Part::List(list);
-        let sections = self.locator.sections(self.document, &part);
-        let Some((first, others)) = sections.split_first() else {
+        let mut sections = self.locator.sections(self.document, &part);
+        let Some(first) = sections.next() else {
             return self.add(&part, &list_lines(indexes));
         };
-        for other in others {
+        let others: Vec<Section> = sections.collect();
+        for other in &others {
             // what else stands in it would be lost
             let is_plain = other.comments.is_empty() && self.has_only_items(other);
             is_plain.then(|| self.remove_section(other))??;
@@ -34,7 +35,7 @@ impl Rewriter<'_> {
 
     /// Lines whose index stays in its order are kept, with another number where they need one. What is no index is
     /// numbered and kept too.
-    fn rewrite_items(&mut self, section: &Section, part: &Part, indexes: &[u16]) -> Option<()> {
+    fn rewrite_items(&mut self, section: Section, part: &Part, indexes: &[u16]) -> Option<()> {
         let text = self.document.text();
         let counter = counter_of(part)?;
         let lines = self.edit(section)?.lines_mut();

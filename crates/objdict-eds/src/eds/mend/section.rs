@@ -99,7 +99,8 @@ impl SectionEdit {
         self.count();
         let text = document.text();
         let line_end = document.line_end();
-        let mut at = self.section.header?.line.end;
+        // in the last line that was there before
+        let mut last = self.section.header?.line.start;
         for line in &self.lines {
             let value = line.value.as_deref();
             match line.entry {
@@ -115,11 +116,12 @@ impl SectionEdit {
                         key_line(&line.key, value)?;
                         edits.replace(entry.value, value);
                     }
-                    at = document.line_at(entry.key.start)?.span.end;
+                    last = entry.key.start;
                 }
                 None if line.is_removed => {}
                 None => {
                     let new = key_line(&line.key, value.unwrap_or_default())?;
+                    let at = document.line_at(last)?.span.end;
                     edits.replace(Span::empty(at), format!("{line_end}{new}"));
                 }
             }

@@ -33,7 +33,7 @@ impl Reader<'_> {
         };
         let (name, at) = self.header_of(&pending.section);
         let mut items = Items::new(self.text, &pending.section, &mut self.findings);
-        let object = self.device.objects.get_mut(&index);
+        let object = self.objects.get_mut(index);
         let object_type = object.as_ref().map(|object| object.object_type());
         let data_type = object.as_ref().and_then(|object| object.main.data_type);
         let Some(compact) = object.and_then(|object| object.compact.as_mut()) else {

@@ -5,7 +5,7 @@ use std::hash::{BuildHasher, RandomState};
 
 use crate::diagnostic::Findings;
 use crate::eds::findings;
-use crate::eds::keys::Key;
+use crate::eds::keys::{Key, KeySet};
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Extra, Field, Misfits, Reason};
@@ -34,10 +34,7 @@ impl Item<'_> {
 
     /// The number of a numbered key such as the `3` of `3=0x1018`.
     pub(crate) fn number(&self) -> Option<u32> {
-        match Field::item(self.name) {
-            Some(Field::Item(number)) => Some(number),
-            _ => None,
-        }
+        Field::item_number(self.name)
     }
 }
 
@@ -75,10 +72,16 @@ impl<'a> Items<'a> {
 
     /// The key at a position.
     pub(crate) fn item(&self, position: usize) -> Item<'a> {
-        let entry = self.section.entries[position];
+        self.item_of(&self.section.entries[position])
+    }
+
+    #[inline]
+    fn item_of(&self, entry: &ini::Entry) -> Item<'a> {
         let name = entry.key.of(self.text);
+        // no field starts with a digit, and most keys of long lists do
+        let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
         Item {
-            key: Key::find(name),
+            key: if is_number { None } else { Key::find(name) },
             name,
             value: entry.value.of(self.text),
             name_at: entry.key,
@@ -89,16 +92,12 @@ impl<'a> Items<'a> {
     /// Calls `take` for each key. A key that stands twice is reported and taken once: the first one counts, as other
     /// readers have it.
     pub(crate) fn each(&mut self, mut take: impl FnMut(&mut Self, &Item<'a>)) {
-        let mut seen = 0u128;
+        let mut seen = KeySet::default();
         let mut others = Others::default();
-        for position in 0..self.len() {
-            let item = self.item(position);
+        for (position, entry) in self.section.entries.iter().enumerate() {
+            let item = self.item_of(entry);
             let is_new = match item.key {
-                Some(key) => {
-                    let is_new = seen & key.bit() == 0;
-                    seen |= key.bit();
-                    is_new
-                }
+                Some(key) => seen.insert(key),
                 None => others.is_new(item.name, || (0..position).map(|at| self.item(at).name)),
             };
             if is_new {
@@ -135,7 +134,9 @@ impl<'a> Items<'a> {
         let number = literal::integer(item.value, range.0, range.1, &mut quirks);
         match number {
             Ok(number) => {
-                findings::quirks(item, quirks, None, self.findings);
+                if !quirks.is_empty() {
+                    findings::quirks(item, quirks, None, self.findings);
+                }
                 T::try_from(number).ok()
             }
             Err(reason) => {
@@ -216,7 +217,7 @@ impl Default for Others {
 impl Others {
     /// Notes a name; `before` are all names before it, asked for at most once.
     fn is_new<'a, I: Iterator<Item = &'a str>>(&mut self, name: &str, before: impl FnOnce() -> I) -> bool {
-        if let (Self::Ascending(last), Some(Field::Item(number))) = (&mut *self, Field::item(name))
+        if let (Self::Ascending(last), Some(number)) = (&mut *self, Field::item_number(name))
             && number > *last
         {
             *last = number;

@@ -30,7 +30,7 @@ impl Reader<'_> {
         let mut extra = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         let links = index_list(&mut items, &Field::ObjectLinks, &mut extra);
-        self.object_mut(index).links = links;
+        self.objects.get_or_insert(index).links = links;
         self.keep(&section_name(&Part::Links(index)).unwrap_or_default(), extra);
     }
 }
@@ -40,7 +40,9 @@ pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Ext
     numbered(items, counter, extra, |items, item, extra| {
         let mut quirks = Quirks::default();
         let index = literal::integer(item.value, 1, u64::from(u16::MAX), &mut quirks);
-        findings::quirks(item, quirks, None, items.findings);
+        if !quirks.is_empty() {
+            findings::quirks(item, quirks, None, items.findings);
+        }
         let index = index.ok().and_then(|index| u16::try_from(index).ok());
         if index.is_none() {
             items.findings.push(findings::invalid_list_entry(item));

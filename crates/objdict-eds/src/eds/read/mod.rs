@@ -1,6 +1,7 @@
 //! EDS and DCF texts to the model. Reading never fails: what cannot be read is a finding or a misfit, and goes on.
 
 mod compact;
+mod dictionary;
 mod dynamic;
 mod info;
 mod items;
@@ -12,9 +13,10 @@ use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 
 use self::compact::PendingCompact;
+use self::dictionary::Dictionary;
 pub(crate) use self::items::{Item, Items};
 use super::findings::{self, Twin};
-use super::section::SectionName;
+use super::section::{SectionName, Spelling};
 use crate::diagnostic::Findings;
 use crate::ini::{self, Document};
 use crate::model::CARRIED_SECTION;
@@ -32,8 +34,10 @@ pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
 struct Reader<'a> {
     text: &'a str,
     device: Device,
+    /// The objects of the device.
+    objects: Dictionary,
     findings: Findings,
-    /// The parts that were met, objects and their entries excepted: those are in the device.
+    /// The parts that were met, objects and their entries excepted: those are in the dictionary.
     seen: HashSet<Part>,
     compact: Vec<PendingCompact>,
     /// The hashes of the names of sections that the model does not know, to find those that stand twice. There may be a
@@ -47,6 +51,7 @@ impl<'a> Reader<'a> {
         Self {
             text,
             device: Device::default(),
+            objects: Dictionary::new(),
             findings: Findings::new(),
             seen: HashSet::new(),
             compact: Vec::new(),
@@ -61,7 +66,9 @@ impl<'a> Reader<'a> {
         };
         let text = header.name.of(self.text);
         let name = SectionName::parse(text);
-        if let Some(finding) = findings::section_spelling(text, &name, header.name) {
+        if name.spelling != Spelling::Standard
+            && let Some(finding) = findings::section_spelling(text, &name, header.name)
+        {
             self.findings.push(finding);
         }
         match name.part {
@@ -155,6 +162,7 @@ impl<'a> Reader<'a> {
 
     fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
         self.apply_compact();
+        self.device.objects = self.objects.into_map();
         self.device.kind = match self.device.commissioning {
             Some(_) => DeviceKind::Node,
             None => kind,

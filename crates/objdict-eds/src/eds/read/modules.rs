@@ -53,7 +53,7 @@ impl Reader<'_> {
             }
             ModulePart::Fixed(index) => {
                 let read = read_object_section(&mut items, SectionKind::Object);
-                read.into_object(module.fixed.entry(index).or_default());
+                read.describe(module.fixed.entry(index).or_default());
             }
             ModulePart::FixedEntry(index, sub) => {
                 let read = read_object_section(&mut items, SectionKind::Entry);

@@ -32,8 +32,9 @@ impl Reader<'_> {
     pub(super) fn object(&mut self, index: u16, section: &ini::Section) {
         let read =
             read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Object);
-        match self.device.object(index).filter(|object| !object.orphan) {
-            None => read.into_object(self.device.objects.entry(index).or_default()),
+        match self.objects.get_mut(index) {
+            None => self.objects.insert(index, read.into_object()),
+            Some(object) if object.orphan => read.describe(object),
             Some(first) => {
                 let is_equal = read.says_the_same_as(first);
                 self.duplicate_object(section, Place::object(index), is_equal);
@@ -45,7 +46,7 @@ impl Reader<'_> {
     pub(super) fn entry(&mut self, index: u16, sub: u8, section: &ini::Section) {
         let read =
             read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Entry);
-        let object = self.object_mut(index);
+        let object = self.objects.get_or_insert(index);
         match object.subs.get(sub) {
             None => {
                 object.subs.insert(sub, read.entry);
@@ -57,11 +58,6 @@ impl Reader<'_> {
         }
     }
 
-    /// The object of an index, made as one without a section of its own where it is not there yet.
-    pub(super) fn object_mut(&mut self, index: u16) -> &mut Object {
-        self.device.objects.entry(index).or_insert_with(|| Object { orphan: true, ..Object::default() })
-    }
-
     fn duplicate_object(&mut self, section: &ini::Section, first: Place, is_equal: bool) {
         let (name, at) = self.header_of(section);
         let twin = if is_equal { Twin::Equal } else { Twin::Other };
@@ -70,8 +66,15 @@ impl Reader<'_> {
 }
 
 impl ObjectSection {
+    /// An object that nothing was said of before.
+    fn into_object(self) -> Object {
+        let mut object = Object::default();
+        self.describe(&mut object);
+        object
+    }
+
     /// Puts what an object's own section says into an object, which may have entries already.
-    pub(super) fn into_object(self, object: &mut Object) {
+    pub(super) fn describe(self, object: &mut Object) {
         object.orphan = false;
         object.main = self.entry;
         object.sub_number = self.sub_number;
@@ -208,16 +211,19 @@ fn extension_count(item: &Item<'_>, misfits: &mut Misfits) -> Option<ExtensionCo
 }
 
 fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
-    entry.default = read_value(values.default, entry, items);
-    entry.low_limit = read_value(values.low, entry, items);
-    entry.high_limit = read_value(values.high, entry, items);
-    if let Some(value) = read_value(values.configured, entry, items) {
+    let mut read = |item: &Option<Item<'_>>, entry: &mut Entry| match item {
+        Some(item) if !item.value.is_empty() => read_value(item, entry, items),
+        _ => None,
+    };
+    entry.default = read(&values.default, entry);
+    entry.low_limit = read(&values.low, entry);
+    entry.high_limit = read(&values.high, entry);
+    if let Some(value) = read(&values.configured, entry) {
         entry.configured_mut().value = Some(value);
     }
 }
 
-fn read_value(item: Option<Item<'_>>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
-    let item = item.filter(|item| !item.value.is_empty())?;
+fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
     let data_type = match (entry.data_type, entry.object_type) {
         (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
         (data_type, _) => data_type,
@@ -226,7 +232,9 @@ fn read_value(item: Option<Item<'_>>, entry: &mut Entry, items: &mut Items<'_>) 
     let value = literal::value(item.value, data_type, &mut quirks);
     match value {
         Ok(value) => {
-            findings::quirks(&item, quirks, Some(&value), items.findings);
+            if !quirks.is_empty() {
+                findings::quirks(item, quirks, Some(&value), items.findings);
+            }
             Some(value)
         }
         Err(reason) => {

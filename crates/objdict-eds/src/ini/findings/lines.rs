@@ -25,7 +25,8 @@ pub fn check(document: &Document, findings: &mut Findings) {
         blank: None,
         findings,
     };
-    for line in document.lines() {
+    let mut all = document.lines();
+    while let Some(line) = all.advance() {
         lines.check(&line);
     }
     lines.finish();
@@ -94,14 +95,35 @@ fn without(line: &Line, bytes: &[u8], is_bad: impl Fn(&u8) -> bool) -> Fix {
 struct LineCheck<'a> {
     text: &'a str,
     first_section: Option<Span>,
-    /// The first line end of the file; empty when another one was met and reported.
-    line_end: Option<&'a str>,
+    /// The first line end of the file.
+    line_end: Option<LineEnd>,
+    /// The first line that ends in another way.
     mixed: Option<Diagnostic>,
     /// Whether a line ends with CR alone.
     lone_cr: bool,
     comment: Option<(Span, u32)>,
     blank: Option<(Span, u32)>,
     findings: &'a mut Findings,
+}
+
+/// What ends a line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum LineEnd {
+    None,
+    Lf,
+    Cr,
+    CrLf,
+}
+
+impl LineEnd {
+    fn of(text: &str, line: &Line) -> Self {
+        match (line.next - line.span.end, text.as_bytes().get(line.span.end as usize)) {
+            (2, _) => Self::CrLf,
+            (_, Some(b'\n')) => Self::Lf,
+            (_, Some(_)) => Self::Cr,
+            (_, None) => Self::None,
+        }
+    }
 }
 
 fn count(counter: &mut Option<(Span, u32)>, span: Span) {
@@ -135,22 +157,27 @@ impl LineCheck<'_> {
         }
     }
 
+    #[inline]
     fn check_line_end(&mut self, line: &Line) {
-        let span = Span::new(line.span.end, line.next);
-        let line_end = span.of(self.text);
-        self.lone_cr |= line_end == "\r";
+        let line_end = LineEnd::of(self.text, line);
+        self.lone_cr |= line_end == LineEnd::Cr;
         let first = *self.line_end.get_or_insert(line_end);
-        if first.is_empty() || line_end.is_empty() || (line_end == first && line_end != "\r") {
-            return;
+        if line_end != first || line_end == LineEnd::Cr {
+            self.check_other_line_end(line, line_end);
         }
+    }
+
+    fn check_other_line_end(&mut self, line: &Line, line_end: LineEnd) {
         let message = match line_end {
-            "\r" => "the line ends with CR alone",
-            "\n" => "the line ends with LF, the lines before end with CR LF",
-            _ => "the line ends with CR LF, the lines before end with LF",
+            LineEnd::None => return,
+            LineEnd::Cr => "the line ends with CR alone",
+            LineEnd::Lf => "the line ends with LF, the lines before end with CR LF",
+            LineEnd::CrLf => "the line ends with CR LF, the lines before end with LF",
         };
-        let finding = Diagnostic::new(&MIXED_LINE_ENDS, span, message);
-        self.mixed = Some(finding.help("use CR LF or LF in the whole file"));
-        self.line_end = Some("");
+        if self.mixed.is_none() {
+            let finding = Diagnostic::new(&MIXED_LINE_ENDS, Span::new(line.span.end, line.next), message);
+            self.mixed = Some(finding.help("use CR LF or LF in the whole file"));
+        }
     }
 
     fn check_length(&mut self, line: &Line) {

@@ -2,7 +2,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
 use crate::model::{Device, Field, ObjectList, Part, Place};
-use crate::{ListFixes, rule};
+use crate::{IndexSet, ListFixes, rule};
 
 rule! {
     /// an object is listed twice
@@ -25,6 +25,11 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
+    let mut seen = IndexSet::new();
+    let mut listed = ObjectList::ALL.into_iter().flat_map(|list| device.lists.get(list));
+    if listed.all(|&index| seen.insert(index)) {
+        return;
+    }
     let mut fixes = ListFixes::new();
     let mut first: HashMap<u16, (ObjectList, u32)> = HashMap::new();
     for list in ObjectList::ALL {

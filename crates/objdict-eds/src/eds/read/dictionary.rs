@@ -1,0 +1,84 @@
+//! The objects of a description while it is read.
+
+use std::collections::BTreeMap;
+
+use crate::model::Object;
+
+/// The objects in the order of the file. Mostly a section is of the last object or of a new one, so it takes no search, and
+/// a tree that is made at the end of sorted objects is made faster and is smaller than one that grows.
+pub(super) struct Dictionary {
+    objects: Vec<(u16, Object)>,
+    /// Which indexes are there, a bit each.
+    known: Box<[u64; 1 << 10]>,
+    /// Where the objects are, once one was asked for that is not the last.
+    positions: Option<BTreeMap<u16, usize>>,
+}
+
+impl Dictionary {
+    /// No object.
+    pub(super) fn new() -> Self {
+        Self { objects: Vec::new(), known: Box::new([0; 1 << 10]), positions: None }
+    }
+
+    /// The object of an index.
+    pub(super) fn get_mut(&mut self, index: u16) -> Option<&mut Object> {
+        let at = self.position(index)?;
+        self.objects.get_mut(at).map(|(_, object)| object)
+    }
+
+    /// The object of an index; where it is not there yet, it is made as one without a section of its own.
+    pub(super) fn get_or_insert(&mut self, index: u16) -> &mut Object {
+        let at = self.position(index).unwrap_or_else(|| {
+            self.insert(index, Object { orphan: true, ..Object::default() });
+            self.objects.len() - 1
+        });
+        &mut self.objects[at].1
+    }
+
+    /// Puts an object that is not there yet.
+    pub(super) fn insert(&mut self, index: u16, object: Object) {
+        if let Some(positions) = &mut self.positions {
+            positions.insert(index, self.objects.len());
+        }
+        self.known[usize::from(index >> 6)] |= bit(index);
+        self.objects.push((index, object));
+    }
+
+    /// Every object by its index.
+    pub(super) fn into_map(self) -> BTreeMap<u16, Object> {
+        self.objects.into_iter().collect()
+    }
+
+    fn position(&mut self, index: u16) -> Option<usize> {
+        let objects = &self.objects;
+        match objects.last() {
+            Some((last, _)) if *last == index => Some(objects.len() - 1),
+            _ if self.known[usize::from(index >> 6)] & bit(index) == 0 => None,
+            _ => {
+                let all = || (0..).zip(objects).map(|(at, (index, _))| (*index, at)).collect();
+                self.positions.get_or_insert_with(all).get(&index).copied()
+            }
+        }
+    }
+}
+
+const fn bit(index: u16) -> u64 {
+    1 << (index & 63)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn objects_in_any_order_are_found_and_sorted() {
+        let mut dictionary = Dictionary::new();
+        let order = [0x2000, 0x1000, 0x2000, 0xFFFF, 0x1000, 0, 0x2000, 0];
+        for index in order {
+            dictionary.get_or_insert(index).links.push(index);
+        }
+        assert!(dictionary.get_mut(0x1001).is_none());
+        let times = dictionary.into_map().into_iter().map(|(index, object)| (index, object.links.len()));
+        assert_eq!(times.collect::<Vec<_>>(), [(0, 2), (0x1000, 2), (0x2000, 3), (0xFFFF, 1)]);
+    }
+}
