@@ -38,12 +38,30 @@ use crate::source::Encoding;
 /// Exit codes: 0 all is well, 1 something was found, 2 the tool could not do its work.
 #[derive(Debug, Parser)]
 #[command(name = "objdict", version, disable_help_subcommand = true)]
-pub(super) struct Args {
+pub(super) struct Args<C: Subcommand = Command> {
     #[command(subcommand)]
-    pub command: Command,
+    pub command: C,
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
     pub color: Color,
+}
+
+/// The command that is run most, alone.
+#[derive(Debug, Subcommand)]
+enum OnlyCheck {
+    Check(CheckArgs),
+}
+
+impl Args {
+    /// The arguments of the process.
+    pub(super) fn of_process() -> Result<Self, clap::Error> {
+        // to declare all commands takes longer than to check a small file
+        if std::env::args_os().nth(1).is_some_and(|name| name == "check") {
+            let Args { command: OnlyCheck::Check(check), color } = Args::try_parse()?;
+            return Ok(Self { command: Command::Check(check), color });
+        }
+        Self::try_parse()
+    }
 }
 
 #[derive(Debug, Subcommand)]

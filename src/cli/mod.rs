@@ -37,15 +37,13 @@ use std::fmt;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::Parser;
-
 use self::args::{Args, Command};
 use self::output::Output;
 use crate::diagnostic::visible;
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
-    let args = match Args::try_parse() {
+    let args = match Args::of_process() {
         Ok(args) => args,
         Err(error) => {
             // nobody is left to read it when this fails

@@ -10,7 +10,7 @@ use super::{Failure, Outcome};
 
 /// The completions of a shell.
 pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let mut command = Args::command();
+    let mut command = <Args>::command();
     let name = command.get_name().to_owned();
     // the generator panics when it cannot write, and a vector always takes it
     let mut text = Vec::new();
@@ -21,7 +21,7 @@ pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Ou
 
 /// The manual pages.
 pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
-    let mut command = Args::command();
+    let mut command = <Args>::command();
     command.build();
     let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
     for page in std::iter::once(&command).chain(commands) {

@@ -37,14 +37,12 @@ const fn group_of(name: &[u8]) -> usize {
     }
 }
 
-/// Whether two names are the same but for the case of their letters. Most are spelled alike and have 8 to 16 bytes, which
-/// are two numbers that may overlap.
+/// Whether two names are spelled alike and have 8 to 16 bytes: two numbers that may overlap.
 #[inline]
 fn is_same(name: &[u8], text: &[u8]) -> bool {
     let ends = |name: &[u8]| Some((*name.first_chunk::<8>()?, *name.last_chunk::<8>()?));
     let is_short = name.len() == text.len() && name.len() <= 16;
-    (is_short && ends(name).is_some_and(|ends_of_name| ends(text) == Some(ends_of_name)))
-        || name.eq_ignore_ascii_case(text)
+    is_short && ends(name).is_some_and(|ends_of_name| ends(text) == Some(ends_of_name))
 }
 
 /// A field with a fixed name: its number in [`Field::NAMED`], small enough for a bit set.
@@ -55,9 +53,17 @@ impl Key {
     /// The key of a text, whatever the case of its letters; `None` for one that the standard does not have.
     #[inline]
     pub(crate) fn find(text: &str) -> Option<Self> {
-        let mut number = GROUPS.first[group_of(text.as_bytes())];
+        let number = GROUPS.first[group_of(text.as_bytes())];
+        match Field::NAMED.get(usize::from(number)) {
+            Some((name, _)) if is_same(name.as_bytes(), text.as_bytes()) => Some(Self(number)),
+            _ => Self::search(text, number),
+        }
+    }
+
+    /// The key of a text among those of a group, from the one with this number on.
+    fn search(text: &str, mut number: u8) -> Option<Self> {
         while let Some((name, _)) = Field::NAMED.get(usize::from(number)) {
-            if is_same(name.as_bytes(), text.as_bytes()) {
+            if name.eq_ignore_ascii_case(text) {
                 return Some(Self(number));
             }
             number = GROUPS.next[usize::from(number)];

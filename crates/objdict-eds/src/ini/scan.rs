@@ -165,6 +165,9 @@ fn plain_entry(bytes: &[u8], start: usize, equals: usize, end: usize) -> Option<
 }
 
 fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> LineKind {
+    if start == end {
+        return LineKind::Blank;
+    }
     let (start, end) = trim(bytes, start, end);
     match (&bytes[start..end], equals) {
         ([], _) => LineKind::Blank,

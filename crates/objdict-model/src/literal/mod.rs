@@ -5,7 +5,7 @@ mod print;
 mod respell;
 mod spelling;
 
-pub use parse::{Quirk, Quirks, integer, strip_comment, value};
+pub use parse::{Quirk, Quirks, integer, plain_value, small_number, strip_comment, value};
 pub use print::{RealSpelling, Spelling, print};
 pub use respell::{respell, trailing_comment};
 pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};

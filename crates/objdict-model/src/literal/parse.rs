@@ -76,7 +76,7 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
 #[inline]
 pub fn integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
     match small_number(text.as_bytes()) {
-        Some((number, _)) if low <= i64::from(number) && u64::from(number) <= high => Ok(number.into()),
+        Some(number) if low <= i64::from(number) && u64::from(number) <= high => Ok(number.into()),
         _ => any_integer(text, low, high, quirks),
     }
 }
@@ -109,24 +109,32 @@ struct Number {
     hex: bool,
 }
 
-/// A number of a few digits in decimal, without leading zero, or hex, and whether it is hex: what nearly all numbers are, by
-/// the shortest way.
+/// A number of a few digits in decimal, without leading zero, or hex: what nearly all numbers are, by the shortest way.
+/// [`integer`] reads the same and more.
 #[inline]
-fn small_number(text: &[u8]) -> Option<(u32, bool)> {
+pub fn small_number(text: &[u8]) -> Option<u32> {
     match text {
-        [digit @ b'0'..=b'9'] => Some((u32::from(digit - b'0'), false)),
+        [digit @ b'0'..=b'9'] => Some(u32::from(digit - b'0')),
         [b'0', b'x' | b'X', hex @ ..] if matches!(hex.len(), 1..=8) => {
             let digit = |byte: u8| (byte as char).to_digit(16);
-            hex.iter()
-                .try_fold(0, |number, byte| Some(number << 4 | digit(*byte)?))
-                .map(|number| (number, true))
+            hex.iter().try_fold(0, |number, byte| Some(number << 4 | digit(*byte)?))
         }
         [b'1'..=b'9', ..] if text.len() < 10 => {
             let digit = |byte: u8| byte.is_ascii_digit().then(|| u32::from(byte - b'0'));
-            text.iter()
-                .try_fold(0, |number, byte| Some(number * 10 + digit(*byte)?))
-                .map(|number| (number, false))
+            text.iter().try_fold(0, |number, byte| Some(number * 10 + digit(*byte)?))
         }
+        _ => None,
+    }
+}
+
+/// The value of `text` as an integer of the given type, where it is a [small number](small_number) that is in its range
+/// however it is spelled. [`value`] reads the same and more.
+#[inline]
+pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
+    let number = u64::from(small_number(text.as_bytes())?);
+    match data_type?.kind() {
+        TypeKind::Unsigned(bits) if number >> bits.min(63) == 0 => Some(Value::Unsigned(number)),
+        TypeKind::Signed(bits) if number >> (bits - 1) == 0 => Some(Value::Signed(number as i64)),
         _ => None,
     }
 }
@@ -197,15 +205,6 @@ fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<Number, Reason>
 }
 
 fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result<Value, Reason> {
-    match (small_number(text.as_bytes()), data_type.kind()) {
-        (Some((number, _)), TypeKind::Unsigned(bits)) if u64::from(number) >> bits.min(63) == 0 => {
-            return Ok(Value::Unsigned(number.into()));
-        }
-        (Some((number, _)), TypeKind::Signed(bits)) if u64::from(number) >> (bits - 1) == 0 => {
-            return Ok(Value::Signed(number.into()));
-        }
-        _ => {}
-    }
     if text.contains('$') {
         return formula(strip_comment(text, quirks), quirks).map(Value::NodeId);
     }

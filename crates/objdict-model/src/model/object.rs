@@ -69,6 +69,15 @@ impl Subs {
         }
     }
 
+    /// The entry of a sub-index, for writing, which is made where it is not there.
+    pub fn get_or_insert(&mut self, sub: u8) -> &mut Entry {
+        let at = self.position(sub).unwrap_or_else(|at| {
+            self.0.insert(at, (sub, Entry::default()));
+            at
+        });
+        &mut self.0[at].1
+    }
+
     /// Takes an entry away.
     pub fn remove(&mut self, sub: u8) -> Option<Entry> {
         self.position(sub).ok().map(|at| self.0.remove(at).1)

@@ -28,20 +28,8 @@ impl Dictionary {
 
     /// The object of an index; where it is not there yet, it is made as one without a section of its own.
     pub(super) fn get_or_insert(&mut self, index: u16) -> &mut Object {
-        let at = self.position(index).unwrap_or_else(|| {
-            self.insert(index, Object { orphan: true, ..Object::default() });
-            self.objects.len() - 1
-        });
+        let at = self.position(index).unwrap_or_else(|| self.insert(index));
         &mut self.objects[at].1
-    }
-
-    /// Puts an object that is not there yet.
-    pub(super) fn insert(&mut self, index: u16, object: Object) {
-        if let Some(positions) = &mut self.positions {
-            positions.insert(index, self.objects.len());
-        }
-        self.known[usize::from(index >> 6)] |= bit(index);
-        self.objects.push((index, object));
     }
 
     /// Every object by its index.
@@ -59,6 +47,16 @@ impl Dictionary {
                 self.positions.get_or_insert_with(all).get(&index).copied()
             }
         }
+    }
+
+    fn insert(&mut self, index: u16) -> usize {
+        let at = self.objects.len();
+        if let Some(positions) = &mut self.positions {
+            positions.insert(index, at);
+        }
+        self.known[usize::from(index >> 6)] |= bit(index);
+        self.objects.push((index, Object { orphan: true, ..Object::default() }));
+        at
     }
 }
 

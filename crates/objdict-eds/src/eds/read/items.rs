@@ -121,7 +121,20 @@ impl<'a> Items<'a> {
     }
 
     /// A whole number within `low..=high`; a text that is none becomes a misfit.
-    pub(crate) fn integer<T: TryFrom<i128>>(
+    #[inline]
+    pub(crate) fn integer<T: TryFrom<u32> + TryFrom<i128>>(
+        &mut self,
+        item: &Item<'a>,
+        (low, high): (i64, u64),
+        misfits: &mut Misfits,
+    ) -> Option<T> {
+        match literal::small_number(item.value.as_bytes()) {
+            Some(number) if low <= i64::from(number) && u64::from(number) <= high => T::try_from(number).ok(),
+            _ => self.any_integer(item, (low, high), misfits),
+        }
+    }
+
+    fn any_integer<T: TryFrom<i128>>(
         &mut self,
         item: &Item<'a>,
         range: (i64, u64),

@@ -2,11 +2,11 @@
 
 use super::info::comment_lines;
 use super::lists::{index_list, numbered};
-use super::objects::{SectionKind, read_object_section};
+use super::objects::{SectionKind, read_object, read_object_section};
 use super::{Items, Reader};
 use crate::ini;
 use crate::literal::{self, Quirks};
-use crate::model::{Extra, Field, Module, ModulePart, Modules, Object, Reason};
+use crate::model::{Entry, Extension, Extra, Field, Module, ModulePart, Modules, Object, Reason};
 
 const U8: (i64, u64) = (0, u8::MAX as u64);
 const U16: (i64, u64) = (0, u16::MAX as u64);
@@ -52,17 +52,19 @@ impl Reader<'_> {
                 module.extension_list = index_list(&mut items, &Field::NrOfEntries, &mut extra);
             }
             ModulePart::Fixed(index) => {
-                let read = read_object_section(&mut items, SectionKind::Object);
-                read.describe(module.fixed.entry(index).or_default());
+                read_object(&mut items, module.fixed.entry(index).or_default());
             }
             ModulePart::FixedEntry(index, sub) => {
-                let read = read_object_section(&mut items, SectionKind::Entry);
+                let mut entry = Entry::default();
+                read_object_section(&mut items, SectionKind::Entry, &mut entry);
                 let orphan = || Object { orphan: true, ..Object::default() };
-                module.fixed.entry(index).or_insert_with(orphan).subs.insert(sub, read.entry);
+                module.fixed.entry(index).or_insert_with(orphan).subs.insert(sub, entry);
             }
             ModulePart::SubExt(index) => {
-                let read = read_object_section(&mut items, SectionKind::Extension);
-                module.extensions.insert(index, read.into_extension());
+                let mut entry = Entry::default();
+                let read = read_object_section(&mut items, SectionKind::Extension, &mut entry);
+                let extension = Extension { entry, count: read.count, obj_extend: read.obj_extend };
+                module.extensions.insert(index, extension);
             }
         }
         for (key, value) in extra.iter() {

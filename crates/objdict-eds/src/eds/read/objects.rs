@@ -5,18 +5,17 @@ use crate::eds::findings::{self, Twin};
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Field, Misfits, ObjFlags,
-    Object, ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
+    Access, Compact, Configured, DataType, Entry, ExtensionCount, Field, Misfits, ObjFlags, Object,
+    ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
 };
 
-/// An object section as it is read: the entry, and the keys that only an object's own section or a module's has.
+/// What an object's own section or a module's says besides the entry.
 #[derive(Default)]
-pub(super) struct ObjectSection {
-    pub entry: Entry,
+pub(super) struct ObjectKeys {
     sub_number: Option<u8>,
     compact_count: Option<u8>,
-    count: Option<ExtensionCount>,
-    obj_extend: Option<u8>,
+    pub count: Option<ExtensionCount>,
+    pub obj_extend: Option<u8>,
 }
 
 /// Which keys a section may have besides those of every entry.
@@ -30,32 +29,32 @@ pub(super) enum SectionKind {
 impl Reader<'_> {
     /// `[1018]`.
     pub(super) fn object(&mut self, index: u16, section: &ini::Section) {
-        let read =
-            read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Object);
-        match self.objects.get_mut(index) {
-            None => self.objects.insert(index, read.into_object()),
-            Some(object) if object.orphan => read.describe(object),
-            Some(first) => {
-                let is_equal = read.says_the_same_as(first);
-                self.duplicate_object(section, Place::object(index), is_equal);
-            }
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let object = self.objects.get_or_insert(index);
+        if object.orphan {
+            return read_object(&mut items, object);
         }
+        let mut other = Object::default();
+        read_object(&mut items, &mut other);
+        let (compact, first) = (other.compact.as_deref(), object.compact.as_deref());
+        let is_equal = other.main == object.main
+            && other.sub_number == object.sub_number
+            && compact.map(|compact| compact.count) == first.map(|compact| compact.count);
+        self.duplicate_object(section, Place::object(index), is_equal);
     }
 
     /// `[1018sub1]`.
     pub(super) fn entry(&mut self, index: u16, sub: u8, section: &ini::Section) {
-        let read =
-            read_object_section(&mut Items::new(self.text, section, &mut self.findings), SectionKind::Entry);
-        let object = self.objects.get_or_insert(index);
-        match object.subs.get(sub) {
-            None => {
-                object.subs.insert(sub, read.entry);
-            }
-            Some(first) => {
-                let is_equal = *first == read.entry;
-                self.duplicate_object(section, Place::entry(index, sub), is_equal);
-            }
-        }
+        let mut items = Items::new(self.text, section, &mut self.findings);
+        let subs = &mut self.objects.get_or_insert(index).subs;
+        let Some(first) = subs.get(sub) else {
+            read_object_section(&mut items, SectionKind::Entry, subs.get_or_insert(sub));
+            return;
+        };
+        let mut other = Entry::default();
+        read_object_section(&mut items, SectionKind::Entry, &mut other);
+        let is_equal = *first == other;
+        self.duplicate_object(section, Place::entry(index, sub), is_equal);
     }
 
     fn duplicate_object(&mut self, section: &ini::Section, first: Place, is_equal: bool) {
@@ -65,31 +64,13 @@ impl Reader<'_> {
     }
 }
 
-impl ObjectSection {
-    /// An object that nothing was said of before.
-    fn into_object(self) -> Object {
-        let mut object = Object::default();
-        self.describe(&mut object);
-        object
-    }
-
-    /// Puts what an object's own section says into an object, which may have entries already.
-    pub(super) fn describe(self, object: &mut Object) {
-        object.orphan = false;
-        object.main = self.entry;
-        object.sub_number = self.sub_number;
-        object.compact = self.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
-    }
-
-    /// Whether an object has all that this section says, and no more.
-    fn says_the_same_as(&self, object: &Object) -> bool {
-        let compact = object.compact.as_ref().map(|compact| compact.count);
-        self.entry == object.main && self.sub_number == object.sub_number && self.compact_count == compact
-    }
-
-    pub(super) fn into_extension(self) -> Extension {
-        Extension { entry: self.entry, count: self.count, obj_extend: self.obj_extend }
-    }
+/// Reads an object's own section into the object, which may have entries already.
+pub(super) fn read_object(items: &mut Items<'_>, object: &mut Object) {
+    object.orphan = false;
+    object.main = Entry::default();
+    let read = read_object_section(items, SectionKind::Object, &mut object.main);
+    object.sub_number = read.sub_number;
+    object.compact = read.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
 }
 
 /// The values of a section, which can only be read when the data type is known.
@@ -101,36 +82,34 @@ struct Values<'a> {
     configured: Option<Item<'a>>,
 }
 
-pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind) -> ObjectSection {
-    let mut read = ObjectSection::default();
+/// Reads a section into an entry that nothing was said of before.
+pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entry: &mut Entry) -> ObjectKeys {
+    let mut read = ObjectKeys::default();
     let mut values = Values::default();
-    items.each(|items, item| {
-        let entry = &mut read.entry;
-        match item.field() {
-            Some(Field::DefaultValue) => values.default = Some(*item),
-            Some(Field::LowLimit) => values.low = Some(*item),
-            Some(Field::HighLimit) => values.high = Some(*item),
-            Some(Field::ParameterValue) => values.configured = Some(*item),
-            Some(Field::ParameterName) => entry.name = items.text(item).into(),
-            Some(Field::SubNumber) if kind == SectionKind::Object => {
-                read.sub_number = items.integer(item, (0, 255), &mut entry.misfits);
-            }
-            Some(Field::CompactSubObj) if kind == SectionKind::Object => {
-                read.compact_count = compact_count(items, item, &mut entry.misfits);
-            }
-            Some(Field::Count) if kind == SectionKind::Extension => {
-                read.count = extension_count(item, &mut entry.misfits);
-            }
-            Some(Field::ObjExtend) if kind == SectionKind::Extension => {
-                read.obj_extend = items.integer(item, (0, 255), &mut entry.misfits);
-            }
-            Some(field) => entry_item(entry, field, items, item),
-            None => items.unknown(item, &mut entry.extra),
+    items.each(|items, item| match item.field() {
+        Some(Field::DefaultValue) => values.default = Some(*item),
+        Some(Field::LowLimit) => values.low = Some(*item),
+        Some(Field::HighLimit) => values.high = Some(*item),
+        Some(Field::ParameterValue) => values.configured = Some(*item),
+        Some(Field::ParameterName) => entry.name = items.text(item).into(),
+        Some(Field::SubNumber) if kind == SectionKind::Object => {
+            read.sub_number = items.integer(item, (0, 255), &mut entry.misfits);
         }
+        Some(Field::CompactSubObj) if kind == SectionKind::Object => {
+            read.compact_count = compact_count(items, item, &mut entry.misfits);
+        }
+        Some(Field::Count) if kind == SectionKind::Extension => {
+            read.count = extension_count(item, &mut entry.misfits);
+        }
+        Some(Field::ObjExtend) if kind == SectionKind::Extension => {
+            read.obj_extend = items.integer(item, (0, 255), &mut entry.misfits);
+        }
+        Some(field) => entry_item(entry, field, items, item),
+        None => items.unknown(item, &mut entry.extra),
     });
-    read_values(&mut read.entry, &values, items);
-    items.comments().for_each(|comment| stack_option(&mut read.entry, comment));
-    drop_empty(&mut read.entry);
+    read_values(entry, &values, items);
+    items.comments().for_each(|comment| stack_option(entry, comment));
+    drop_empty(entry);
     read
 }
 
@@ -228,6 +207,9 @@ fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Opti
         (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
         (data_type, _) => data_type,
     };
+    if let Some(value) = literal::plain_value(item.value, data_type) {
+        return Some(value);
+    }
     let mut quirks = Quirks::default();
     let value = literal::value(item.value, data_type, &mut quirks);
     match value {
