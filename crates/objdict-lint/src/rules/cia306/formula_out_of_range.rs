@@ -26,10 +26,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
     let Some(data_type) = entry.data_type else { return };
     let fields = [
-        (Field::DefaultValue, entry.default.as_ref()),
-        (Field::LowLimit, entry.low_limit.as_ref()),
-        (Field::HighLimit, entry.high_limit.as_ref()),
-        (Field::ParameterValue, entry.configured_value()),
+        (&Field::DefaultValue, entry.default.as_ref()),
+        (&Field::LowLimit, entry.low_limit.as_ref()),
+        (&Field::HighLimit, entry.high_limit.as_ref()),
+        (&Field::ParameterValue, entry.configured_value()),
     ];
     for (field, value) in fields {
         if let Some(value @ Value::NodeId(_)) = value {
@@ -41,7 +41,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 fn check_formula(
     at: &EntryAt<'_>,
     data_type: DataType,
-    field: Field,
+    field: &Field,
     value: &Value,
     findings: &mut Findings,
 ) {
@@ -50,6 +50,6 @@ fn check_formula(
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
     let message = format!("`{value}` is {result} on node {node_id}, but {data_type} ends at {highest}");
     let finding =
-        Diagnostic::new(&RULE.info, at.field(field), message).label(at.field(Field::DataType), "the type");
+        Diagnostic::new(&RULE.info, at.field(field.clone()), message).label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));
 }
