@@ -62,29 +62,25 @@ impl<'a> Excerpts<'a> {
     fn window(&self, start: usize, end: usize, before: usize, after: usize) -> Option<(usize, usize)> {
         let lines = self.source.lines();
         let (first, last) = (lines.line_of(&self.text, start as u32), lines.line_of(&self.text, end as u32));
-        let is_long = |line| {
-            let (start, end) = self.line(line);
-            end - start > MAX_LINE
-        };
-        if end - start > MAX_LINE && (first..=last).any(is_long) {
+        let is_long = |(start, end): &(usize, usize)| end - start > MAX_LINE;
+        if end - start > MAX_LINE && (first..=last).any(|line| is_long(&self.line(line))) {
             return None;
         }
-        let mut from = self.line(first).0;
-        if is_long(first) {
+        let first_line = self.line(first);
+        let mut from = first_line.0;
+        if is_long(&first_line) {
             from = self.floor(start.saturating_sub(MARGIN).max(from));
         } else {
-            for line in (first.saturating_sub(before)..first).rev().take_while(|&line| !is_long(line)) {
-                from = self.line(line).0;
-            }
+            let above = (first.saturating_sub(before)..first).rev().map(|line| self.line(line));
+            from = above.take_while(|line| !is_long(line)).last().map_or(from, |line| line.0);
         }
-        let mut to = self.line(last).1;
-        if is_long(last) {
+        let last_line = if last == first { first_line } else { self.line(last) };
+        let mut to = last_line.1;
+        if is_long(&last_line) {
             to = self.floor((end + MARGIN).min(to));
         } else {
-            let below = last + 1..(last + 1 + after).min(lines.line_count());
-            for line in below.take_while(|&line| !is_long(line)) {
-                to = self.line(line).1;
-            }
+            let below = (last + 1..(last + 1 + after).min(lines.line_count())).map(|line| self.line(line));
+            to = below.take_while(|line| !is_long(line)).last().map_or(to, |line| line.1);
         }
         Some((from, to))
     }

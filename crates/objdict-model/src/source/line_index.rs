@@ -19,8 +19,8 @@ pub struct LineIndex {
     ended: Vec<u32>,
 }
 
-/// Bytes of a block; fewer than a byte can count.
-const BLOCK: usize = 128;
+/// Bytes of a block, so few that it has hardly more than two or three lines; fewer than a byte can count.
+const BLOCK: usize = 64;
 
 impl LineIndex {
     /// Counts the lines of `text`.
