@@ -258,7 +258,7 @@ mod tests {
     use super::*;
 
     fn bytes(hex: &str) -> Vec<u8> {
-        crate::model::hex_text::parse(&hex.replace(' ', "")).unwrap().into()
+        crate::model::hex::parse(&hex.replace(' ', "")).unwrap().into()
     }
 
     #[test]
