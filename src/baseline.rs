@@ -95,7 +95,7 @@ impl Baseline {
         let known = findings.iter().zip(prints).map(|(finding, fingerprint)| Known {
             rule: finding.rule.id.to_owned(),
             fingerprint,
-            message: finding.message.clone(),
+            message: finding.message.to_string(),
         });
         self.files.entry(file.to_owned()).or_default().extend(known);
     }

@@ -85,8 +85,8 @@ fn candidates(mended: &Mended, safety: Applicability) -> Vec<Candidate> {
         let Some(fix) = finding.fix.as_ref().filter(|fix| fix.safety <= safety) else { continue };
         let repair = Repair {
             rule: finding.rule.id,
-            message: finding.message.clone(),
-            title: fix.title.clone().into_owned(),
+            message: finding.message.to_string(),
+            title: fix.title.to_string(),
         };
         if refused.contains(&repair) {
             continue;

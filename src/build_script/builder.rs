@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::cargo::Cargo;
 use super::{Built, Error};
-use crate::diagnostic::{Severity, counted};
+use crate::diagnostic::{Severity, Text, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
 use crate::generate::{CTable, ChoiceError, Derive, Names, OptionField, StorageGroup, Target};
@@ -199,7 +199,9 @@ impl Builder {
     ) -> io::Result<()> {
         let file = self.request.file.display();
         let of_file = judged.findings.iter().filter(|finding| finding.severity >= Severity::Warning);
-        let of_file = of_file.map(|finding| with_advice(judged.line(finding), finding.help.as_deref()));
+        let of_file = of_file.map(|finding| {
+            with_advice(judged.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
+        });
         cargo.warn(self.max_warnings, judged.of_config.iter().cloned().chain(of_file), |count| {
             let warnings = counted(count, "more warning", "more warnings");
             format!("{file}: {warnings}; `objdict check` tells them")

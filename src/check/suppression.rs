@@ -1,7 +1,7 @@
 //! What a description says not to report of itself.
 
 use super::comments::{Directive, directives};
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing, say};
 use crate::format::{Description, Format, Syntax};
 use crate::lint::Options;
 use crate::registry;
@@ -54,9 +54,9 @@ impl Suppression {
         let verb = directive.verb.of(text);
         if !verb.eq_ignore_ascii_case("allow") {
             let message = if verb.is_empty() {
-                "the comment does not say what objdict shall do".to_owned()
+                "the comment does not say what objdict shall do".into()
             } else {
-                format!("`{verb}` is nothing that objdict can do")
+                say!("`{}` is nothing that objdict can do", verb)
             };
             let finding = Diagnostic::new(&INVALID_SUPPRESSION, directive.text, message);
             about.push(finding.help("write `objdict: allow` and the ids of rules"));
@@ -99,9 +99,10 @@ impl Suppression {
             Some(_) => "in what follows",
         };
         if unused.len() == self.directive.rules.len() {
-            let message = format!(
-                "there is nothing of {} {place} to allow",
-                listing(unused.iter().map(|one| one.rules))
+            let message = say!(
+                "there is nothing of {} {} to allow",
+                listing(unused.iter().map(|one| one.rules)),
+                place
             );
             let finding = Diagnostic::new(&UNUSED_SUPPRESSION, self.directive.text, message);
             let fix = Fix::safe("remove the comment").replace(self.directive.removed, "");
@@ -110,9 +111,9 @@ impl Suppression {
         }
         for allowed in unused {
             let rules = allowed.rules;
-            let message = format!("there is nothing of `{rules}` {place} to allow");
+            let message = say!("there is nothing of `{}` {} to allow", rules, place);
             let finding = Diagnostic::new(&UNUSED_SUPPRESSION, allowed.span, message);
-            let fix = Fix::safe(format!("remove `{rules}` from the comment"))
+            let fix = Fix::safe(say!("remove `{}` from the comment", rules))
                 .replace(self.with_gap(allowed.span), "");
             about.push(finding.help("remove it from the comment").fix(fix));
         }

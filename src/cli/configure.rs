@@ -134,7 +134,7 @@ fn file_name(args: &ConfigureArgs, kind: &str) -> String {
 fn worse(before: &Device, after: &Device) -> Vec<Diagnostic> {
     let options = Options { node_id: after.node_id(), ..Options::default() };
     let old = lint::check(before, &options);
-    let key = |finding: &Diagnostic| (finding.rule.id, finding.message.clone());
+    let key = |finding: &Diagnostic| (finding.rule.id, finding.message.to_string());
     let old: std::collections::BTreeSet<_> = old.iter().map(key).collect();
     let found = lint::check(after, &options);
     let is_new = |finding: &&Diagnostic| finding.severity == Severity::Error && !old.contains(&key(finding));
@@ -157,7 +157,7 @@ fn refuse_findings(findings: &[Diagnostic]) -> Outcome {
     for finding in findings {
         let failure = Failure::new(format_args!("{}: {}", finding.rule.id, finding.message));
         match &finding.help {
-            Some(help) => failure.help(help.clone().into_owned()).print(),
+            Some(help) => failure.help(help.to_string()).print(),
             None => failure.print(),
         }
     }

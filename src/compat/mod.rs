@@ -6,7 +6,7 @@
 
 mod reactions;
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, Tool};
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use crate::format::Description;
 use crate::lint::PORTABILITY;
 
@@ -96,11 +96,11 @@ fn with_reactions(
     });
     let text = text.collect::<Vec<_>>().join("; ");
     if finding.rule.group() == PORTABILITY {
-        finding.message = format!("{}; {text}", finding.message);
+        finding.message = say!("{}; {}", finding.message, Text::from(text));
         finding.severity = severity;
     } else {
         finding.help = Some(match finding.help {
-            Some(help) => format!("{help}; {text}").into(),
+            Some(help) => say!("{}; {}", help, Text::from(text)),
             None => text.into(),
         });
         finding.severity = finding.severity.max(severity);

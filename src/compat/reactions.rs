@@ -5,7 +5,7 @@ use super::{Effect, Reaction, When};
 use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, PythonCanopen};
 use crate::diagnostic::{At, Diagnostic, Tool};
 use crate::format::Description;
-use crate::model::{Part, Place};
+use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::Encoding;
 use objdict_model::canopennode::{Cause, unmet};
 
@@ -51,7 +51,7 @@ pub static REACTIONS: &[Reaction] = &[
         .when("of an entry that the stack reads", is_read_by_stack),
     row("cia301/mapped-object-missing", DCF_TOOLS, Refused, "the file is refused"),
     row("cia301/missing-mandatory-object", DCF_TOOLS, Refused, "the file is refused")
-        .when("1000h or 1018h", |_, finding| !finding.message.contains("1001h")),
+        .when("1000h or 1018h", |_, finding| !helps(finding, |part| *part == Part::Object(0x1001))),
     row("cia301/pdo-without-mapping", DCF_TOOLS, Refused, "the file is refused"),
     row("cia301/wrong-data-type", CANOPENNODE, Wrong, Cause::Entry.effect())
         .when("of an entry that the stack reads", is_read_by_stack),
@@ -113,7 +113,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
         "`DataType` or `AccessType`, not of a module",
         |description, finding| {
-            ["DataType", "AccessType"].iter().any(|key| finding.message.contains(key))
+            [Field::DataType, Field::AccessType].iter().any(|field| finding.message.names(field))
                 && !section_of(description, finding).starts_with(['M', 'm'])
         },
     ),
@@ -123,11 +123,14 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/missing-name", EDITOR, Dropped, "the object is skipped")
         .when("no `ParameterName`", is_at_header),
     row("cia306/missing-section", DCF_TOOLS, Refused, "the file is refused")
-        .when("a list of objects", |_, finding| finding.message.contains("Objects")),
+        .when("a list of objects", |_, finding| {
+            finding.message.names_part(|part| matches!(part, Part::List(_)))
+        }),
     row("cia306/missing-section", EDITOR, Refused, "the file is refused").when(
         "[FileInfo], [DeviceInfo] or [MandatoryObjects]",
         |_, finding| {
-            ["FileInfo", "DeviceInfo", "MandatoryObjects"].iter().any(|name| finding.message.contains(name))
+            let grave = [Part::FileInfo, Part::DeviceInfo, Part::List(ObjectList::Mandatory)];
+            finding.message.names_part(|part| grave.contains(part))
         },
     ),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
@@ -143,7 +146,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
-        .when("with `0x` or blanks", |_, finding| finding.message.contains("not the name")),
+        .when("with `0x` or blanks", |_, finding| finding.fix.is_some() && is_decorated(finding)),
     row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is refused"),
     row(
         "cia306/stray-compact-section",
@@ -178,7 +181,8 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused").when(
         "`AccessType`, `SubNumber` or `CompactSubObj`",
         |_, finding| {
-            ["AccessType", "SubNumber", "CompactSubObj"].iter().any(|key| finding.message.contains(key))
+            let keys = [Field::AccessType, Field::SubNumber, Field::CompactSubObj];
+            keys.iter().any(|field| finding.message.names(field))
         },
     ),
     row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused")
@@ -189,7 +193,7 @@ pub static REACTIONS: &[Reaction] = &[
         }),
     row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is refused")
         .when("not a mandatory object", |_, finding| {
-            !finding.message.contains("belongs into `[MandatoryObjects]`")
+            !helps(finding, |part| *part == Part::List(ObjectList::Mandatory))
         }),
     row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
@@ -349,6 +353,17 @@ fn is_indented(line: &str) -> bool {
 
 fn has_tab(line: &str) -> bool {
     line.split_once('=').is_some_and(|(key, _)| key.ends_with('\t'))
+}
+
+/// Whether the help for a finding names a part.
+fn helps(finding: &Diagnostic, is_meant: fn(&Part) -> bool) -> bool {
+    finding.help.as_ref().is_some_and(|help| help.names_part(is_meant))
+}
+
+/// Whether the name of a section has a `0x` or blanks in it.
+fn is_decorated(finding: &Diagnostic) -> bool {
+    let name = finding.message.quoted().unwrap_or_default();
+    name.contains(char::is_whitespace) || name.to_ascii_lowercase().contains("0x")
 }
 
 fn has_hex_mark(value: &str) -> bool {

@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::path::PathPattern;
 use super::{Settings, WantedProfile};
-use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Tool, listing, nearest};
+use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Text, Tool, listing, nearest, say};
 use crate::lint::Level;
 use crate::registry;
 use crate::registry::own::{INVALID_TOML, UNKNOWN_SETTING, invalid_setting, unknown_rule};
@@ -45,7 +45,7 @@ pub(super) fn start_of(finding: &Diagnostic) -> u32 {
 /// What keeps the text from being TOML.
 fn damage(text: &str, error: &toml::de::Error) -> Diagnostic {
     let span = error.span().map_or(Span::empty(0), |range| span_of(&range));
-    let message = error.message().lines().next().unwrap_or("this is no TOML");
+    let message = error.message().lines().next().unwrap_or("this is no TOML").to_owned();
     let finding = Diagnostic::new(&INVALID_TOML, span, message);
     let before = text.get(..span.start as usize).unwrap_or(text);
     let line = before.rsplit(['\n', '\r']).next().unwrap_or_default();
@@ -94,11 +94,11 @@ impl Reader<'_> {
                 let finding = Diagnostic::new(
                     &UNKNOWN_SETTING,
                     span_of(&key.span()),
-                    format!("there is no setting `{unknown}`"),
+                    say!("there is no setting `{}`", unknown),
                 );
                 self.findings.push(match nearest(unknown, SETTINGS) {
-                    Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-                    None => finding.help(format!("the settings are {}", listing(SETTINGS))),
+                    Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+                    None => finding.help(say!("the settings are {}", listing(SETTINGS))),
                 });
             }
         }
@@ -109,13 +109,13 @@ impl Reader<'_> {
         let number = number.and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok());
         match number.filter(|number| (1..=127).contains(number)) {
             Some(number) => self.settings.node_id = Some(number),
-            None => self.invalid(value, "`node-id` is a number from 1 to 127".to_owned()),
+            None => self.invalid(value, "`node-id` is a number from 1 to 127"),
         }
     }
 
     fn rules(&mut self, value: &Value<'_>) {
         let Some(table) = value.get_ref().as_table() else {
-            return self.invalid(value, "`rules` is a table of rules and their severities".to_owned());
+            return self.invalid(value, "`rules` is a table of rules and their severities");
         };
         for (key, value) in table {
             let name = key.get_ref();
@@ -129,7 +129,7 @@ impl Reader<'_> {
 
     fn ignored(&mut self, value: &Value<'_>) {
         let Some(table) = value.get_ref().as_table() else {
-            return self.invalid(value, "`ignore` is a table of paths and lists of rules".to_owned());
+            return self.invalid(value, "`ignore` is a table of paths and lists of rules");
         };
         for (key, value) in table {
             let pattern = self.pattern(key.get_ref(), span_of(&key.span()));
@@ -148,7 +148,7 @@ impl Reader<'_> {
         match PathPattern::new(text) {
             Ok(pattern) => Some(pattern),
             Err(error) => {
-                let message = format!("`{text}` is no pattern of paths: {}", error.msg);
+                let message = say!("`{}` is no pattern of paths: {}", text, Text::from(error.msg));
                 self.findings.push(invalid_setting(span, message));
                 None
             }
@@ -158,14 +158,14 @@ impl Reader<'_> {
     /// The texts of a list, each with where it stands.
     fn texts<'a>(&mut self, name: &str, value: &'a Value<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
-            self.invalid(value, format!("`{name}` is a list of texts"));
+            self.invalid(value, say!("`{}` is a list of texts", name));
             return Vec::new();
         };
         let mut texts = Vec::new();
         for item in list {
             match item.get_ref().as_str() {
                 Some(text) => texts.push((text, span_of(&item.span()))),
-                None => self.invalid(item, format!("`{name}` is a list of texts")),
+                None => self.invalid(item, say!("`{}` is a list of texts", name)),
             }
         }
         texts
@@ -181,7 +181,7 @@ impl Reader<'_> {
     ) -> Option<T> {
         let words: Vec<&str> = all.iter().map(word).collect();
         let Some(text) = value.get_ref().as_str() else {
-            self.invalid(value, format!("`{name}` is one of {}, in quotes", listing(&words)));
+            self.invalid(value, say!("`{}` is one of {}, in quotes", name, listing(&words)));
             return None;
         };
         let found = all.iter().copied().find(|item| word(item) == text);
@@ -192,14 +192,14 @@ impl Reader<'_> {
     }
 
     fn unknown_word(&mut self, span: Span, word: &str, what: &str, words: &[&str]) {
-        let finding = invalid_setting(span, format!("there is no {what} `{word}`"));
+        let finding = invalid_setting(span, say!("there is no {} `{}`", what, word));
         self.findings.push(match nearest(word, words.iter().copied()) {
-            Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-            None => finding.help(format!("write one of {}", listing(words))),
+            Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+            None => finding.help(say!("write one of {}", listing(words))),
         });
     }
 
-    fn invalid(&mut self, value: &Value<'_>, message: String) {
+    fn invalid(&mut self, value: &Value<'_>, message: impl Into<Text>) {
         self.findings.push(invalid_setting(span_of(&value.span()), message));
     }
 }

@@ -7,7 +7,7 @@
 use serde_json::Value;
 
 use crate::compare::{DatumChange, apply};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
 use crate::model::{
     CARRIED_SECTION, Characteristic, CharacteristicsList, Device, DeviceFunction, Entry, Extra, ExtraSection,
     Labels, Part, Place, Property,
@@ -65,7 +65,7 @@ pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
     }
     let refused = apply(device, changes);
     for change in &refused {
-        let message = format!("the carried `{}` is of a part that was changed since", change.path);
+        let message = say!("the carried `{}` is of a part that was changed since", change.path);
         let finding =
             Diagnostic::new(&STALE_CARRIED_DATA, Place::of(Part::Section(CARRIED_SECTION.into())), message);
         findings.push(finding.help("remove the item, or convert the file again"));

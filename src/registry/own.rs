@@ -2,7 +2,7 @@
 //! for the names of rules are what they are about.
 
 use super::nearest_selection;
-use crate::diagnostic::{Diagnostic, RuleInfo, text_rule};
+use crate::diagnostic::{Diagnostic, RuleInfo, Text, say, text_rule};
 use crate::source::Span;
 
 /// Every rule of this module.
@@ -136,15 +136,15 @@ text_rule! {
 }
 
 /// A setting with a value that it cannot have.
-pub(crate) fn invalid_setting(span: Span, message: impl Into<String>) -> Diagnostic {
+pub(crate) fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
     Diagnostic::new(&INVALID_SETTING, span, message)
 }
 
 /// A name that is no rule and no group.
 pub(crate) fn unknown_rule(span: Span, name: &str) -> Diagnostic {
-    let finding = Diagnostic::new(&UNKNOWN_RULE, span, format!("there is no rule or group `{name}`"));
+    let finding = Diagnostic::new(&UNKNOWN_RULE, span, say!("there is no rule or group `{}`", name));
     match nearest_selection(name) {
-        Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+        Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
         None => finding.help("`objdict rules` lists all rules"),
     }
 }

@@ -42,7 +42,7 @@ impl<W: Write> Report for Concise<W> {
         for finding in findings {
             let start = Location::start_of(subject, finding);
             let (rule, severity) = (finding.rule.id, finding.severity);
-            let message = one_line(&finding.message);
+            let message = one_line(&finding.message.shown());
             writeln!(self.out, "{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)?;
         }
         for (rule, count) in findings.omitted() {

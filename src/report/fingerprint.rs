@@ -112,7 +112,7 @@ fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fing
             At::Place(place) => at_place(subject, place, &mut hash),
             At::Span(span) => at_line(subject, sections, *span, &mut hash),
         }
-        hash.field(label.text.as_bytes());
+        hash.field(label.text.shown().as_bytes());
     }
     Fingerprint(hash.0)
 }
@@ -189,7 +189,7 @@ mod tests {
         let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
         let findings = crate::check(&description);
         let prints = fingerprints(&description, &findings);
-        findings.iter().zip(prints).map(|(f, print)| (f.rule.id, f.message.clone(), print)).collect()
+        findings.iter().zip(prints).map(|(f, print)| (f.rule.id, f.message.to_string(), print)).collect()
     }
 
     #[test]

@@ -44,10 +44,10 @@ impl<W: Write> Github<W> {
                 write!(self.out, ",col={},endColumn={}", start.column, end.column)?;
             }
         }
-        let mut text = one_line(&finding.message);
+        let mut text = one_line(&finding.message.shown());
         if let Some(help) = &finding.help {
             text.push_str("\nhelp: ");
-            text.push_str(&one_line(help));
+            text.push_str(&one_line(&help.shown()));
         }
         writeln!(self.out, ",title={}::{}", property(finding.rule.id), data(&text))
     }

@@ -79,7 +79,7 @@ fn issue<'a>(
     let at = finding.labels.first().map(|label| Location::new(subject, label));
     let (begin, end) = at.map_or((1, 1), |at| (at.start.line, at.end.line));
     Issue {
-        description: one_line(&finding.message),
+        description: one_line(&finding.message.shown()),
         check_name: finding.rule.id,
         fingerprint: fingerprint.in_file(path),
         severity: match finding.severity {

@@ -1,11 +1,12 @@
 //! One JSON document for all files; `docs/json.md` describes it.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use serde::Serialize;
 
 use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprints};
-use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
+use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text};
 use crate::source::Span;
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
@@ -29,9 +30,9 @@ struct Finding<'a> {
     severity: Severity,
     #[serde(flatten)]
     at: Position<'a>,
-    message: &'a str,
+    message: Cow<'a, str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    help: Option<&'a str>,
+    help: Option<Cow<'a, str>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
     fingerprint: Fingerprint,
@@ -41,7 +42,7 @@ struct Finding<'a> {
 
 #[derive(Serialize)]
 struct Fix<'a> {
-    title: &'a str,
+    title: Cow<'a, str>,
     safety: Applicability,
     #[serde(skip_serializing_if = "Option::is_none")]
     encoding: Option<String>,
@@ -61,7 +62,7 @@ struct Edit {
 struct Related<'a> {
     #[serde(flatten)]
     at: Position<'a>,
-    message: &'a str,
+    message: Cow<'a, str>,
 }
 
 #[derive(Serialize)]
@@ -73,7 +74,7 @@ struct Position<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     place: Option<String>,
     #[serde(skip)]
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -186,15 +187,16 @@ fn record<'a>(
         place: location.place.map(ToString::to_string),
         text: location.text,
     });
-    let start = Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: "" };
+    let start =
+        Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: Cow::Borrowed("") };
     Finding {
         file,
         rule: finding.rule.id,
         severity: finding.severity,
         at: positions.next().unwrap_or(start),
-        message: &finding.message,
-        help: finding.help.as_deref(),
-        related: positions.map(|at| Related { message: at.text, at }).collect(),
+        message: finding.message.shown(),
+        help: finding.help.as_ref().map(Text::shown),
+        related: positions.map(|at| Related { message: at.text.clone(), at }).collect(),
         fingerprint,
         fix: fix(subject, finding),
     }
@@ -214,7 +216,7 @@ fn fix<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<Fix<'a>> {
         Edit { line: start.line, column: start.column, end_line: end.line, end_column: end.column, text }
     };
     let edits = edits.unwrap_or_default().into_iter().map(edit).collect();
-    Some(Fix { title: &fix.title, safety: fix.safety, encoding, edits })
+    Some(Fix { title: fix.title.shown(), safety: fix.safety, encoding, edits })
 }
 
 #[cfg(test)]

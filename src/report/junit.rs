@@ -66,12 +66,12 @@ impl<W: Write> Junit<W> {
             name.push_str(&format!(" ({count})"));
         }
         self.xml.open("testcase", &[("name", &name), ("classname", file)]);
-        let message = one_line(&finding.message);
+        let message = one_line(&finding.message.shown());
         let severity = finding.severity.to_string();
         let mut text = format!("{file}:{position}: {severity}: {message}");
         if let Some(help) = &finding.help {
             text.push_str("\nhelp: ");
-            text.push_str(&one_line(help));
+            text.push_str(&one_line(&help.shown()));
         }
         if finding.severity >= self.deny {
             self.xml.text_element("failure", &[("type", &severity), ("message", &message)], &text);

@@ -22,6 +22,7 @@ mod subject;
 mod text;
 mod utf16;
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io;
 
@@ -98,7 +99,7 @@ pub struct Location<'a> {
     /// The address in the model; `None` where only the text shows the finding.
     pub place: Option<&'a Place>,
     /// The remark; empty where the message says all.
-    pub text: &'a str,
+    pub text: Cow<'a, str>,
 }
 
 impl<'a> Location<'a> {
@@ -115,7 +116,7 @@ impl<'a> Location<'a> {
             start: source.line_column(span.start),
             end: source.line_column(span.end),
             place,
-            text: &label.text,
+            text: label.text.shown(),
         }
     }
 

@@ -13,10 +13,11 @@ pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<St
     let name = one_line(subject.source().name());
     for finding in findings {
         let start = Location::start_of(subject, finding);
-        let (rule, severity, message) = (finding.rule.id, finding.severity, one_line(&finding.message));
+        let (rule, severity, message) =
+            (finding.rule.id, finding.severity, one_line(&finding.message.shown()));
         text.push_str(&format!("{name}:{}:{}: {severity} {rule}: {message}\n", start.line, start.column));
         if let Some(help) = &finding.help {
-            text.push_str(&format!("  help: {}\n", one_line(help)));
+            text.push_str(&format!("  help: {}\n", one_line(&help.shown())));
         }
     }
     for (rule, count) in findings.omitted() {

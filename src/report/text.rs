@@ -139,6 +139,7 @@ pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<St
 struct Rendered<'a> {
     finding: &'a Diagnostic,
     message: String,
+    help: Option<String>,
     excerpts: &'a Excerpts<'a>,
     labels: Vec<LabeledSpan>,
 }
@@ -154,13 +155,14 @@ impl<'a> Rendered<'a> {
                 _ => LabeledSpan::new_with_span(text, span),
             });
         }
-        Self { finding, message: shown(&finding.message), excerpts, labels }
+        let help = finding.help.as_ref().map(|help| shown(&help.shown()));
+        Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels }
     }
 
     /// Whether no text of it is broken into lines.
     fn is_short(&self) -> bool {
         let is_short = |text: &str| text.len() < SHORT && text.trim() == text && !text.contains('\n');
-        is_short(&self.message) && self.finding.help.as_deref().is_none_or(is_short)
+        is_short(&self.message) && self.help.as_deref().is_none_or(is_short)
     }
 }
 
@@ -195,7 +197,7 @@ impl miette::Diagnostic for Rendered<'_> {
     }
 
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.finding.help.as_deref().map(|help| Box::new(shown(help)) as Box<dyn fmt::Display>)
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
@@ -224,7 +226,7 @@ mod tests {
     fn render(text: &str, spans: &[(u32, u32)], message: &str) -> String {
         let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
         let mut spans = spans.iter().map(|&(start, end)| Span::new(start.min(end), start.max(end)));
-        let mut finding = Diagnostic::new(&TEST, spans.next().unwrap_or_default(), message);
+        let mut finding = Diagnostic::new(&TEST, spans.next().unwrap_or_default(), message.to_owned());
         for span in spans {
             finding = finding.label(span, "related");
         }

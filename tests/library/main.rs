@@ -27,6 +27,7 @@ mod rules;
 mod structure;
 #[path = "../support/mod.rs"]
 mod support;
+mod texts;
 mod torture;
 mod verify;
 mod write;

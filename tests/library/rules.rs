@@ -38,7 +38,7 @@ fn name(path: &Path) -> &str {
 }
 
 /// The folders `fixtures/rules/<group>/<rule>` with the rule's id.
-fn rule_folders() -> Vec<(String, PathBuf)> {
+pub(crate) fn rule_folders() -> Vec<(String, PathBuf)> {
     let groups = sorted(&support::fixtures().join("rules"));
     let groups = groups.iter().filter(|path| path.is_dir());
     let folders = groups.flat_map(|group| {
@@ -50,20 +50,20 @@ fn rule_folders() -> Vec<(String, PathBuf)> {
 const ENDINGS: [&str; 5] = ["eds", "dcf", "xdd", "xdc", "toml"];
 
 /// The devices and configurations of a folder whose name starts with `prefix`.
-fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {
+pub(crate) fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {
     let is_device = |path: &PathBuf| {
         name(path).starts_with(prefix) && ENDINGS.contains(&path.extension().unwrap().to_str().unwrap())
     };
     sorted(folder).into_iter().filter(is_device).collect()
 }
 
-fn open(path: &Path) -> Description {
+pub(crate) fn open(path: &Path) -> Description {
     format::open(path, &SourceOptions::default())
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// What a fixture is checked with: the profile beside it, and the tools that its rule is about.
-fn options(path: &Path) -> Options {
+pub(crate) fn options(path: &Path) -> Options {
     let mut options = Options::default();
     if let Ok(text) = fs::read_to_string(path.with_file_name("profile.toml")) {
         options.profiles.push(Arc::new(Profile::from_toml(&text).unwrap()));

@@ -103,7 +103,7 @@ fn both_places_of_a_repetition_are_named() {
 #[test]
 fn the_right_access_type_is_suggested() {
     let findings = objdict::check(&open("23_bad_accesstype"));
-    let help = findings.iter().next().unwrap().help.as_ref().unwrap();
+    let help = findings.iter().next().unwrap().help.as_ref().unwrap().shown();
     assert!(help.contains("did you mean `rw`"), "{help}");
 }
 

@@ -412,7 +412,8 @@ fn a_place_for_the_node_is_made() {
     let written = read(&without, Format::Xdd).to_node("gate.xdc", &node).unwrap();
     let written = read(&String::from_utf8(written).unwrap(), Format::Xdc);
     assert_eq!(written.device().node_id(), Some(12));
-    let findings: Vec<_> = written.text_findings().iter().map(|finding| finding.message.clone()).collect();
+    let findings: Vec<_> =
+        written.text_findings().iter().map(|finding| finding.message.to_string()).collect();
     assert_eq!(findings, Vec::<String>::new());
 }
 

@@ -33,7 +33,7 @@ impl Finding {
         Self {
             severity: finding.severity,
             rule: finding.rule.id,
-            message: finding.message.clone(),
+            message: finding.message.to_string(),
             help: finding.help.as_ref().map(ToString::to_string),
             place,
             line,

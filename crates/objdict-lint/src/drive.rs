@@ -3,6 +3,7 @@
 
 use super::Facts;
 use super::demands::{Applied, is_there};
+use crate::diagnostic::{Text, say};
 use crate::model::{Device, Entry, Object, Place};
 use crate::profile;
 
@@ -49,8 +50,8 @@ impl<'a> Drive<'a> {
     }
 
     /// The object in messages: `6040h`.
-    pub(crate) fn name(self, index: u16) -> String {
-        format!("{:04X}h", self.index(index))
+    pub(crate) fn name(self, index: u16) -> Text {
+        say!("{:04X}h", self.index(index))
     }
 
     /// A described object.

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
+use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{
     CobId, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, predefined, restricted,
 };
@@ -281,16 +282,20 @@ impl CobIdUse {
     }
 }
 
-impl std::fmt::Display for Service {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Sayable for Service {
+    fn argument(&self) -> Argument {
         match self {
-            Self::Sync => f.write_str("SYNC"),
-            Self::Time => f.write_str("TIME"),
-            Self::Emcy => f.write_str("EMCY"),
-            Self::EmcyConsumer => f.write_str("EMCY consumer"),
-            Self::ServerRequest(number) | Self::ServerResponse(number) => write!(f, "SDO server {number}"),
-            Self::ClientRequest(number) | Self::ClientResponse(number) => write!(f, "SDO client {number}"),
-            Self::Pdo(kind, number) => write!(f, "{kind} {number}"),
+            Self::Sync => "SYNC".argument(),
+            Self::Time => "TIME".argument(),
+            Self::Emcy => "EMCY".argument(),
+            Self::EmcyConsumer => "EMCY consumer".argument(),
+            Self::ServerRequest(number) | Self::ServerResponse(number) => {
+                say!("SDO server {}", number).argument()
+            }
+            Self::ClientRequest(number) | Self::ClientResponse(number) => {
+                say!("SDO client {}", number).argument()
+            }
+            Self::Pdo(kind, number) => say!("{} {}", kind, number).argument(),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Texts that are no values of their field, but leave little doubt about which value is meant.
 
-use crate::diagnostic::Fix;
+use crate::diagnostic::{Fix, say};
 use crate::model::{Access, ClockTime, DataType, Date, Field, Misfit, ObjectType, Place, Reason};
 
 /// The fix of a misfit at `place`, where it is clear enough what is meant.
 pub(crate) fn respell(misfit: &Misfit, data_type: Option<DataType>, place: Place) -> Option<Fix> {
     let text = misfit.text.trim();
-    let safe = |value: String| (Fix::safe(format!("write `{value}`")), value);
-    let risky = |value: String| (Fix::risky(format!("write `{value}`")), value);
+    let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
+    let risky = |value: String| (Fix::risky(say!("write `{}`", value)), value);
     let (fix, value) = match (&misfit.field, &misfit.reason) {
         (Field::AccessType, _) => {
             let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();

@@ -1,7 +1,7 @@
 //! What a rule about the model is made of.
 
 use crate::demands::{Against, Applied, Expected};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
 use crate::{Facts, PdoFacts, stated};
 
@@ -104,14 +104,17 @@ impl EntryAt<'_> {
 const MAX_RELATED: usize = 8;
 
 /// A finding with the other places where the same is wrong; when they are many, with the first ones and a count.
-pub(crate) fn with_others(finding: Diagnostic, places: impl Iterator<Item = (Place, String)>) -> Diagnostic {
+pub(crate) fn with_others<T: Into<Text>>(
+    finding: Diagnostic,
+    places: impl Iterator<Item = (Place, T)>,
+) -> Diagnostic {
     let mut places = places.peekable();
     let mut finding = finding;
     for shown in 1.. {
         let Some((place, text)) = places.next() else { break };
         if shown == MAX_RELATED && places.peek().is_some() {
             let more = places.count();
-            return finding.label(place, format!("{text}, and {more} more"));
+            return finding.label(place, say!("{}, and {} more", text.into(), more));
         }
         finding = finding.label(place, text);
     }

@@ -1,8 +1,7 @@
 //! SRDOs: two objects read together (EN 50325-5, formerly CiA 304).
 
-use std::fmt;
-
 use crate::Facts;
+use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{CobId, Device, MappedObject, MappingSlot, Object};
 
 /// An SRDO: what its communication parameter and its mapping hold after the device was configured.
@@ -92,8 +91,8 @@ impl<'a> Srdo<'a> {
 }
 
 /// `SRDO 1`.
-impl fmt::Display for Srdo<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "SRDO {}", self.number)
+impl Sayable for Srdo<'_> {
+    fn argument(&self) -> Argument {
+        say!("SRDO {}", self.number).argument()
     }
 }

@@ -164,12 +164,13 @@ struct File<'a> {
 impl File<'_> {
     fn result(&mut self, finding: &Diagnostic, rule_index: usize, fingerprint: Fingerprint) -> Finding {
         let mut labels = finding.labels.iter();
-        let primary = labels.next().map(|label| self.location(None, &label.at, &label.text));
-        let related = labels.enumerate().map(|(id, label)| self.location(Some(id), &label.at, &label.text));
+        let primary = labels.next().map(|label| self.location(None, &label.at, &label.text.shown()));
+        let related =
+            labels.enumerate().map(|(id, label)| self.location(Some(id), &label.at, &label.text.shown()));
         let related: Vec<Location> = related.collect();
         let text = match &finding.help {
             Some(help) => format!("{}\nhelp: {help}", finding.message),
-            None => finding.message.clone(),
+            None => finding.message.to_string(),
         };
         Finding {
             rule_id: finding.rule.id,
@@ -222,7 +223,7 @@ impl File<'_> {
         };
         let replacements = description.edits(fix)?.into_iter().map(replacement).collect();
         Some(Fix {
-            description: message(&fix.title),
+            description: message(&fix.title.shown()),
             artifact_changes: [ArtifactChange { artifact_location: self.artifact.clone(), replacements }],
             properties: FixProperties { safety: fix.safety },
         })

@@ -163,9 +163,9 @@ fn claims(findings: &Findings, tool: Tool) -> bool {
                 .is_some_and(|(tools, _)| tools.split(", ").any(|named| named == tool.name()))
         })
     };
-    findings
-        .iter()
-        .any(|finding| says_so(&finding.message) || finding.help.as_ref().is_some_and(|help| says_so(help)))
+    findings.iter().any(|finding| {
+        says_so(&finding.message.shown()) || finding.help.as_ref().is_some_and(|help| says_so(&help.shown()))
+    })
 }
 
 /// The bad fixtures of the rules whose findings say what other tools do, with all findings.

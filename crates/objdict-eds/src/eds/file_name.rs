@@ -1,6 +1,6 @@
 //! The rule that needs the name under which a file was opened, which the model does not know.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, text_rule};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say, text_rule};
 use crate::model::{Device, Field, Part, Place};
 use objdict_model::Format;
 
@@ -32,8 +32,8 @@ pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::FileInfo).field(Field::FileName);
-    let message = format!("the file is called `{actual}`, not `{stated}`");
-    let title = format!("write `{}={actual}`", Field::FileName);
+    let message = say!("the file is called `{}`, not `{}`", actual, stated);
+    let title = say!("write `{}`", Argument::setting(Field::FileName, actual));
     let fix = Fix::safe(title.clone()).set(place.clone(), actual);
     findings.push(Diagnostic::new(&FILE_NAME, place, message).help(title).fix(fix));
 }
@@ -57,7 +57,7 @@ mod tests {
         let device = Device { file_info: Some(file_info), ..Device::default() };
         let mut findings = Findings::new();
         check(&device, opened_as, &mut findings);
-        findings.iter().map(|finding| finding.message.clone()).collect()
+        findings.iter().map(|finding| finding.message.to_string()).collect()
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Values of bits beside what a document says of them.
 
 use super::Expected;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series};
 use crate::model::DataType;
 use crate::profile::{BitField, device_type_index};
 use crate::stated;
@@ -16,13 +16,13 @@ pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings
     let bits: Vec<u32> = (0..64).filter(|bit| reserved >> bit & 1 == 1).collect();
     let (noun, verb, them) = if bits.len() == 1 { ("bit", "is", "it") } else { ("bits", "are", "them") };
     let document = at.document();
-    let message = format!("{noun} {} of {at} {verb} set, {document} reserves {them}", series(bits));
+    let message = say!("{} {} of {} {} set, {} reserves {}", noun, series(bits), at, verb, document, them);
     let place = at.place().field(at.value_field());
     let digits =
         at.entry.data_type.and_then(DataType::bit_length).map_or(0, |bits| usize::from(bits).div_ceil(4));
     let cleared = format!("0x{:0digits$X}", value & !reserved);
-    let finding = Diagnostic::new(rule, place.clone(), message).help(format!("write `{cleared}`"));
-    findings.push(finding.fix(Fix::risky(format!("write `{cleared}`")).set(place, cleared)));
+    let finding = Diagnostic::new(rule, place.clone(), message).help(say!("write `{}`", cleared));
+    findings.push(finding.fix(Fix::risky(say!("write `{}`", cleared)).set(place, cleared)));
 }
 
 /// A group of bits has a value that the document gives no meaning, though it lists meanings.
@@ -33,18 +33,20 @@ pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, 
             continue;
         }
         let bits = match (field.first, field.last) {
-            (first, last) if first == last => format!("bit {first}"),
-            (first, last) => format!("bits {first} to {last}"),
+            (first, last) if first == last => say!("bit {}", first),
+            (first, last) => say!("bits {} to {}", first, last),
         };
-        let message = format!(
-            "`{}` as {} ({bits} of {at}) means nothing in {}",
+        let message = say!(
+            "`{}` as {} ({} of {}) means nothing in {}",
             field.of(value),
             field.name,
+            bits,
+            at,
             at.document()
         );
-        let known = field.meanings().map(|(range, meaning)| format!("{} {meaning}", range.start()));
+        let known = field.meanings().map(|(range, meaning)| say!("{} {}", range.start(), meaning));
         let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
-        findings.push(finding.help(format!("the document knows {}", series(known))));
+        findings.push(finding.help(say!("the document knows {}", series(known))));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::objects::set;
 use super::{Against, Expected};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, joined, say, series};
 use crate::model::{Access, DataType, Field, TypeKind, Value};
 use crate::profile::Mapping;
 use crate::{stated, with_others};
@@ -17,12 +17,12 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
         _ => true,
     };
     let Some(data_type) = wrong.filter(exists) else { return };
-    let types: Vec<String> = at.facts.data_types.iter().map(ToString::to_string).collect();
+    let types = joined(at.facts.data_types, " or ");
     let document = at.document();
-    let message = format!("`{data_type}` as data type of {at}, {document} makes it {}", types.join(" or "));
+    let message = say!("`{}` as data type of {}, {} makes it {}", data_type, at, document, types);
     let finding = Diagnostic::new(rule, at.place().field(Field::DataType), message);
     let code = format!("0x{:04X}", at.facts.data_types.first().map_or(0, |data_type| data_type.0));
-    let finding = finding.help(format!("write `DataType={code}`"));
+    let finding = finding.help(say!("write `{}`", Argument::setting(Field::DataType, &code)));
     findings.push(finding.fix(set(at.place(), Field::DataType, code)));
 }
 
@@ -37,12 +37,12 @@ pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings:
             && facts.is_some_and(|facts| facts.accepts_access(*access))
     };
     let Some(access) = wrong.filter(|access| !for_sub_0(access)) else { return };
-    let allowed: Vec<String> = at.facts.access.iter().map(|access| format!("`{access}`")).collect();
+    let allowed = joined(at.facts.access.iter().map(|access| say!("`{}`", access)), " or ");
     let document = at.document();
-    let message = format!("`{access}` as access type of {at}, {document} makes it {}", allowed.join(" or "));
+    let message = say!("`{}` as access type of {}, {} makes it {}", access, at, document, allowed);
     let finding = Diagnostic::new(rule, at.place().field(Field::AccessType), message);
     let first = at.facts.access.first().map_or("ro", |access| access.name());
-    let finding = finding.help(format!("write `AccessType={first}`"));
+    let finding = finding.help(say!("write `{}`", Argument::setting(Field::AccessType, first)));
     findings.push(finding.fix(set(at.place(), Field::AccessType, first.to_owned())));
 }
 
@@ -59,13 +59,13 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
     let mut places = marked.map(|at| at.place().field(Field::PdoMapping)).peekable();
     let Some(first) = places.next() else { return };
     let others: Vec<_> = places.collect();
-    let message = format!("{at} is marked as mappable, {} lets no PDO carry it", at.applied.document());
-    let mut fix = crate::diagnostic::Fix::risky("write `PDOMapping=0`").set(first.clone(), "0");
+    let message = say!("{} is marked as mappable, {} lets no PDO carry it", at, at.applied.document());
+    let mut fix = crate::diagnostic::Fix::risky(say!("write `{PDOMapping=0}`")).set(first.clone(), "0");
     for place in &others {
         fix = fix.set(place.clone(), "0");
     }
-    let finding = Diagnostic::new(rule, first, message).help("write `PDOMapping=0`").fix(fix);
-    findings.push(with_others(finding, others.into_iter().map(|place| (place, "here too".to_owned()))));
+    let finding = Diagnostic::new(rule, first, message).help(say!("write `{PDOMapping=0}`")).fix(fix);
+    findings.push(with_others(finding, others.into_iter().map(|place| (place, "here too"))));
 }
 
 /// The value is one that the document does not allow. Sub-index 0 is the matter of a rule of its own.
@@ -78,10 +78,10 @@ pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: 
         return;
     };
     let ranges = at.facts.values.iter().map(|range| match (range.start(), range.end()) {
-        (low, high) if low == high => low.to_string(),
-        (low, high) => format!("{low} to {high}"),
+        (low, high) if low == high => say!("{}", low),
+        (low, high) => say!("{} to {}", low, high),
     });
-    let message = format!("`{number}` as value of {at}, {} allows {}", at.document(), series(ranges));
+    let message = say!("`{}` as value of {}, {} allows {}", number, at, at.document(), series(ranges));
     findings.push(Diagnostic::new(rule, at.place().field(at.value_field()), message));
 }
 
@@ -95,9 +95,9 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     }
     let Some(text) = text(expected) else { return };
     let found = super::entries::text(found).unwrap_or_default();
-    let message = format!("`{found}` as default of {at}, {} has `{text}`", at.document());
+    let message = say!("`{}` as default of {}, {} has `{}`", found, at, at.document(), text);
     let finding = Diagnostic::new(rule, at.place().field(Field::DefaultValue), message);
-    let finding = finding.help(format!("write `DefaultValue={text}`"));
+    let finding = finding.help(say!("write `{}`", Argument::setting(Field::DefaultValue, &text)));
     findings.push(finding.fix(set(at.place(), Field::DefaultValue, text)));
 }
 

@@ -1,7 +1,7 @@
 //! What PDOs carry beside what a document says of it.
 
 use super::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::PdoKind;
 use crate::profile::Mapping;
 use crate::{Facts, Target};
@@ -28,16 +28,18 @@ pub(crate) fn mapped_in_wrong_direction(
             if right == pdo.pdo.kind || !entry.is_mappable() || !entry.fits_pdo(pdo.pdo.kind) {
                 continue;
             }
-            let message = format!(
-                "{} carries {index:04X}h:{sub:02X} ({}), {} has it for {}s",
+            let message = say!(
+                "{} carries {:04X}h:{:02X} ({}), {} has it for {}s",
                 pdo.pdo,
+                index,
+                sub,
                 expected.name,
                 applied.document(),
                 right.name()
             );
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
             let finding = Diagnostic::new(rule, place, message);
-            findings.push(finding.help(format!("map it into one of the {}s", right.name())));
+            findings.push(finding.help(say!("map it into one of the {}s", right.name())));
         }
     }
 }

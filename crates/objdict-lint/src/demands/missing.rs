@@ -1,8 +1,8 @@
 //! What a document demands and the device does not have.
 
 use super::{Against, Applied};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
-use crate::model::{Device, ObjectType, Place};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
+use crate::model::{Device, ObjectType, Part, Place};
 use crate::profile::{Need, index_in};
 use crate::{Facts, stated};
 
@@ -22,10 +22,11 @@ pub(crate) fn missing_object(
         }
         let why = why(facts.need);
         let message =
-            format!("{index:04X}h ({}) is missing, {} demands it{why}", facts.name, applied.document());
+            say!("{:04X}h ({}) is missing, {} demands it{}", index, facts.name, applied.document(), why);
         let place = Place::object(crate::profile::device_type_index(device, applied.block));
         findings.push(
-            Diagnostic::new(rule, place, message).help(format!("describe the object: `[{index:04X}]`")),
+            Diagnostic::new(rule, place, message)
+                .help(say!("describe the object: `{}`", Part::Object(index))),
         );
     }
 }
@@ -36,10 +37,10 @@ pub(crate) fn is_there(device: &Device, index: u16) -> bool {
 }
 
 /// Why something is demanded, as the end of a message.
-fn why(need: Need<'_>) -> String {
+fn why(need: Need<'_>) -> Text {
     match need {
-        Need::When(condition) => format!(" when `{condition}`"),
-        Need::Mandatory | Need::Optional => String::new(),
+        Need::When(condition) => say!(" when `{}`", Text::from(condition.to_string())),
+        Need::Mandatory | Need::Optional => Text::default(),
     }
 }
 
@@ -54,9 +55,9 @@ pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings:
     for facts in missing.filter(|facts| facts.need.is_there(at.device, at.applied.block)) {
         let why = why(facts.need);
         let (sub, document) = (facts.first, at.applied.document());
-        let name = if facts.name.is_empty() { String::new() } else { format!(" ({})", facts.name) };
-        let message = format!("{at} has no sub-index {sub}{name}, {document} demands it{why}");
+        let name = if facts.name.is_empty() { Text::default() } else { say!(" ({})", facts.name) };
+        let message = say!("{} has no sub-index {}{}, {} demands it{}", at, sub, name, document, why);
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
-        findings.push(finding.help(format!("add `[{:X}sub{sub:X}]`", at.index)));
+        findings.push(finding.help(say!("add `{}`", Part::Entry(at.index, sub))));
     }
 }

@@ -11,6 +11,7 @@ mod objects;
 use std::sync::Arc;
 
 use super::{Options, stated};
+use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{Device, Entry, Field, Object, Place};
 use crate::profile::{self, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
 
@@ -132,9 +133,9 @@ impl<'a> Against<'a> {
 }
 
 /// `1017h (Producer heartbeat time)`.
-impl std::fmt::Display for Against<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:04X}h ({})", self.index, self.facts.name)
+impl Sayable for Against<'_> {
+    fn argument(&self) -> Argument {
+        say!("{:04X}h ({})", self.index, self.facts.name).argument()
     }
 }
 
@@ -164,11 +165,11 @@ impl Expected<'_> {
 }
 
 /// `1018h sub-index 1`.
-impl std::fmt::Display for Expected<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Sayable for Expected<'_> {
+    fn argument(&self) -> Argument {
         match self.sub {
-            Some(sub) => write!(f, "{:04X}h sub-index {sub}", self.against.index),
-            None => write!(f, "{:04X}h", self.against.index),
+            Some(sub) => say!("{:04X}h sub-index {}", self.against.index, sub).argument(),
+            None => say!("{:04X}h", self.against.index).argument(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Objects beside what a document says of them.
 
 use super::Against;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity, counted};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity, Text, counted, say};
 use crate::model::{DataType, Field, Object, ObjectType, Place};
 use crate::profile::index_in;
 
@@ -13,9 +13,12 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     if is_right || type_is_reported_elsewhere(at) {
         return;
     }
-    let message = format!("{at} is of object type {found}, {} makes it {expected}", at.applied.document());
+    let message = say!("{} is of object type {}, {} makes it {}", at, found, at.applied.document(), expected);
     let finding = Diagnostic::new(rule, Place::object(index).field(Field::ObjectType), message);
-    let finding = finding.help(format!("write `ObjectType=0x{:X}`", expected.code()));
+    let finding = finding.help(say!(
+        "write `{}`",
+        Argument::setting(Field::ObjectType, format_args!("0x{:X}", expected.code()))
+    ));
     let harmless = at.facts.object_types.contains(&found);
     findings.push(if harmless { finding.severity(Severity::Warning) } else { finding });
 }
@@ -40,18 +43,20 @@ pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, fin
     let highest = at.facts.highest_sub();
     let undefined = at.object.subs.iter().filter(|&(sub, _)| sub != 0xFF && at.facts.entry(sub).is_none());
     for (sub, _) in undefined {
-        let message = format!("{at} has no sub-index {sub}, only up to {highest}");
+        let message = say!("{} has no sub-index {}, only up to {}", at, sub, highest);
         let finding = Diagnostic::new(rule, Place::entry(at.index, sub), message);
         findings.push(finding.help("describe what is your own from 2000h on"));
     }
     if let Some(compact) = at.object.compact.as_ref().filter(|compact| compact.count > highest) {
-        let message = format!(
-            "`CompactSubObj` gives {at} {} sub-indexes, {} {highest}",
+        let message = say!(
+            "`{CompactSubObj}` gives {} {} sub-indexes, {} {}",
+            at,
             compact.count,
-            at.applied.document()
+            at.applied.document(),
+            highest
         );
         let place = Place::object(at.index).field(Field::CompactSubObj);
-        findings.push(Diagnostic::new(rule, place, message).help(format!("write at most {highest}")));
+        findings.push(Diagnostic::new(rule, place, message).help(say!("write at most {}", highest)));
     }
 }
 
@@ -68,9 +73,9 @@ pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, find
     let range = facts.values.first().map_or((0, 0), |range| (*range.start(), *range.end()));
     let message = match range {
         (low, high) if low == high => {
-            format!("`{value}` as highest sub-index of {at}, which has always {low}")
+            say!("`{}` as highest sub-index of {}, which has always {}", value, at, low)
         }
-        (low, high) => format!("`{value}` as highest sub-index of {at}, which takes {low} to {high}"),
+        (low, high) => say!("`{}` as highest sub-index of {}, which takes {} to {}", value, at, low, high),
     };
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
     findings.push(finding.help("describe the entries of the object, or leave the object out"));
@@ -91,7 +96,12 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
 pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let Some(only) = at.facts.only.filter(|_| !at.object.orphan) else { return };
     if only.holds(at.device, at.applied.block) == Some(false) {
-        let message = format!("{at} is for devices with `{only}` only, says {}", at.applied.document());
+        let message = say!(
+            "{} is for devices with `{}` only, says {}",
+            at,
+            Text::from(only.to_string()),
+            at.applied.document()
+        );
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
         findings.push(finding.help("leave the object out, or correct what the device says of itself"));
     }
@@ -112,11 +122,11 @@ pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>,
     let is_alike = others.iter().any(|&(_, number)| number.is_none_or(|number| number == own));
     let Some(&(index, Some(number))) = others.first().filter(|_| !is_alike) else { return };
     let message =
-        format!("{at} has {}, {index:04X}h has {number}", counted(own.into(), "element", "elements"));
+        say!("{} has {}, {:04X}h has {}", at, counted(own.into(), "element", "elements"), index, number);
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
     let finding =
         finding.label(at.device.value_place(index, 0), counted(number.into(), "element", "elements"));
-    findings.push(finding.help(format!("describe {}", counted(number.into(), "element", "elements"))));
+    findings.push(finding.help(say!("describe {}", counted(number.into(), "element", "elements"))));
 }
 
 /// The number of elements, when sub-index 0 and the description agree about it. That there are none is the matter of
@@ -129,5 +139,5 @@ fn count(object: &Object) -> Option<u8> {
 
 /// A fix that gives a field the value that the document demands. Somebody should look whether the device is so.
 pub(super) fn set(place: Place, field: Field, value: String) -> Fix {
-    Fix::risky(format!("write `{field}={value}`")).set(place.field(field), value)
+    Fix::risky(say!("write `{}`", Argument::setting(&field, &value))).set(place.field(field), value)
 }

@@ -1,8 +1,8 @@
 //! How a finding is mended: changes of the description, as data.
 
-use std::borrow::Cow;
 use std::fmt;
 
+use super::Text;
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
 
@@ -11,7 +11,7 @@ use crate::source::{Encoding, Span};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
     /// What is done, as a command: "remove the blanks before `=`".
-    pub title: Cow<'static, str>,
+    pub title: Text,
     /// Whether the meaning stays.
     pub safety: Applicability,
     /// The changes; all of them or none are made.
@@ -82,12 +82,12 @@ pub const MAX_FIX_LINES: usize = 50_000;
 
 impl Fix {
     /// A fix without changes yet that keeps the meaning.
-    pub fn safe(title: impl Into<Cow<'static, str>>) -> Self {
+    pub fn safe(title: impl Into<Text>) -> Self {
         Self { title: title.into(), safety: Applicability::Safe, changes: Vec::new() }
     }
 
     /// A fix without changes yet that somebody should look at.
-    pub fn risky(title: impl Into<Cow<'static, str>>) -> Self {
+    pub fn risky(title: impl Into<Text>) -> Self {
         Self { safety: Applicability::Unsafe, ..Self::safe(title) }
     }
 

@@ -7,23 +7,26 @@ mod findings;
 mod fix;
 mod rule;
 mod selection;
+mod term;
+mod text;
 mod tool;
 mod words;
 
-use std::borrow::Cow;
 use std::fmt;
 
 use crate::model::Place;
 pub use crate::source::Span;
 
-pub use crate::{fix_of, text_rule};
+pub use crate::{fix_of, say, text_rule};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, Tidy};
 pub use rule::{HEADINGS, RuleInfo};
 pub use selection::Selection;
+pub use term::{Term, Vocabulary, WORDS, assert_template};
+pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;
-pub use words::{counted, listing, nearest, one_line, series, sub_index, visible};
+pub use words::{counted, nearest, one_line, sub_index, visible};
 
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -82,7 +85,7 @@ pub struct SourceLabel {
     /// Where.
     pub at: At,
     /// The remark; empty where the message says all.
-    pub text: Cow<'static, str>,
+    pub text: Text,
 }
 
 /// One finding.
@@ -93,23 +96,23 @@ pub struct Diagnostic {
     /// How grave it is; the rule's own severity unless the configuration says otherwise.
     pub severity: Severity,
     /// What is wrong: lower case, offending text in backticks, no full stop.
-    pub message: String,
+    pub message: Text,
     /// Where; the first label is the place of the finding, further ones are related places.
     pub labels: Vec<SourceLabel>,
     /// What to do.
-    pub help: Option<Cow<'static, str>>,
+    pub help: Option<Text>,
     /// How the program does it, where it can.
     pub fix: Option<Fix>,
 }
 
 impl Diagnostic {
     /// A finding of `rule` at a place or span.
-    pub fn new(rule: &'static RuleInfo, at: impl Into<At>, message: impl Into<String>) -> Self {
+    pub fn new(rule: &'static RuleInfo, at: impl Into<At>, message: impl Into<Text>) -> Self {
         Self {
             rule,
             severity: rule.severity,
             message: message.into(),
-            labels: vec![SourceLabel { at: at.into(), text: Cow::Borrowed("") }],
+            labels: vec![SourceLabel { at: at.into(), text: "".into() }],
             help: None,
             fix: None,
         }
@@ -124,17 +127,32 @@ impl Diagnostic {
 
     /// With a related place.
     #[must_use]
-    pub fn label(mut self, at: impl Into<At>, text: impl Into<Cow<'static, str>>) -> Self {
+    pub fn label(mut self, at: impl Into<At>, text: impl Into<Text>) -> Self {
         self.labels.push(SourceLabel { at: at.into(), text: text.into() });
         self
     }
 
     /// With advice.
     #[must_use]
-    pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
+    pub fn help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());
         self
     }
+
+    /// In the words of another syntax.
+    #[must_use]
+    pub fn in_words(mut self, words: Vocabulary) -> Self {
+        self.message = self.message.in_words(words);
+        self.help = self.help.map(|help| help.in_words(words));
+        for label in &mut self.labels {
+            label.text = std::mem::take(&mut label.text).in_words(words);
+        }
+        if let Some(fix) = &mut self.fix {
+            fix.title = std::mem::take(&mut fix.title).in_words(words);
+        }
+        self
+    }
+
     /// With a fix.
     #[must_use]
     pub fn fix(mut self, fix: Fix) -> Self {

@@ -1,27 +1,5 @@
 //! Words that messages are made of.
 
-use std::fmt::Display;
-
-/// "`a`, `b` and `c`": all items in backticks.
-pub fn listing<T: Display>(items: impl IntoIterator<Item = T>) -> String {
-    series(items.into_iter().map(|item| format!("`{item}`")))
-}
-
-/// "a, b and c".
-pub fn series<T: Display>(items: impl IntoIterator<Item = T>) -> String {
-    let mut text = String::new();
-    let mut items = items.into_iter().peekable();
-    while let Some(item) = items.next() {
-        let separator = match (text.is_empty(), items.peek().is_some()) {
-            (true, _) => "",
-            (false, true) => ", ",
-            (false, false) => " and ",
-        };
-        text.push_str(&format!("{separator}{item}"));
-    }
-    text
-}
-
 /// "1 entry", "2 entries".
 pub fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
@@ -95,10 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn items_are_listed_as_people_write_them() {
-        assert_eq!(listing(["a"]), "`a`");
-        assert_eq!(listing(["a", "b"]), "`a` and `b`");
-        assert_eq!(series(["a", "b", "c"]), "a, b and c");
+    fn things_are_counted_as_people_write_them() {
         assert_eq!(counted(1, "entry", "entries"), "1 entry");
     }
 }

@@ -1,7 +1,7 @@
 //! The rules about how a value is spelled: which one each quirk breaks, and what to write instead.
 
 use super::{Quirk, Quirks, respell, trailing_comment};
-use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, RuleInfo, text_rule};
+use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, RuleInfo, say, text_rule};
 use crate::model::Value;
 use crate::source::Span;
 
@@ -85,16 +85,16 @@ fn found(quirks: Quirks) -> impl Iterator<Item = (Quirk, &'static RuleInfo, &'st
 }
 
 fn finding(text: &str, at: At, quirk: Quirk, rule: &'static RuleInfo, help: &'static str) -> Diagnostic {
-    Diagnostic::new(rule, at, format!("`{text}` {}", rule_text(quirk))).help(help)
+    Diagnostic::new(rule, at, say!("`{}` {}", text, rule_text(quirk))).help(help)
 }
 
 /// A fix without its change. Lely's tools want quotes around strings and REAL numbers as bits.
 fn fix_of(quirk: Quirk, text: &str) -> Fix {
     match quirk {
         Quirk::Quoted => Fix::risky("remove the quotes"),
-        Quirk::RealAsBits => Fix::risky(format!("write `{text}`")),
+        Quirk::RealAsBits => Fix::risky(say!("write `{}`", text)),
         Quirk::TrailingComment => Fix::safe("put the comment on a line of its own"),
-        _ => Fix::safe(format!("write `{text}`")),
+        _ => Fix::safe(say!("write `{}`", text)),
     }
 }
 

@@ -129,5 +129,5 @@ fn subs(object: &Object) -> String {
         true => format!("{first:X}"),
         false => format!("{first:X} to {last:X}"),
     };
-    listing(ranges.iter().map(range))
+    listing(ranges.iter().map(range)).to_string()
 }

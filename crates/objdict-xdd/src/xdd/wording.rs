@@ -1,11 +1,13 @@
-//! Findings about the model in the words of CiA 311. The rules of the model speak of sections and keys, for these are what
-//! its fields are called; who has an XDD before him looks for attributes.
+//! Findings about the model for XDD: which of them say something there, and the words of CiA 311 for what they speak of.
+//! The rules of the model know sections and keys, for these are what its fields are called; who has an XDD before him looks
+//! for attributes.
 
-use std::borrow::Cow;
 use std::collections::HashSet;
 
-use super::schema::{self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, OBJECT};
-use crate::diagnostic::{At, Diagnostic, Findings, Severity};
+use super::schema::{
+    self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
+};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, Term};
 use crate::model::Field;
 use crate::source::Span;
 use crate::xml::{Name, n};
@@ -20,9 +22,6 @@ const OF_EDS: [&str; 6] = [
     "cia306/unsorted-list",
 ];
 
-/// Rules in whose texts EDS and DCF are the kinds of file, and nothing else.
-const OF_KINDS: [&str; 2] = ["cia306/configuration-in-eds", "cia306/missing-commissioning"];
-
 /// What is called by a word of its own.
 const NAMES: [(&str, Name); 4] = [
     ("BaudRate_x", n::supportedBaudRate),
@@ -31,32 +30,103 @@ const NAMES: [(&str, Name); 4] = [
     ("[DynamicChannels]", n::dynamicChannels),
 ];
 
-/// What a key of an EDS is in an XDD, with a value that an EDS would write so.
-fn named(key: &str, value: Option<&str>) -> Option<String> {
-    if let Some((_, name)) = NAMES.iter().find(|(known, _)| *known == key) {
-        return Some(match value {
-            Some(value) => format!("{}=\"{value}\"", name.text()),
-            None => name.text().to_owned(),
-        });
+/// What words for the parts of an EDS mean in an XDD.
+const WORDS: [(&str, &str); 9] = [
+    ("section", "element"),
+    ("a section", "an element"),
+    ("sections", "elements"),
+    ("a key", "an attribute"),
+    ("the key", "the attribute"),
+    ("the keys", "the attributes"),
+    ("DCF", "XDC"),
+    ("a DCF", "an XDC"),
+    (".dcf", ".xdc"),
+];
+
+/// How an XDD calls what CiA 306 has a name for.
+pub fn words(term: &Term<'_>) -> Option<String> {
+    match *term {
+        Term::Key(key) => rate(key).or_else(|| own(key)).or_else(|| Some(What::of(key)?.name().to_owned())),
+        Term::Setting(key, value) => rate(key).or_else(|| Some(What::of(key)?.with(value))),
+        Term::Worth(key, value) => What::of(key)?.spelled(value),
+        Term::Section(name) => section(name).or_else(|| own(&format!("[{name}]"))),
+        Term::Word(word) => WORDS.iter().find(|(eds, _)| *eds == word).map(|(_, xdd)| (*xdd).to_owned()),
     }
-    let field = Field::NAMED.iter().find(|(known, _)| *known == key).map(|(_, field)| field)?;
-    if let Some(element) = schema::identity_element(field) {
-        let name = element.name.text();
-        return Some(value.map_or_else(|| name.to_owned(), |value| format!("<{name}>{value}</{name}>")));
+}
+
+/// What is called by a word of its own.
+fn own(key: &str) -> Option<String> {
+    NAMES.iter().find(|(known, _)| *known == key).map(|(_, name)| name.text().to_owned())
+}
+
+/// What a key of an EDS is in an XDD.
+struct What {
+    field: &'static Field,
+    form: Form,
+}
+
+enum Form {
+    Element(&'static Element),
+    Attribute(&'static Attribute),
+}
+
+impl What {
+    fn of(key: &str) -> Option<Self> {
+        let (_, field) = Field::NAMED.iter().find(|(known, _)| *known == key)?;
+        let tables = [&OBJECT, &DEVICE_BODY, &GENERAL_FEATURES, &MASTER_FEATURES, &DEVICE_COMMISSIONING];
+        let attribute = || tables.into_iter().find_map(|element| element.attribute_of(field));
+        let element = schema::identity_element(field).map(Form::Element);
+        Some(Self { field, form: element.or_else(|| attribute().map(Form::Attribute))? })
     }
-    let tables = [&OBJECT, &DEVICE_BODY, &GENERAL_FEATURES, &MASTER_FEATURES, &DEVICE_COMMISSIONING];
-    let attribute = tables.into_iter().find_map(|element| element.attribute_of(field))?;
-    let name = attribute.name.text();
-    Some(match (field, value) {
-        (_, None) => name.to_owned(),
-        (_, Some("")) => format!("{name}=\"…\""),
-        (Field::AccessType, Some("rwr")) => "access=\"readWriteInput\"".to_owned(),
-        (Field::AccessType, Some("rww")) => "access=\"readWriteOutput\"".to_owned(),
-        (_, Some(value)) => {
-            let spelled = attribute.spelled(value).unwrap_or_else(|| value.to_owned());
-            format!("{name}=\"{spelled}\"")
+
+    fn name(&self) -> &'static str {
+        match self.form {
+            Form::Element(element) => element.name.text(),
+            Form::Attribute(attribute) => attribute.name.text(),
         }
-    })
+    }
+
+    /// A value that an EDS would write so; `None` where it is written the same.
+    fn spelled(&self, value: &str) -> Option<String> {
+        match (self.field, &self.form, value) {
+            (Field::AccessType, _, "rwr") => Some("readWriteInput".to_owned()),
+            (Field::AccessType, _, "rww") => Some("readWriteOutput".to_owned()),
+            (Field::Baudrate, _, rate) => Some(format!("{rate} Kbps")),
+            (_, Form::Attribute(attribute), value) => attribute.spelled(value),
+            (_, Form::Element(_), _) => None,
+        }
+    }
+
+    /// The name with a value that an EDS would write so.
+    fn with(&self, value: &str) -> String {
+        let spelled = self.spelled(value);
+        let (name, spelled) = (self.name(), spelled.as_deref().unwrap_or(value));
+        match (self.field, &self.form, value) {
+            (_, Form::Element(_), _) => format!("<{name}>{spelled}</{name}>"),
+            (_, _, "") => format!("{name}=\"…\""),
+            // an attribute of the parameter
+            (Field::AccessType, _, "rwr" | "rww") => format!("access=\"{spelled}\""),
+            _ => format!("{name}=\"{spelled}\""),
+        }
+    }
+}
+
+/// The element of a bit rate that the device supports: of `BaudRate_125`.
+fn rate(key: &str) -> Option<String> {
+    let rate = key.strip_prefix("BaudRate_").filter(|rate| rate.bytes().all(|byte| byte.is_ascii_digit()))?;
+    Some(format!("<supportedBaudRate value=\"{rate} Kbps\"/>"))
+}
+
+/// The element that is the section of an object: `1018` or `1018sub1`.
+fn section(name: &str) -> Option<String> {
+    let is_hex = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    match name.split_once("sub") {
+        Some((index, sub)) if is_hex(index) && is_hex(sub) => {
+            Some(format!("<CANopenSubObject subIndex=\"{sub:0>2}\">"))
+        }
+        None if is_hex(name) => Some(format!("<CANopenObject index=\"{name:0>4}\">")),
+        _ => None,
+    }
 }
 
 /// The findings about an XDD: without those about what only an EDS has, and what is said of a place already by a rule of
@@ -84,7 +154,7 @@ pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
                 _ => {}
             }
         }
-        Some(reworded(finding))
+        Some(finding.in_words(words))
     })
 }
 
@@ -101,99 +171,55 @@ fn asks_for_count(finding: &Diagnostic) -> bool {
     finding.rule.id == "cia306/missing-key" && field(finding) == Some(&Field::SubNumber)
 }
 
-fn reworded(mut finding: Diagnostic) -> Diagnostic {
-    // names of objects stand in it as they are
-    if finding.rule.id == "cia306/duplicate-name" || finding.rule.group() == "naming" {
-        return finding;
-    }
-    let is_of_kinds = OF_KINDS.contains(&finding.rule.id);
-    finding.message = text(&finding.message, is_of_kinds);
-    for label in &mut finding.labels {
-        label.text = Cow::Owned(text(&label.text, is_of_kinds));
-    }
-    if let Some(help) = &finding.help {
-        let help = match finding.rule.id {
-            // there are no lists of objects to name it in
-            "cia301/missing-mandatory-object" => help.split(" and name").next().unwrap_or_default(),
-            _ => help,
-        };
-        finding.help = Some(Cow::Owned(text(help, is_of_kinds)));
-    }
-    finding
-}
-
-/// A text with the keys that stand in it in backticks as XDD calls them.
-fn text(text: &str, is_of_kinds: bool) -> String {
-    let mut parts = text.split('`');
-    let mut result = words(parts.next().unwrap_or_default(), is_of_kinds);
-    for (number, part) in parts.enumerate() {
-        result.push('`');
-        result.push_str(&if number % 2 == 0 { code(part) } else { words(part, is_of_kinds) });
-    }
-    result
-}
-
-fn words(text: &str, is_of_kinds: bool) -> String {
-    let text = text.replace("a section", "an element").replace("section", "element");
-    let text = text.replace("the key", "the attribute");
-    if is_of_kinds { text.replace("a DCF", "an XDC").replace(".dcf", ".xdc") } else { text }
-}
-
-fn code(text: &str) -> String {
-    let (key, value) = text.split_once('=').map_or((text, None), |(key, value)| (key, Some(value)));
-    if let Some(rate) =
-        key.strip_prefix("BaudRate_").filter(|rate| rate.bytes().all(|byte| byte.is_ascii_digit()))
-    {
-        return format!("<supportedBaudRate value=\"{rate} Kbps\"/>");
-    }
-    named(key, value).or_else(|| section(text)).unwrap_or_else(|| text.to_owned())
-}
-
-/// The element that is the section of an object: `[1018]` or `[1018sub1]`.
-fn section(text: &str) -> Option<String> {
-    let name = text.strip_prefix('[')?.strip_suffix(']')?;
-    let is_hex = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_hexdigit());
-    match name.split_once("sub") {
-        Some((index, sub)) if is_hex(index) && is_hex(sub) => {
-            Some(format!("<CANopenSubObject subIndex=\"{sub:0>2}\">"))
-        }
-        None if is_hex(name) => Some(format!("<CANopenObject index=\"{name:0>4}\">")),
-        _ => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnostic::say;
+    use crate::model::{Part, PdoMapping};
 
     #[test]
     fn keys_become_attributes() {
         for (eds, xdd) in [
-            ("write `SubNumber=5`", "write `subNumber=\"5\"`"),
-            ("a VAR needs `DataType` and `AccessType`", "a VAR needs `dataType` and `accessType`"),
+            (say!("write `{SubNumber=5}`"), "write `subNumber=\"5\"`"),
+            (say!("a VAR needs `{DataType}` and `{AccessType}`"), "a VAR needs `dataType` and `accessType`"),
             (
-                "write `PDOMapping=1`, or `AccessType=rww`",
+                say!("write `{PDOMapping=1}`, or `{AccessType=rww}`"),
                 "write `PDOmapping=\"optional\"`, or `access=\"readWriteOutput\"`",
             ),
-            ("write `ObjectType=0x9` and `ObjFlags=0x1`", "write `objectType=\"9\"` and `objFlags=\"0001\"`"),
             (
-                "add `[1018sub1]` with `DataType=0x0007`",
+                say!("write `{ObjectType=0x9}` or `{ObjectType:0x8}`, and `{ObjFlags=0x1}`"),
+                "write `objectType=\"9\"` or `8`, and `objFlags=\"0001\"`",
+            ),
+            (
+                say!("add `{[1018sub1]}` with `{DataType=0x0007}`"),
                 "add `<CANopenSubObject subIndex=\"01\">` with `dataType=\"0007\"`",
             ),
-            ("add a section `[A00]`", "add an element `<CANopenObject index=\"0A00\">`"),
             (
-                "write `BaudRate_125=1` or `VendorNumber=0x59`",
+                say!("add {a section} `{}`", Part::Object(0xA00)),
+                "add an element `<CANopenObject index=\"0A00\">`",
+            ),
+            (
+                say!("write `{BaudRate_125=1}` or `{VendorNumber=0x59}`"),
                 "write `<supportedBaudRate value=\"125 Kbps\"/>` or `<vendorID>0x59</vendorID>`",
             ),
             (
-                "write `LSS_Supported=1`, remove the key",
-                "write `layerSettingServiceSlave=\"true\"`, remove the attribute",
+                say!("`{LSS_Supported}` is {LSS_Supported:0}: write `{LSS_Supported=1}`, remove {the key}"),
+                "`layerSettingServiceSlave` is false: write `layerSettingServiceSlave=\"true\"`, remove the attribute",
             ),
-            ("write `ParameterName=` and a name", "write `name=\"…\"` and a name"),
-            ("`RevisionNumber` is `0x1=2`; EDS", "`RevisionNumber` is `0x1=2`; EDS"),
+            (say!("write `{ParameterName=}` and a name"), "write `name=\"…\"` and a name"),
+            (
+                say!("`{}` is `{}`; EDS", "RevisionNumber", "PDOMapping"),
+                "`RevisionNumber` is `PDOMapping`; EDS",
+            ),
+            (say!("`{PDOMapping}` is {}", PdoMapping::Tpdo), "`PDOmapping` is TPDO"),
+            (say!("`{Denotation}` belongs into {a DCF}"), "`denotation` belongs into an XDC"),
         ] {
-            assert_eq!(text(eds, false), xdd);
+            assert_eq!(eds.in_words(words), xdd);
         }
-        assert_eq!(text("`Denotation` belongs into a DCF", true), "`denotation` belongs into an XDC");
+    }
+
+    #[test]
+    fn every_word_has_one() {
+        assert!(crate::diagnostic::WORDS.iter().all(|word| words(&Term::Word(word)).is_some()));
     }
 }

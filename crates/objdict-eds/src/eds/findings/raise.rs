@@ -4,7 +4,7 @@ use super::{
     COMMISSIONING_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
     SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
 };
-use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted};
+use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::read::Item;
 use crate::eds::section::{SectionName, Spelling};
 use crate::model::{Field, ObjectType, Place};
@@ -14,11 +14,13 @@ use crate::source::Span;
 pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
     let same = item.value == first.value;
     let message = if same {
-        format!("`{}` stands twice with the same value", item.name)
+        say!("`{}` stands twice with the same value", item.name)
     } else {
-        format!(
+        say!(
             "`{}` stands twice, with `{}` and `{}`; the first one is read",
-            item.name, first.value, item.value
+            item.name,
+            first.value,
+            item.value
         )
     };
     Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
@@ -49,9 +51,10 @@ pub(in crate::eds) enum Twin {
 /// A section was there before; `first` is its place in the model.
 pub(in crate::eds) fn duplicate_section(name: &str, at: Span, first: Place, twin: Twin) -> Diagnostic {
     let read = if twin == Twin::Joined { "both are read" } else { "the first one is read" };
-    let finding = Diagnostic::new(&DUPLICATE_SECTION, at, format!("section `[{name}]` stands twice; {read}"))
-        .label(first, "first here")
-        .help("keep one of the two sections");
+    let finding =
+        Diagnostic::new(&DUPLICATE_SECTION, at, say!("section `[{}]` stands twice; {}", name, read))
+            .label(first, "first here")
+            .help("keep one of the two sections");
     let title = "remove the second section, which is not read";
     match twin {
         Twin::Joined => finding,
@@ -66,9 +69,9 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
         if hint { &SECTION_SPELLING } else { &UNKNOWN_SECTION },
         at,
         if hint {
-            format!("`[{name}]` looks like an object, but is none")
+            say!("`[{}]` looks like an object, but is none", name)
         } else {
-            format!("the standard has no section `[{name}]`; it is kept")
+            say!("the standard has no section `[{}]`; it is kept", name)
         },
     );
     if hint {
@@ -93,13 +96,13 @@ fn looks_like_object(name: &str) -> bool {
 
 pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
     let message = match item.key {
-        Some(_) => format!("`{}` does not belong into `[{section}]`; it is kept", item.name),
-        None => format!("the standard has no key `{}` in `[{section}]`; it is kept", item.name),
+        Some(_) => say!("`{}` does not belong into `[{}]`; it is kept", item.name, section),
+        None => say!("the standard has no key `{}` in `[{}]`; it is kept", item.name, section),
     };
     let finding = Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
         .help("check the spelling; some tools refuse unknown keys");
     match meant(item).filter(|_| item.key.is_none()) {
-        Some(name) => finding.fix(Fix::risky(format!("write `{name}`")).replace(item.name_at, name)),
+        Some(name) => finding.fix(Fix::risky(say!("write `{}`", name)).replace(item.name_at, name)),
         None => finding,
     }
 }
@@ -120,15 +123,15 @@ pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Spa
     let (rule, message) = match parsed.spelling {
         Spelling::Standard => return None,
         Spelling::CorrectCommissioning => {
-            (&COMMISSIONING_SPELLING, format!("the standard spells `[{name}]` with one m"))
+            (&COMMISSIONING_SPELLING, say!("the standard spells `[{}]` with one m", name))
         }
-        Spelling::LeadingZero => (&SECTION_SPELLING, format!("`[{name}]` has a leading zero")),
-        Spelling::Decorated => (&SECTION_SPELLING, format!("`[{name}]` is not the name of an object")),
+        Spelling::LeadingZero => (&SECTION_SPELLING, say!("`[{}]` has a leading zero", name)),
+        Spelling::Decorated => (&SECTION_SPELLING, say!("`[{}]` is not the name of an object", name)),
     };
     let grave = parsed.spelling == Spelling::Decorated;
     let finding =
         Diagnostic::new(rule, at, message).severity(if grave { Severity::Error } else { Severity::Warning });
-    let title = format!("write `[{parsed}]`");
+    let title = say!("write `[{}]`", parsed.to_string());
     let fix = Fix::safe(title.clone()).replace(at, parsed.to_string());
     Some(finding.help(title).fix(fix))
 }
@@ -144,12 +147,12 @@ pub(in crate::eds) fn wrong_count(
     let entries = counted(actual, "entry follows", "entries follow");
     let (at, message) = match item {
         Some(item) if !item.value.is_empty() => {
-            (item.value_at, format!("`{key}` is `{}`, but {entries}", item.value))
+            (item.value_at, say!("`{}` is `{}`, but {}", key, item.value, entries))
         }
-        Some(item) => (item.name_at, format!("`{key}` is empty, but {entries}")),
-        None => (section_at, format!("`{key}` is missing")),
+        Some(item) => (item.name_at, say!("`{}` is empty, but {}", key, entries)),
+        None => (section_at, say!("`{}` is missing", key)),
     };
-    let title = format!("write `{key}={actual}`");
+    let title = say!("write `{}={}`", key, actual);
     let fix = Fix::safe(title.clone());
     let fix = match item {
         Some(item) => fix.replace(item.value_at, actual.to_string()),
@@ -160,14 +163,14 @@ pub(in crate::eds) fn wrong_count(
 
 /// The keys of a list do not count from 1; `item` is the first that is wrong.
 pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: u32, fix: Fix) -> Diagnostic {
-    let message = format!("`{}` stands where `{expected}` should", item.name);
+    let message = say!("`{}` stands where `{}` should", item.name, expected);
     Diagnostic::new(&LIST_NUMBERING, item.name_at, message)
         .help("number the entries 1, 2, 3 … in decimal, without leading zeros")
         .fix(fix)
 }
 
 pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>) -> Diagnostic {
-    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, format!("`{}` is no index", item.value))
+    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, say!("`{}` is no index", item.value))
         .help("write an index from 0x1 to 0xFFFF")
 }
 
@@ -178,8 +181,8 @@ pub(in crate::eds) fn stray_compact_section(
     object_type: Option<ObjectType>,
 ) -> Diagnostic {
     let message = match object_type {
-        Some(_) => format!("`[{name}]` belongs to an object without `CompactSubObj`"),
-        None => format!("`[{name}]` belongs to no object"),
+        Some(_) => say!("`[{}]` belongs to an object without `CompactSubObj`", name),
+        None => say!("`[{}]` belongs to no object", name),
     };
     Diagnostic::new(&STRAY_COMPACT_SECTION, at, message)
         .help("give the object `CompactSubObj`, or write the values into its sub-indexes")
@@ -187,14 +190,14 @@ pub(in crate::eds) fn stray_compact_section(
 
 /// A number in such a section that the compact object does not have.
 pub(in crate::eds) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnostic {
-    let message = format!("`{}` is no sub-index of an object with `CompactSubObj={count}`", item.name);
+    let message = say!("`{}` is no sub-index of an object with `CompactSubObj={}`", item.name, count);
     Diagnostic::new(&STRAY_COMPACT_SECTION, item.name_at, message)
-        .help(format!("use the numbers 1 to {count}"))
+        .help(say!("use the numbers 1 to {}", count))
 }
 
 /// A name or the like in quotes.
 pub(in crate::eds) fn quoted_name(item: &Item<'_>) -> Diagnostic {
-    let message = format!("`{}` stands in quotes, which become a part of the text", item.value);
+    let message = say!("`{}` stands in quotes, which become a part of the text", item.value);
     let inner = item.value.trim_matches('"').trim_ascii();
     let finding = Diagnostic::new(crate::literal::QUOTED, item.value_at, message).help("remove the quotes");
     let is_plain = !inner.is_empty() && inner.len() + 2 == item.value.len();

@@ -9,7 +9,7 @@ mod values;
 
 use super::keys::Key;
 use super::section::{SectionName, Spelling, section_name};
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
 use crate::ini::{self, Document};
 use crate::model::{Device, Entry, Field, Part};
 pub use crate::source::Span;
@@ -105,13 +105,13 @@ impl Line<'_> {
 /// Places of one cause, reported together as one finding at the first.
 #[derive(Default)]
 struct Together {
-    first: Option<(Span, String)>,
+    first: Option<(Span, Text)>,
     others: usize,
     edits: Vec<(Span, String)>,
 }
 
 impl Together {
-    fn add(&mut self, at: Span, message: impl FnOnce() -> String) {
+    fn add(&mut self, at: Span, message: impl FnOnce() -> Text) {
         match self.first {
             Some(_) => self.others += 1,
             None => self.first = Some((at, message())),
@@ -133,7 +133,7 @@ impl Together {
         let Some((at, message)) = self.first else { return };
         let message = match self.others {
             0 => message,
-            others => format!("{message}, and so {}", crate::diagnostic::counted(others, "other", "others")),
+            others => say!("{}, and so {}", message, crate::diagnostic::counted(others, "other", "others")),
         };
         let mut finding = Diagnostic::new(rule, at, message).help(help);
         if !self.edits.is_empty() {

@@ -2,7 +2,7 @@
 
 use super::rules::{EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE};
 use super::{Line, Section, Together};
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part};
 
 /// What is reported once a file.
@@ -48,7 +48,7 @@ impl Spellings {
         if letters(&standard).chars().zip(letters(section.name).chars()).any(differs) {
             let at = section.header.name;
             self.sections
-                .add(at, || format!("`[{}]` is written `[{standard}]` in the standard", section.name));
+                .add(at, || say!("`[{}]` is written `[{}]` in the standard", section.name, standard));
             self.sections.mend(at, standard);
         }
     }
@@ -63,8 +63,7 @@ impl Spellings {
             },
         };
         if standard != line.name {
-            self.keys
-                .add(line.name_at, || format!("`{}` is written `{standard}` in the standard", line.name));
+            self.keys.add(line.name_at, || say!("`{}` is written `{}` in the standard", line.name, standard));
             self.keys.mend(line.name_at, standard);
         }
     }
@@ -82,7 +81,7 @@ impl Spellings {
             _ => return,
         };
         let together = &mut self.empty[number];
-        together.add(line.name_at, || format!("`{}` has no value", line.name));
+        together.add(line.name_at, || say!("`{}` has no value", line.name));
         together.mend(whole_line(section.text, line), "");
     }
 }
@@ -128,12 +127,10 @@ fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings)
         return;
     };
     let Ok(number) = u32::from_str_radix(digits, 16) else { return };
-    let message = format!("`{}` is `{}`, in hex", line.name, line.value);
-    let fix = Fix::safe(format!("write `{number}`")).replace(line.value_at, number.to_string());
+    let message = say!("`{}` is `{}`, in hex", line.name, line.value);
+    let fix = Fix::safe(say!("write `{}`", number)).replace(line.value_at, number.to_string());
     findings.push(
-        Diagnostic::new(rule, line.value_at, message)
-            .help(format!("write `{}={number}`", line.name))
-            .fix(fix),
+        Diagnostic::new(rule, line.value_at, message).help(say!("write `{}={}`", line.name, number)).fix(fix),
     );
 }
 

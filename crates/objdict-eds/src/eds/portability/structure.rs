@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::rules::{COMMENTED_SECTION, DUMMY_USAGE, SPARSE_NAMES, SUB_BEFORE_OBJECT};
 use super::{Section, Together};
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing, say};
 use crate::ini::{Document, LineKind};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
@@ -35,10 +35,10 @@ impl Order {
     fn check_order(&mut self, index: u16, section: &Section<'_>, findings: &mut Findings) {
         let exists = section.device.object(index).is_some_and(|object| !object.orphan);
         if exists && !self.met.contains(&index) && self.reported.insert(index) {
-            let message = format!("`[{}]` stands before `[{index:X}]`", section.name);
+            let message = say!("`[{}]` stands before `[{:X}]`", section.name, index);
             let finding = Diagnostic::new(&SUB_BEFORE_OBJECT, section.header.name, message)
                 .label(Place::object(index), "the object");
-            findings.push(finding.help(format!("put `[{index:X}]` above it")));
+            findings.push(finding.help(say!("put `[{:X}]` above it", index)));
         }
     }
 }
@@ -63,10 +63,10 @@ fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
         .iter()
         .fold(fix, |fix, &sub| fix.set(place.clone().field(Field::Item(sub.into())), name(sub)));
     let first = missing[0];
-    let message = format!("`[{}]` names sub-index {highest} but not sub-index {first}", section.name);
+    let message = say!("`[{}]` names sub-index {} but not sub-index {}", section.name, highest, first);
     let finding = Diagnostic::new(&SPARSE_NAMES, section.header.name, message);
     findings.push(
-        finding.help(format!("name all from 1 to {highest}, such as `{first}={}`", name(first))).fix(fix),
+        finding.help(say!("name all from 1 to {}, such as `{}={}`", highest, first, name(first))).fix(fix),
     );
 }
 
@@ -79,10 +79,10 @@ fn check_dummies(section: &Section<'_>, findings: &mut Findings) {
     }
     let lines = listing(missing.iter().map(|key| format!("{key}=0")));
     let place = |key: &str| Place::of(Part::DummyUsage).field(Field::Named(key.into()));
-    let fix = missing.iter().fold(Fix::safe(format!("add {lines}")), |fix, key| fix.set(place(key), "0"));
-    let message = format!("`[{}]` has no {}", section.name, listing(&missing));
+    let fix = missing.iter().fold(Fix::safe(say!("add {}", lines)), |fix, key| fix.set(place(key), "0"));
+    let message = say!("`[{}]` has no {}", section.name, listing(&missing));
     let finding = Diagnostic::new(&DUMMY_USAGE, section.header.name, message);
-    findings.push(finding.help(format!("add {lines}")).fix(fix));
+    findings.push(finding.help(say!("add {}", lines)).fix(fix));
 }
 
 /// Headers in comments that keys follow before the next header.
@@ -105,7 +105,7 @@ pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
                 if let Some((at, shown)) = commented.take() {
                     let start = at.start - (shown.len() - shown.trim_start_matches(';').len()) as u32;
                     let span = Span::new(start, start + shown.len() as u32);
-                    together.add(span, || format!("keys follow the comment `{}`", shown.trim_end()));
+                    together.add(span, || say!("keys follow the comment `{}`", shown.trim_end()));
                     together.mend(at, " ");
                 }
             }

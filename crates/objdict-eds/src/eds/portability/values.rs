@@ -4,7 +4,7 @@ use super::rules::{
     BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT, UNQUOTED_STRING,
 };
 use super::{Line, Section, Together};
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{DataType, Field, Part, TypeKind};
 
 /// What is reported once a file.
@@ -60,14 +60,14 @@ impl Values {
     fn check_real(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
         let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
         if is_real && line.value != "0" && !is_hex(line.value) {
-            self.reals.add(line.value_at, || format!("the REAL `{}` is not written as its bits", line.value));
+            self.reals.add(line.value_at, || say!("the REAL `{}` is not written as its bits", line.value));
         }
     }
 
     fn check_string(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
         let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
         if is_string && !line.value.starts_with(['"', '\'']) {
-            self.strings.add(line.value_at, || format!("the string `{}` has no quotes", line.value));
+            self.strings.add(line.value_at, || say!("the string `{}` has no quotes", line.value));
         }
     }
 
@@ -85,7 +85,7 @@ impl Values {
             }
             _ => return,
         };
-        self.limits.add(line.value_at, || format!("`{field}` is {reason}"));
+        self.limits.add(line.value_at, || say!("`{}` is {}", field, reason));
     }
 }
 
@@ -96,7 +96,7 @@ fn is_hex(value: &str) -> bool {
 fn check_bare_node_id(data_type: Option<DataType>, line: &Line<'_>, findings: &mut Findings) {
     let is_integer = data_type.is_some_and(DataType::is_integer);
     if is_integer && line.value.eq_ignore_ascii_case("$NODEID") {
-        let message = format!("`{}` stands alone, without a number to add", line.value);
+        let message = say!("`{}` stands alone, without a number to add", line.value);
         let fix = Fix::safe("write `$NODEID+0`").replace(line.value_at, "$NODEID+0");
         findings
             .push(Diagnostic::new(&BARE_NODE_ID, line.value_at, message).help("write `$NODEID+0`").fix(fix));
@@ -142,9 +142,9 @@ fn check_text(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
     let shown: String = line.value.chars().take(60).collect();
     for (rule, mark) in [(&SEMICOLON_IN_TEXT, ';'), (&HASH_IN_TEXT, '#')] {
         if is_behind_blank(mark) {
-            let message = format!("a blank stands before the `{mark}` of `{shown}`");
+            let message = say!("a blank stands before the `{}` of `{}`", mark, shown);
             let finding = Diagnostic::new(rule, line.value_at, message);
-            findings.push(finding.help(format!("write the text without a blank before the `{mark}`")));
+            findings.push(finding.help(say!("write the text without a blank before the `{}`", mark)));
             return;
         }
     }

@@ -5,7 +5,7 @@ use super::{
     INDENTED_SECTION, JUNK_LINE, KEY_BEFORE_SECTION, LINE_TOO_LONG, MIXED_LINE_ENDS, NO_SECTION, NOT_ASCII,
     TEXT_AFTER_SECTION, UNCLOSED_SECTION,
 };
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, Tidy, counted};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, Tidy, counted, say};
 use crate::ini::{Document, Line, LineKind};
 use crate::source::{Encoding, Span};
 
@@ -37,7 +37,7 @@ fn check_characters(document: &Document, findings: &mut Findings) {
     let encoding = document.source().encoding();
     if matches!(encoding, Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be) {
         let wide = encoding != Encoding::Utf8Bom;
-        let message = format!("the file starts with the byte order mark of {encoding}");
+        let message = say!("the file starts with the byte order mark of {}", encoding);
         let finding = Diagnostic::new(&BYTE_ORDER_MARK, Span::empty(0), message)
             .severity(if wide { Severity::Error } else { Severity::Warning })
             .help("save the file as ASCII or as UTF-8 without byte order mark");
@@ -51,9 +51,12 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         let (at, first) = text.char_indices().find(|(_, c)| !c.is_ascii()).unwrap_or_default();
         let span = Span::new(at as u32, (at + first.len_utf8()) as u32);
         let message = match others {
-            1 => format!("`{first}` is not in ISO 646; the file is read as {encoding}"),
-            _ => format!(
-                "{others} characters are not in ISO 646, `{first}` is the first; the file is read as {encoding}"
+            1 => say!("`{}` is not in ISO 646; the file is read as {}", first, encoding),
+            _ => say!(
+                "{} characters are not in ISO 646, `{}` is the first; the file is read as {}",
+                others,
+                first,
+                encoding
             ),
         };
         findings.push(
@@ -70,7 +73,7 @@ fn check_characters(document: &Document, findings: &mut Findings) {
             let bytes = line.span.of(text).as_bytes();
             if let Some(at) = bytes.iter().position(is_control) {
                 let start = line.span.start + at as u32;
-                let message = format!("control character {:02X}h", bytes[at]);
+                let message = say!("control character {:02X}h", bytes[at]);
                 let finding = Diagnostic::new(&CONTROL_CHARACTER, Span::new(start, start + 1), message);
                 findings.push(finding.help("remove it").fix(without(&line, bytes, is_control)));
             }
@@ -183,13 +186,13 @@ impl LineCheck<'_> {
     fn check_length(&mut self, line: &Line) {
         let length = line.span.of(self.text).chars().count();
         if length > MAX_LINE {
-            let message = format!("the line has {length} characters, {MAX_LINE} are allowed");
+            let message = say!("the line has {} characters, {} are allowed", length, MAX_LINE);
             let finding = Diagnostic::new(&LINE_TOO_LONG, Span::empty(line.span.start), message);
             self.findings.push(match line.kind {
                 LineKind::Entry { key, .. } => {
                     let key = key.of(self.text);
                     let most = MAX_LINE.saturating_sub(key.chars().count() + 1);
-                    finding.help(format!("shorten the value: `{key}` has room for {most} characters"))
+                    finding.help(say!("shorten the value: `{}` has room for {} characters", key, most))
                 }
                 _ => finding.help("shorten it"),
             });
@@ -201,7 +204,7 @@ impl LineCheck<'_> {
         let is_merge = ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| text.starts_with(mark));
         let shown: String = text.chars().take(40).collect();
         let finding =
-            Diagnostic::new(&JUNK_LINE, line.span, format!("`{shown}` is no section, key or comment"));
+            Diagnostic::new(&JUNK_LINE, line.span, say!("`{}` is no section, key or comment", shown));
         self.findings.push(if is_merge {
             finding.help(
                 "a merge left this mark: choose one of the two versions and remove the other with the marks",
@@ -223,8 +226,7 @@ impl LineCheck<'_> {
             self.findings.push(finding.help("start the `[` in the first column").fix(fix));
         }
         let Some(close) = text.find(']') else {
-            let finding =
-                Diagnostic::new(&UNCLOSED_SECTION, line.span, format!("`{}` has no `]`", text.trim()));
+            let finding = Diagnostic::new(&UNCLOSED_SECTION, line.span, say!("`{}` has no `]`", text.trim()));
             let fix = Fix::risky("add the `]`").replace(Span::empty(name.end), "]");
             self.findings.push(finding.help("add the `]`").fix(fix));
             return;
@@ -232,7 +234,7 @@ impl LineCheck<'_> {
         let close = line.span.start + close as u32;
         let behind = Span::new(close + 1, line.span.end);
         if !behind.of(self.text).trim().is_empty() {
-            let message = format!("`{}` stands behind the section header", behind.of(self.text).trim());
+            let message = say!("`{}` stands behind the section header", behind.of(self.text).trim());
             let finding = Diagnostic::new(&TEXT_AFTER_SECTION, behind, message);
             let fix = comment_above(behind, behind.of(self.text).trim());
             self.findings.push(finding.help("put it in a comment line of its own").fix(fix));
@@ -241,13 +243,13 @@ impl LineCheck<'_> {
             let span = Span::new(line.span.start + indent, close + 1);
             let finding = Diagnostic::new(&BLANKS_IN_SECTION_NAME, span, "blanks inside the brackets");
             let written = format!("[{}]", name.of(self.text));
-            let title = format!("write `{written}`");
+            let title = say!("write `{}`", written);
             self.findings.push(finding.help(title.clone()).fix(Fix::safe(title).replace(span, written)));
         }
     }
 
     fn key_before_section(&mut self, key: Span) {
-        let message = format!("`{}` stands before the first section", key.of(self.text));
+        let message = say!("`{}` stands before the first section", key.of(self.text));
         let finding = Diagnostic::new(&KEY_BEFORE_SECTION, key, message);
         self.findings.push(finding.help("put the section's header above it"));
         // one cause: the missing header
@@ -263,14 +265,14 @@ impl LineCheck<'_> {
         }
         if let Some((span, lines)) = self.comment {
             let lines = counted(lines as usize, "comment line does", "comment lines do");
-            let message = format!("{lines} not start with `;` in the first column");
+            let message = say!("{} not start with `;` in the first column", lines);
             let fix = Fix::safe("start all comment lines with `;`").with(Change::Tidy(Tidy::Comments));
             let finding = Diagnostic::new(&COMMENT_STYLE, span, message);
             self.findings.push(finding.help("start a comment line with `;`").fix(fix));
         }
         if let Some((span, lines)) = self.blank {
             let lines = counted(lines as usize, "line has", "lines have");
-            let message = format!("{lines} blanks before the key or the `=`");
+            let message = say!("{} blanks before the key or the `=`", lines);
             let fix = Fix::safe("remove the blanks before all keys and `=`").with(Change::Tidy(Tidy::Keys));
             let finding = Diagnostic::new(&BLANK_BEFORE_EQUALS, span, message);
             self.findings.push(finding.help("write `key=value`").fix(fix));

@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
 use crate::model::PdoKind;
 use crate::{CobIdUse, Facts, Service, rule};
 
@@ -77,13 +77,13 @@ fn collision(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Optio
     let place = |cob_id: &CobIdUse| facts.device.value_place(cob_id.index, cob_id.sub);
     let does = if second.is_sent() { "send" } else { "receive" };
     let on_node = match node {
-        Some(node) if facts.device.node_id().is_none() => format!(" on node {node}"),
-        _ => String::new(),
+        Some(node) if facts.device.node_id().is_none() => say!(" on node {}", node),
+        _ => Text::default(),
     };
     let (one, other) = (first.service, second.service);
-    let message = format!("{other} and {one} {does} under the same CAN-ID `{}`{on_node}", second.cob_id);
+    let message = say!("{} and {} {} under the same CAN-ID `{}`{}", other, one, does, second.cob_id, on_node);
     let finding = Diagnostic::new(&RULE.info, place(second), message)
-        .label(place(first), format!("{one} has it here"))
+        .label(place(first), say!("{} has it here", one))
         .help("give each its own CAN-ID, or set bit 31 to switch one off");
     let is_rpdo = |service| matches!(service, Service::Pdo(PdoKind::Rpdo, _));
     if is_rpdo(one) && is_rpdo(other) { finding.severity(Severity::Warning) } else { finding }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{CobId, DeviceKind, predefined};
 use crate::{Facts, PdoFacts, rule};
 
@@ -40,10 +40,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (cob_id, expected) = (cob_id.cob_id, predefined::per_node(base));
     if !cob_id.depends_on_node_id() || cob_id.can_id(0) != expected.can_id(0) {
         let message =
-            format!("`{cob_id}` as default COB-ID of {}, for which CiA 301 has `{expected}`", pdo.pdo);
+            say!("`{}` as default COB-ID of {}, for which CiA 301 has `{}`", cob_id, pdo.pdo, expected);
         let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
         let flags = cob_id.number() & CobId::BIT_30;
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help(format!("write `$NODEID+0x{:X}`", flags | u32::from(base))));
+        findings.push(finding.help(say!("write `$NODEID+0x{:X}`", flags | u32::from(base))));
     }
 }

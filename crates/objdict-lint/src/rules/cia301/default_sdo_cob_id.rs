@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::predefined;
 use crate::{Facts, Service, rule};
 
@@ -35,12 +35,14 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             None => cob_id.cob_id == expected,
         };
         if !is_right {
-            let message = format!(
-                "`{}` as COB-ID of the default SDO {direction}, which is always `{expected}`",
-                cob_id.cob_id
+            let message = say!(
+                "`{}` as COB-ID of the default SDO {}, which is always `{}`",
+                cob_id.cob_id,
+                direction,
+                expected
             );
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
-            let title = format!("write `{expected}`");
+            let title = say!("write `{}`", expected);
             let fix = Fix::risky(title.clone()).set(place.clone(), expected.to_string());
             findings.push(Diagnostic::new(&RULE.info, place, message).help(title).fix(fix));
         }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Place};
 use crate::rule;
 
@@ -30,7 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let message = "1200h has sub-index 3, and the default SDO has no client of its own";
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, 3), message);
-    let finding = finding.help("remove `[1200sub3]`");
+    let finding = finding.help(say!("remove `{[1200sub3]}`"));
     let is_whole = object.sub_number == Some(4) && object.highest_sub() == Some(3) && object.subs.len() == 4;
     findings.push(if is_whole {
         let fix = Fix::risky("remove sub-index 3, and count the others")

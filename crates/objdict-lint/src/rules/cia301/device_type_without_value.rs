@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Device;
 use crate::{is_unstated, rule};
 
@@ -27,7 +27,8 @@ fn check(device: &Device, findings: &mut Findings) {
     if is_unstated(object, 0) {
         let place = device.value_place(0x1000, 0);
         let finding = Diagnostic::new(&RULE.info, place, "the device type 1000h has no value");
-        findings
-            .push(finding.help("write it as `DefaultValue`: `0x00000000` for a device without a profile"));
+        findings.push(
+            finding.help(say!("write it as `{DefaultValue}`: `0x00000000` for a device without a profile")),
+        );
     }
 }

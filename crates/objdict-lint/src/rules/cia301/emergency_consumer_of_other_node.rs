@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::{Facts, Service, rule};
 
 rule! {
@@ -34,13 +34,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         }
         let message = if can_id != 0x80 + node {
             let sub = sub_index(consumer.sub);
-            format!(
-                "sub-index {sub} of 1028h is for node {node}, and `{}` is of node {}",
+            say!(
+                "sub-index {} of 1028h is for node {}, and `{}` is of node {}",
+                sub,
+                node,
                 consumer.cob_id,
                 can_id - 0x80
             )
         } else if facts.device.node_id() == Some(consumer.sub) {
-            format!("sub-index {} of 1028h makes node {node} listen to its own EMCY", sub_index(consumer.sub))
+            say!("sub-index {} of 1028h makes node {} listen to its own EMCY", sub_index(consumer.sub), node)
         } else {
             continue;
         };

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::Place;
 use crate::{Facts, Service, rule};
 
@@ -33,7 +33,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if device.object(0x1014).is_some_and(|object| object.main.configured_value().is_some()) {
         return;
     }
-    let message = format!("bit 31 of `{}` says that the device has no EMCY", emcy.cob_id);
+    let message = say!("bit 31 of `{}` says that the device has no EMCY", emcy.cob_id);
     let place = device.value_place(0x1014, 0);
     let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind};
 use crate::rule;
 
@@ -31,7 +31,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let value = device.value(index, 0).and_then(|value| value.as_integer());
         // sub-index 0 of a compactly stored history is the number of its entries
         let Some(value) = value.filter(|&value| value != 0 && !is_compact) else { continue };
-        let message = format!("{what} of a new device is `{value}`");
+        let message = say!("{} of a new device is `{}`", what, value);
         let finding = Diagnostic::new(&RULE.info, device.value_place(index, 0), message);
         findings.push(finding.help("write 0"));
     }

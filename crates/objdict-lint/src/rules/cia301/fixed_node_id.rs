@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -25,10 +25,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for cob_id in &facts.cob_ids {
         if let Some(base) = facts.base_without_node_id(cob_id) {
             let message =
-                format!("`{}` as COB-ID of {} is the same on every node", cob_id.cob_id, cob_id.service);
+                say!("`{}` as COB-ID of {} is the same on every node", cob_id.cob_id, cob_id.service);
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
-            let title = format!("write `$NODEID+0x{number:X}`");
+            let title = say!("write `$NODEID+0x{:X}`", number);
             let fix = Fix::risky(title.clone()).set(place.clone(), format!("$NODEID+0x{number:X}"));
             findings.push(Diagnostic::new(&RULE.info, place, message).help(title).fix(fix));
         }

@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
-use crate::model::Place;
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
+use crate::model::{Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -33,11 +33,8 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         return;
     }
     let index = pdo.mapping_index();
-    let message = format!(
-        "{index:04X}h has sub-index {}, and no sub-index {}",
-        sub_index(slot.sub),
-        sub_index(missing)
-    );
+    let message =
+        say!("{:04X}h has sub-index {}, and no sub-index {}", index, sub_index(slot.sub), sub_index(missing));
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, slot.sub), message);
-    findings.push(finding.help(format!("add `[{index:X}sub{missing:X}]`, or remove those behind it")));
+    findings.push(finding.help(say!("add `{}`, or remove those behind it", Part::Entry(index, missing))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Place};
 use crate::{rule, stated};
 
@@ -27,7 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
         for (&index, _) in device.objects.range(first + 1..=last) {
             if !stated::is_there(device, index - 1) {
                 let message =
-                    format!("{index:04X}h is there, and the {what} before it, {:04X}h, is not", index - 1);
+                    say!("{:04X}h is there, and the {} before it, {:04X}h, is not", index, what, index - 1);
                 let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
                 findings.push(finding.help("use the next free index, or describe those in between"));
                 break;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
 use crate::model::{Access, Field, Object, Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
@@ -30,22 +30,24 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let (message, help, related) = match granularity {
         0 => {
             let Some((pdo, _)) = known.iter().find(|(_, writable)| *writable) else { return };
-            let message = "`0` says that the PDO mapping is fixed, and it can be written".to_owned();
-            let help = "write `Granularity=8` for a mapping of whole bytes, or make the mapping `const`";
+            let message = "`0` says that the PDO mapping is fixed, and it can be written".into();
+            let help =
+                say!("write `{Granularity=8}` for a mapping of whole bytes, or make the mapping `const`");
             (message, help, (pdo, "can be written"))
         }
         _ => {
             let all_fixed = known.len() == facts.pdos.len() && known.iter().all(|(_, writable)| !writable);
             let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
             let message =
-                format!("`{granularity}` says that the PDO mapping can be changed, and none can be written");
-            (message, "write `Granularity=0` for a fixed mapping", (pdo, "cannot be written"))
+                say!("`{}` says that the PDO mapping can be changed, and none can be written", granularity);
+            (message, say!("write `{Granularity=0}` for a fixed mapping"), (pdo, "cannot be written"))
         }
     };
     let place = Place::of(Part::DeviceInfo).field(Field::Granularity);
     let (pdo, text) = related;
     let value = if granularity == 0 { "8" } else { "0" };
-    let fix = Fix::risky(format!("write `Granularity={value}`")).set(place.clone(), value);
+    let fix = Fix::risky(say!("write `{}`", Argument::setting(Field::Granularity, value)))
+        .set(place.clone(), value);
     let finding = Diagnostic::new(&RULE.info, place, message).help(help).fix(fix);
     findings.push(finding.label(Place::object(pdo.mapping_index()), text));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -28,7 +28,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     let (set, zero) = if time == 0 { (0x100D, 0x100C) } else { (0x100C, 0x100D) };
-    let message = format!("the guard time is {time} ms and the life time factor {factor}: nobody is watched");
+    let message =
+        say!("the guard time is {} ms and the life time factor {}: nobody is watched", time, factor);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(zero, 0), message)
         .label(facts.device.value_place(set, 0), "the other one is set");
     findings.push(finding.help("write both 100Ch and 100Dh, or 0 into both"));

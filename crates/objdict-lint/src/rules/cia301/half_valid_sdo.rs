@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Service, rule};
 
 rule! {
@@ -32,9 +32,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     });
     for (request, response) in channels.filter(|(one, other)| one.is_in_use() != other.is_in_use()) {
         let (valid, invalid) = if request.is_in_use() { (request, response) } else { (response, request) };
-        let message = format!(
+        let message = say!(
             "{} has a valid COB-ID `{}` in sub-index {} and none in sub-index {}",
-            request.service, valid.cob_id, valid.sub, invalid.sub
+            request.service,
+            valid.cob_id,
+            valid.sub,
+            invalid.sub
         );
         let device = facts.device;
         let finding = Diagnostic::new(&RULE.info, device.value_place(valid.index, valid.sub), message)

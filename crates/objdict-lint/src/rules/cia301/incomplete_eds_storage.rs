@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Place};
 use crate::{rule, stated};
 
@@ -25,9 +25,9 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     for (there, other, lacks) in [(0x1021, 0x1022, "the format"), (0x1022, 0x1021, "the file")] {
         if device.objects.contains_key(&there) && !stated::is_there(device, other) {
-            let message = format!("{there:04X}h is there, and {other:04X}h with {lacks} is not");
+            let message = say!("{:04X}h is there, and {:04X}h with {} is not", there, other, lacks);
             let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
-            findings.push(finding.help(format!("add {other:04X}h, or remove {there:04X}h")));
+            findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", other, there)));
         }
     }
 }

@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::model::Place;
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -28,9 +28,9 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let index = pdo.communication_index();
     for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
         if !object.has(sub) {
-            let message = format!("{pdo} has no sub-index {sub} ({name}) in {index:04X}h");
+            let message = say!("{} has no sub-index {} ({}) in {:04X}h", pdo, sub, name, index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-            findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+            findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::demands::Against;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
-use crate::model::Place;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
+use crate::model::{Part, Place};
 use crate::rule;
 
 rule! {
@@ -31,8 +31,8 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let needed = at.facts.entries().filter(|entry| entry.is_mandatory() && entry.first > 0);
     for entry in needed.filter(|entry| !object.has(entry.first)) {
         let (sub, name) = (entry.first, entry.name);
-        let message = format!("{at} has no sub-index {sub} ({name})");
+        let message = say!("{} has no sub-index {} ({})", at, sub, name);
         let finding = Diagnostic::new(rule, Place::object(index), message);
-        findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+        findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
     }
 }

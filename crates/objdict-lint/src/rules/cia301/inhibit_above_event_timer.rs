@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
@@ -31,8 +31,13 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
     let index = pdo.communication_index();
     let (whole, tenth) = (inhibit / 10, inhibit % 10);
-    let message = format!(
-        "{pdo} has an inhibit time of {whole}.{tenth} ms (`{inhibit}`), and shall be sent every {event} ms"
+    let message = say!(
+        "{} has an inhibit time of {}.{} ms (`{}`), and shall be sent every {} ms",
+        pdo,
+        whole,
+        tenth,
+        inhibit,
+        event
     );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 3), message)
         .label(facts.device.value_place(index, 5), "its event timer");

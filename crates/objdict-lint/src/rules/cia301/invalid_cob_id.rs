@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, joined, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,7 +27,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if bits == 0 {
             continue;
         }
-        let message = format!(
+        let message = say!(
             "`{}` as COB-ID of {} has {} set, which {} nothing there",
             cob_id.cob_id,
             cob_id.service,
@@ -40,23 +40,22 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let meant = meant(number).filter(|_| !cob_id.cob_id.depends_on_node_id());
         findings.push(match meant {
             Some(meant) => {
-                finding.fix(Fix::risky(format!("write `0x{meant:08X}`")).set(place, format!("0x{meant:08X}")))
+                finding.fix(Fix::risky(say!("write `0x{:08X}`", meant)).set(place, format!("0x{meant:08X}")))
             }
             None => finding,
         });
     }
 }
 
-fn bit_names(bits: u32) -> String {
-    let numbers: Vec<String> =
-        (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit| bit.to_string()).collect();
-    if numbers.len() == 1 { format!("bit {}", numbers[0]) } else { format!("bits {}", numbers.join(", ")) }
+fn bit_names(bits: u32) -> Text {
+    let word = if bits.count_ones() == 1 { "bit" } else { "bits" };
+    say!("{} {}", word, joined((0..32).filter(|bit| bits >> bit & 1 == 1), ", "))
 }
 
-fn help(number: u32) -> String {
+fn help(number: u32) -> Text {
     match meant(number) {
-        Some(meant) => format!("did you mean `0x{meant:08X}`?"),
-        None => "write a CAN-ID of at most 7FFh, and flags in the first digit only".to_owned(),
+        Some(meant) => say!("did you mean `0x{:08X}`?", meant),
+        None => "write a CAN-ID of at most 7FFh, and flags in the first digit only".into(),
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::DeviceKind;
 use crate::{Facts, rule};
 
@@ -30,10 +30,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let place = |sub| facts.device.value_place(0x1020, sub);
     let is_type = facts.device.kind == DeviceKind::Type;
     let finding = if time >= DAY {
-        let message = format!("`{time}` ms is later than midnight, {DAY} ms");
+        let message = say!("`{}` ms is later than midnight, {} ms", time, DAY);
         Diagnostic::new(&RULE.info, place(2), message).help("write the milliseconds since midnight")
     } else if is_type && (date, time) != (0, 0) {
-        let message = format!("a new device was configured on day `{date}`");
+        let message = say!("a new device was configured on day `{}`", date);
         Diagnostic::new(&RULE.info, place(if date == 0 { 2 } else { 1 }), message).help("write 0 into both")
     } else if date == 0 && time != 0 {
         let message = "the configuration has a time of day and no date";

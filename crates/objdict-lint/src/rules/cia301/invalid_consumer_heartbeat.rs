@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::Device;
 use crate::rule;
 
@@ -36,20 +36,21 @@ fn check(device: &Device, findings: &mut Findings) {
         }
         let place = device.value_place(0x1016, sub);
         let finding =
-            |message: String, help: String| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
+            |message: Text, help: Text| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
         if value >> 24 != 0 {
-            let message = format!("`0x{value:08X}` of 1016h sub-index {sub} has bits above the node-ID set");
-            findings.push(finding(message, format!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
+            let message = say!("`0x{:08X}` of 1016h sub-index {} has bits above the node-ID set", value, sub);
+            findings.push(finding(message, say!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
         } else if node == 0 || node > 127 {
-            let message = format!("1016h sub-index {sub} watches for {time} ms, but `{node}` is no node-ID");
-            let help = format!("write the node-ID from 1 to 127 before the time: `0x00nn{time:04X}`");
+            let message =
+                say!("1016h sub-index {} watches for {} ms, but `{}` is no node-ID", sub, time, node);
+            let help = say!("write the node-ID from 1 to 127 before the time: `0x00nn{:04X}`", time);
             findings.push(finding(message, help));
         } else if device.node_id().is_some_and(|own| u32::from(own) == node) {
-            let message = format!("1016h sub-index {sub} makes node {node} watch itself");
-            findings.push(finding(message, "write the node-ID of another node, or 0 for none".to_owned()));
+            let message = say!("1016h sub-index {} makes node {} watch itself", sub, node);
+            findings.push(finding(message, "write the node-ID of another node, or 0 for none".into()));
         } else if let Some(&first) = watched.get(&node) {
-            let message = format!("1016h sub-indexes {first} and {sub} both watch node {node}");
-            let twice = finding(message, "keep one of them, and write 0 into the other".to_owned());
+            let message = say!("1016h sub-indexes {} and {} both watch node {}", first, sub, node);
+            let twice = finding(message, "keep one of them, and write 0 into the other".into());
             findings.push(twice.label(device.value_place(0x1016, first), "the first one"));
         } else {
             watched.insert(node, sub);

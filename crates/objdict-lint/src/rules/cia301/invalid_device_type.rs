@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,7 +27,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if profile != 0 || additional == 0 {
         return;
     }
-    let message = format!("`0x{device_type:08X}` names no profile, and adds `0x{additional:04X}` to it");
+    let message = say!("`0x{:08X}` names no profile, and adds `0x{:04X}` to it", device_type, additional);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
     findings.push(finding.help("write the number of the profile into the low word, or 0 as a whole"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -26,12 +26,12 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Dummy)) {
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         if let Some((what, help)) = defect(pdo.pdo.kind, mapped.object) {
-            let message = format!("{} {what}", pdo.pdo);
+            let message = say!("{} {}", pdo.pdo, what);
             findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
         } else if let Some(key) = forbidden(facts, mapped.object) {
             let data_type = DataType(mapped.object.index);
             let message =
-                format!("{} has a filler of type {data_type}, which the device does not support", pdo.pdo);
+                say!("{} has a filler of type {}, which the device does not support", pdo.pdo, data_type);
             let key = Place::of(Part::DummyUsage).field(key);
             let finding = Diagnostic::new(&RULE.info, place, message).label(key, "not allowed here");
             findings.push(finding.help("use a type that `DummyUsage` allows"));
@@ -39,22 +39,22 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
 }
 
-fn defect(kind: PdoKind, dummy: MappedObject) -> Option<(String, String)> {
+fn defect(kind: PdoKind, dummy: MappedObject) -> Option<(Text, Text)> {
     let data_type = DataType(dummy.index);
     let bits = data_type.bit_length();
     if kind == PdoKind::Tpdo {
-        let what = format!("maps the data type {data_type}, and only an RPDO may have fillers");
-        return Some((what, "map an object".to_owned()));
+        let what = say!("maps the data type {}, and only an RPDO may have fillers", data_type);
+        return Some((what, "map an object".into()));
     }
     let Some(bits) = bits.filter(|_| data_type.is_dummy()) else {
-        let what = format!("maps {:04X}h, which is no data type that can be a filler", dummy.index);
-        return Some((what, "use BOOLEAN or an integer type: `0x00050008` skips one byte".to_owned()));
+        let what = say!("maps {:04X}h, which is no data type that can be a filler", dummy.index);
+        return Some((what, "use BOOLEAN or an integer type: `0x00050008` skips one byte".into()));
     };
-    let right = format!("write `0x{:08X}`", MappedObject { bits, sub: 0, ..dummy }.to_number());
+    let right = say!("write `0x{:08X}`", MappedObject { bits, sub: 0, ..dummy }.to_number());
     if dummy.sub != 0 {
-        return Some((format!("has a filler with sub-index {}, which is always 0", dummy.sub), right));
+        return Some((say!("has a filler with sub-index {}, which is always 0", dummy.sub), right));
     }
-    let what = format!("has a filler of {} bits, but {data_type} has {bits}", dummy.bits);
+    let what = say!("has a filler of {} bits, but {} has {}", dummy.bits, data_type, bits);
     (bits != dummy.bits).then_some((what, right))
 }
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::PdoKind;
 use crate::{Facts, rule, with_others};
 
@@ -28,7 +28,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(overflow) = value.and_then(|value| u8::try_from(value).ok()) else { return };
     let place = device.value_place(0x1019, 0);
     if overflow == 1 || overflow > 240 {
-        let message = format!("`{overflow}` as overflow value of the SYNC counter is reserved");
+        let message = say!("`{}` as overflow value of the SYNC counter is reserved", overflow);
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("write 0 for no counter, or 2 to 240"));
         return;
@@ -41,14 +41,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if overflow == 0 || broken.peek().is_none() {
         return;
     }
-    let message = format!(
-        "the SYNC counter overflows at `{overflow}`, which is no multiple of every transmission type"
-    );
+    let message =
+        say!("the SYNC counter overflows at `{}`, which is no multiple of every transmission type", overflow);
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
     let others = broken.map(|(pdo, every)| {
         let at = device.value_place(pdo.communication_index(), 2);
-        (at, format!("{pdo} is sent once in {every} SYNCs"))
+        (at, say!("{} is sent once in {} SYNCs", pdo, every))
     });
     findings.push(with_others(finding, others));
 }

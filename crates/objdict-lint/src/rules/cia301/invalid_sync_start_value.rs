@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
@@ -32,15 +32,17 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         |message| Diagnostic::new(&RULE.info, device.value_place(pdo.communication_index(), 6), message);
     let counter = device.value(0x1019, 0).and_then(|value| value.as_integer());
     if start > 240 {
-        let finding = finding(format!("`{start}` as SYNC start value of {pdo}, which takes 0 to 240"));
+        let finding = finding(say!("`{}` as SYNC start value of {}, which takes 0 to 240", start, pdo));
         findings.push(finding.help("write 0 to start with any SYNC"));
         return;
     }
     match counter {
         None if device.objects.contains_key(&0x1019) => {}
         None | Some(0) => {
-            let finding = finding(format!(
-                "`{start}` as SYNC start value of {pdo} has no effect without a SYNC counter"
+            let finding = finding(say!(
+                "`{}` as SYNC start value of {} has no effect without a SYNC counter",
+                start,
+                pdo
             ));
             let finding = match counter {
                 Some(_) => finding.label(device.value_place(0x1019, 0), "the counter is switched off here"),
@@ -49,10 +51,14 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             findings.push(finding.severity(Severity::Warning).help("write 0, or give 1019h a value"));
         }
         Some(overflow) if i128::from(start) > overflow => {
-            let finding =
-                finding(format!("{pdo} waits for SYNC number `{start}`, and the counter ends at {overflow}"));
+            let finding = finding(say!(
+                "{} waits for SYNC number `{}`, and the counter ends at {}",
+                pdo,
+                start,
+                overflow
+            ));
             let finding = finding.label(device.value_place(0x1019, 0), "the counter ends here");
-            findings.push(finding.help(format!("write at most {overflow}")));
+            findings.push(finding.help(say!("write at most {}", overflow)));
         }
         Some(_) => {}
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Device, Field, PdoKind, Place};
 use crate::rule;
 
@@ -41,9 +41,9 @@ fn check(device: &Device, findings: &mut Findings) {
         entry.is_mappable() && has_length && entry.access.is_some_and(fits)
     });
     let Some((place, _)) = found else { return };
-    let message = format!("the entry is for {missing}s, and the device has none");
+    let message = say!("the entry is for {}s, and the device has none", missing);
     let finding = Diagnostic::new(&RULE.info, place.field(Field::PdoMapping), message);
-    findings.push(finding.help("describe the PDOs, or write `PDOMapping=0`"));
+    findings.push(finding.help(say!("describe the PDOs, or write `{PDOMapping=0}`")));
 }
 
 fn has_pdo(device: &Device, kind: PdoKind) -> bool {

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::Place;
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -28,18 +28,22 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let place = facts.device.value_place(index, mapped.slot);
         let finding = match mapped.target {
             Target::NoEntry => {
-                let message = format!(
+                let message = say!(
                     "{} maps {:04X}h:{:02X}, which has no such sub-index",
-                    pdo.pdo, object.index, object.sub
+                    pdo.pdo,
+                    object.index,
+                    object.sub
                 );
                 let finding = Diagnostic::new(&RULE.info, place, message);
                 let finding = finding.label(Place::object(object.index), "the object is here");
                 finding.help("describe the sub-index, or map another one")
             }
             _ => {
-                let message = format!(
+                let message = say!(
                     "{} maps {:04X}h:{:02X}, and there is no such object",
-                    pdo.pdo, object.index, object.sub
+                    pdo.pdo,
+                    object.index,
+                    object.sub
                 );
                 Diagnostic::new(&RULE.info, place, message).help("describe the object, or map another one")
             }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Field, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -29,13 +29,14 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             continue;
         }
         let (index, sub) = (mapped.object.index, mapped.object.sub);
-        let message = format!("{} maps {index:04X}h:{sub:02X}, which no PDO may carry", pdo.pdo);
+        let message = say!("{} maps {:04X}h:{:02X}, which no PDO may carry", pdo.pdo, index, sub);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let finding = Diagnostic::new(&RULE.info, place, message);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
-        let fix = Fix::risky("write `PDOMapping=1` there").set(target.clone().field(Field::PdoMapping), "1");
+        let fix = Fix::risky(say!("write `{PDOMapping=1}` there"))
+            .set(target.clone().field(Field::PdoMapping), "1");
         let finding = finding.label(target.field(Field::PdoMapping), "says that it is not mappable").fix(fix);
-        findings.push(finding.help("write `PDOMapping=1` there, or map another object"));
+        findings.push(finding.help(say!("write `{PDOMapping=1}` there, or map another object")));
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -27,9 +27,12 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let beyond = pdo.pdo.slots.iter().filter(|slot| slot.sub > count);
     let mut beyond = beyond.filter(|slot| slot.object.is_some_and(|object| !object.is_unused()));
     let Some(first) = beyond.next() else { return };
-    let message = format!(
-        "sub-index {} of {index:04X}h names an object, and {} maps only `{count}`",
-        first.sub, pdo.pdo
+    let message = say!(
+        "sub-index {} of {:04X}h names an object, and {} maps only `{}`",
+        first.sub,
+        index,
+        pdo.pdo,
+        count
     );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, first.sub), message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");

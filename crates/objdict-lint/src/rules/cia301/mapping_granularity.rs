@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Field, Part, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -31,7 +31,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         _ => matches!(mapped.target, Target::Dummy),
     });
     let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
-    let message = format!("{} maps {}, and the granularity is `{granularity}` bits", pdo.pdo, first.object);
+    let message = say!("{} maps {}, and the granularity is `{}` bits", pdo.pdo, first.object, granularity);
     let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");

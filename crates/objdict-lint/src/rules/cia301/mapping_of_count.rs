@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Place;
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -25,7 +25,7 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Count)) {
         let index = mapped.object.index;
-        let message = format!("{} maps {index:04X}h:00, which is the number of its entries", pdo.pdo);
+        let message = say!("{} maps {:04X}h:00, which is the number of its entries", pdo.pdo, index);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let finding = Diagnostic::new(&RULE.info, place, message);
         let finding = finding.label(Place::object(index), "the values are in sub-indexes 1 and above");

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, Place};
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
@@ -34,7 +34,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         return;
     }
     let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
-    let message = format!("the mapping of {pdo} is fixed, and nobody says how many objects it has");
+    let message = say!("the mapping of {} is fixed, and nobody says how many objects it has", pdo);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("write the number of mapped objects"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, Object, Place};
 use crate::{Facts, PdoFacts, rule};
 
@@ -30,7 +30,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let Some(fixed) = fixed.filter(|_| writable(0) && writable(1)) else { return };
     let at = |index, sub| Place::entry(index, sub).field(Field::AccessType);
     let message =
-        format!("the COB-ID of {pdo} is `{fixed}`, so nobody can switch it off to change its mapping");
+        say!("the COB-ID of {} is `{}`, so nobody can switch it off to change its mapping", pdo, fixed);
     let finding = Diagnostic::new(&RULE.info, at(pdo.communication_index(), 1), message)
         .label(at(pdo.mapping_index(), 0), "the mapping can be written");
     findings.push(finding.help("make the COB-ID `rw`, or the mapping `const`"));

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, say};
 use crate::model::{ObjectList, Part, Place};
 use crate::profile::Need;
 use crate::{Facts, rule, stated};
@@ -40,8 +40,12 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             Some(_) => Place::of(Part::List(ObjectList::Mandatory)),
             None => Place::device(),
         };
-        let message = format!("the mandatory object {index:04X}h ({name}) is missing");
-        let help = format!("add `[{index:04X}]` and name `0x{index:04X}` in `MandatoryObjects`");
+        let message = say!("the mandatory object {:04X}h ({}) is missing", index, name);
+        let help = say!(
+            "add `{}`{}",
+            Part::Object(index),
+            Argument::OfLists(say!(" and name `0x{:04X}` in `MandatoryObjects`", index))
+        );
         findings.push(Diagnostic::new(rule, place, message).help(help));
     }
 }

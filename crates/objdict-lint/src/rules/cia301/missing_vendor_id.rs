@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Identity, Place};
 use crate::rule;
 
@@ -30,7 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::object(Identity::INDEX);
     let finding =
         Diagnostic::new(&RULE.info, place, "the identity object 1018h has no sub-index 1, the vendor-ID");
-    findings.push(finding.help(
-        "add `[1018sub1]` with `DataType=0x0007`, `AccessType=ro` and the vendor-ID as `DefaultValue`",
-    ));
+    findings.push(finding.help(say!(
+        "add `{[1018sub1]}` with `{DataType=0x0007}`, `{AccessType=ro}` and the vendor-ID as `{DefaultValue}`"
+    )));
 }

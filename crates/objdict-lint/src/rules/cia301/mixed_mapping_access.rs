@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, Object, Place};
 use crate::{Facts, PdoFacts, rule};
 
@@ -29,9 +29,9 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let mut entries = (1..=64).filter_map(|sub| Some((sub, writable(object, sub)?)));
     let Some((sub, _)) = entries.find(|&(_, entry)| entry != count) else { return };
     let message = if count {
-        format!("sub-index {sub} of {index:04X}h cannot be written, though the number of mapped objects can")
+        say!("sub-index {} of {:04X}h cannot be written, though the number of mapped objects can", sub, index)
     } else {
-        format!("sub-index {sub} of {index:04X}h can be written, though the number of mapped objects cannot")
+        say!("sub-index {} of {:04X}h can be written, though the number of mapped objects cannot", sub, index)
     };
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub).field(Field::AccessType), message);
     let finding =

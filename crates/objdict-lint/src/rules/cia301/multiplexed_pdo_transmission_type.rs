@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -28,7 +28,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     };
     let place = facts.device.value_place(pdo.communication_index(), 2);
     let message =
-        format!("{pdo} is a multiplexed PDO, and type `{transmission_type}` makes it wait for SYNC");
+        say!("{} is a multiplexed PDO, and type `{}` makes it wait for SYNC", pdo, transmission_type);
     let finding = Diagnostic::new(&RULE.info, place, message)
         .label(facts.device.value_place(pdo.mapping_index(), 0), "this makes it a multiplexed PDO");
     findings.push(finding.help("write 254 or 255"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::PdoKind;
 use crate::{Facts, rule};
 
@@ -35,9 +35,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if is_listed || device.objects.range(first..=last).next().is_some() {
             continue;
         }
-        let message = format!("{pdo} is multiplexed by source address, and there is no {name}");
+        let message = say!("{} is multiplexed by source address, and there is no {}", pdo, name);
         let finding = Diagnostic::new(&RULE.info, device.value_place(pdo.mapping_index(), 0), message);
-        findings
-            .push(finding.help(format!("add {first:04X}h ({name}), or count 255 for destination addresses")));
+        findings.push(finding.help(say!(
+            "add {:04X}h ({}), or count 255 for destination addresses",
+            first,
+            name
+        )));
     }
 }

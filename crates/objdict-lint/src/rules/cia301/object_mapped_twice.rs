@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let place = |slot| facts.device.value_place(pdo.pdo.mapping_index(), slot);
         match seen.get(&(object.index, object.sub)) {
             Some(&first) => {
-                let message = format!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
+                let message = say!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
                 let finding = Diagnostic::new(&RULE.info, place(mapped.slot), message);
                 findings.push(
                     finding.label(place(first), "the first time").help("map the object that was meant"),

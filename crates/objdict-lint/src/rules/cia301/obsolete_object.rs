@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Object, Place};
 use crate::profile;
 use crate::rule;
@@ -25,7 +25,7 @@ rule! {
 
 fn check(_: &Device, index: u16, _: &Object, findings: &mut Findings) {
     if let Some(purpose) = profile::obsolete(index) {
-        let message = format!("{index:04X}h ({purpose}) is obsolete since version 4 of CiA 301");
+        let message = say!("{:04X}h ({}) is obsolete since version 4 of CiA 301", index, purpose);
         let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
         findings.push(finding.help("leave it out where no old tool needs it"));
     }

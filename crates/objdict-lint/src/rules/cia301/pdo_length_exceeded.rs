@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -33,7 +33,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     });
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
-    let message = format!("{} carries {bits} bits, {} more than fit into a frame", pdo.pdo, bits - 64);
+    let message = say!("{} carries {} bits, {} more than fit into a frame", pdo.pdo, bits, bits - 64);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and what follows it to another PDO"));

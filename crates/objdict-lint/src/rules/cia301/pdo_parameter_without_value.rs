@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
 rule! {
@@ -28,7 +28,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
         let has_type = object.subs.get(sub).is_none_or(|entry| entry.data_type.is_some());
         if has_type && is_unstated(object, sub) {
-            let message = format!("the {name} of {pdo} has no value");
+            let message = say!("the {} of {} has no value", name, pdo);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, sub), message);
             findings.push(finding.help("write the value of a device whose defaults were restored"));
             return;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::DeviceKind;
 use crate::{Facts, rule, with_others};
 
@@ -34,12 +34,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
     });
     let Some((first, cob_id)) = on.next() else { return };
-    let message = format!("`{cob_id}` switches {first} on by default, and it has no predefined CAN-ID");
+    let message = say!("`{}` switches {} on by default, and it has no predefined CAN-ID", cob_id, first);
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 1), message);
-    let finding = finding.help(format!("set bit 31: `{}`", cob_id.disabled()));
+    let finding = finding.help(say!("set bit 31: `{}`", cob_id.disabled()));
     let place = |index| device.value_place(index, 1);
     findings.push(with_others(
         finding,
-        on.map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too"))),
+        on.map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo))),
     ));
 }

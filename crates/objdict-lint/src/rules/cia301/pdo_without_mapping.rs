@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Place;
 use crate::{Facts, PdoFacts, rule};
 
@@ -35,7 +35,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
         return;
     }
-    let message = format!("{pdo} has {what}, {there:04X}h, and no {other}, {missing:04X}h");
+    let message = say!("{} has {}, {:04X}h, and no {}, {:04X}h", pdo, what, there, other, missing);
     let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
-    findings.push(finding.help(format!("add {missing:04X}h, or remove {there:04X}h")));
+    findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{DataType, Field, Place};
 use crate::{Facts, rule, stated, with_others};
 
@@ -28,12 +28,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some((first, _)) = with.clone().next() else { return };
     let place = |index| Place::entry(index, 4);
     let message =
-        format!("{first} has sub-index 4 in {:04X}h, which is reserved", first.communication_index());
+        say!("{} has sub-index 4 in {:04X}h, which is reserved", first, first.communication_index());
     let finding = Diagnostic::new(&RULE.info, place(first.communication_index()), message);
-    let finding = finding.help("remove the section; the event timer is sub-index 5");
+    let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
     let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
     let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
-    let fix = with.clone().fold(Fix::risky("remove the section"), |fix, (pdo, _)| {
+    let fix = with.clone().fold(Fix::risky(say!("remove the {section}")), |fix, (pdo, _)| {
         let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
         let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
         let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
@@ -45,6 +45,6 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         fix.set(count, highest.to_string())
     });
     let finding = finding.fix(fix);
-    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), format!("{pdo} too")));
+    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo)));
     findings.push(with_others(finding, others));
 }

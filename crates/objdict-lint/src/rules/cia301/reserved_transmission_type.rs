@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
@@ -31,7 +31,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let reserved =
         pdo.transmission_type.filter(|transmission_type| (241..=highest).contains(transmission_type));
     if let Some(transmission_type) = reserved {
-        let message = format!("`{transmission_type}` as transmission type of {pdo} is reserved");
+        let message = say!("`{}` as transmission type of {} is reserved", transmission_type, pdo);
         let place = facts.device.value_place(pdo.communication_index(), 2);
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("write 254 or 255 for event-driven, 0 to 240 for synchronous"));

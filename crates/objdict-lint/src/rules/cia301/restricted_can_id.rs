@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
 use crate::{CobIdUse, Facts, rule};
 
 rule! {
@@ -41,13 +41,17 @@ fn finding(
 ) -> Diagnostic {
     let can_id = cob_id.cob_id.can_id(first);
     let on_nodes = match (cob_id.cob_id.depends_on_node_id(), everywhere) {
-        (false, _) => String::new(),
-        (true, true) => format!(" (on node {first})"),
-        (true, false) => format!(" (on nodes {first} to {last})"),
+        (false, _) => Text::default(),
+        (true, true) => say!(" (on node {})", first),
+        (true, false) => say!(" (on nodes {} to {})", first, last),
     };
-    let message = format!(
-        "`{}` gives {} the restricted CAN-ID {can_id:03X}h{on_nodes}: {owner}",
-        cob_id.cob_id, cob_id.service
+    let message = say!(
+        "`{}` gives {} the restricted CAN-ID {:03X}h{}: {}",
+        cob_id.cob_id,
+        cob_id.service,
+        can_id,
+        on_nodes,
+        owner
     );
     let place = facts.device.value_place(cob_id.index, cob_id.sub);
     let finding = Diagnostic::new(&RULE.info, place, message);

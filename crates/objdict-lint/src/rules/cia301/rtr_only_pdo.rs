@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         return;
     }
     let message =
-        format!("{pdo} has transmission type `{transmission_type}`, and is sent on remote frames only");
+        say!("{} has transmission type `{}`, and is sent on remote frames only", pdo, transmission_type);
     let place = facts.device.value_place(pdo.communication_index(), 2);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("use 254 or 255 with an event timer, or a synchronous type"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{CobId, PdoKind};
 use crate::{Facts, PdoFacts, rule};
 
@@ -28,8 +28,11 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (Some(transmission_type), Some(cob_id)) = (on_request, pdo.cob_id) else { return };
     if pdo.kind == PdoKind::Tpdo && cob_id.is_valid() && cob_id.bit_30() {
         let index = pdo.communication_index();
-        let message = format!(
-            "{pdo} is sent on request only (type `{transmission_type}`), and bit 30 of `{cob_id}` forbids it"
+        let message = say!(
+            "{} is sent on request only (type `{}`), and bit 30 of `{}` forbids it",
+            pdo,
+            transmission_type,
+            cob_id
         );
         let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 2), message)
             .label(facts.device.value_place(index, 1), "no RTR allowed here");
@@ -38,6 +41,6 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let fix = Fix::risky("clear bit 30")
             .set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
         let finding = finding.fix(fix);
-        findings.push(finding.help(format!("use another type, or clear bit 30: `{flags}0x{number:X}`")));
+        findings.push(finding.help(say!("use another type, or clear bit 30: `{}0x{:X}`", flags, number)));
     }
 }

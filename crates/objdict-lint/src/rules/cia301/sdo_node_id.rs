@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
@@ -31,11 +31,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let own = facts.device.node_id().map(i128::from);
         let service = request.service;
         let message = if !(1..=127).contains(&node) {
-            format!("{service} leads to node `{node}`, and node-IDs are 1 to 127")
+            say!("{} leads to node `{}`, and node-IDs are 1 to 127", service, node)
         } else if own == Some(node) {
-            format!("{service} leads to node {node}, which is the node itself")
+            say!("{} leads to node {}, which is the node itself", service, node)
         } else if let Some(server) = default_server(facts, request).filter(|&server| server != node) {
-            format!("{service} uses the default SDO of node {server}, and names node {node}")
+            say!("{} uses the default SDO of node {}, and names node {}", service, server, node)
         } else {
             continue;
         };

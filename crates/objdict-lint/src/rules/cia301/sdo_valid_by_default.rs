@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::DeviceKind;
 use crate::{Facts, Service, rule};
 
@@ -37,7 +37,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if !is_additional || is_half || facts.is_restricted(cob_id) {
             continue;
         }
-        let message = format!("`{}` switches {} on in every new device", cob_id.cob_id, cob_id.service);
+        let message = say!("`{}` switches {} on in every new device", cob_id.cob_id, cob_id.service);
         let finding =
             Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help("write `0x80000000` into both COB-IDs"));

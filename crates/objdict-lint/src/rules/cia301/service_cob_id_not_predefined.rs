@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{CobId, DeviceKind, predefined};
 use crate::{CobIdUse, Facts, Service, rule};
 
@@ -35,14 +35,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         if let Some(expected) = expected(facts, cob_id, base) {
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
-            let message = format!(
+            let message = say!(
                 "`{}` as default COB-ID of {}, which the predefined connection set puts elsewhere",
-                cob_id.cob_id, cob_id.service
+                cob_id.cob_id,
+                cob_id.service
             );
             let finding = Diagnostic::new(&RULE.info, place.clone(), message);
             let fix = Fix::risky("take the CAN-ID of the predefined connection set")
                 .set(place, expected.to_string());
-            findings.push(finding.help(format!("write `{expected}`")).fix(fix));
+            findings.push(finding.help(say!("write `{}`", expected)).fix(fix));
         }
     }
 }

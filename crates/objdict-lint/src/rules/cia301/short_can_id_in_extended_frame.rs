@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -26,10 +26,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if cob_id.cob_id.can_id(127) > 0x7FF || cob_id.wrong_bits() != 0 {
             continue;
         }
-        let message = format!(
-            "`{}` of {} has the bit of 29-bit identifiers, and 11 bits",
-            cob_id.cob_id, cob_id.service
-        );
+        let message =
+            say!("`{}` of {} has the bit of 29-bit identifiers, and 11 bits", cob_id.cob_id, cob_id.service);
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("clear bit 29; to switch the service off, set bit 31"));

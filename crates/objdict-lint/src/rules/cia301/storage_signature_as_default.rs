@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say, sub_index};
 use crate::model::{Device, Entry, Field, Place, Value};
 use crate::rule;
 
@@ -34,13 +34,13 @@ fn check(device: &Device, findings: &mut Findings) {
         let Some((sub, value)) = wrong.next() else { continue };
         let place =
             sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::DefaultValue);
-        let which = sub.map_or_else(String::new, |sub| format!(" sub-index {}", sub_index(sub)));
+        let which = sub.map_or_else(Text::default, |sub| say!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
             let message =
-                format!("`0x{value:08X}` is what is written to {index:04X}h{which}, not what is read");
+                say!("`0x{:08X}` is what is written to {:04X}h{}, not what is read", value, index, which);
             Diagnostic::new(&RULE.info, place.clone(), message)
         } else {
-            let message = format!("`0x{value:08X}` of {index:04X}h{which} has bits that mean nothing");
+            let message = say!("`0x{:08X}` of {:04X}h{} has bits that mean nothing", value, index, which);
             Diagnostic::new(&RULE.info, place.clone(), message)
         };
         let fix = Fix::risky("write what a device that does it on command answers").set(place, "1");

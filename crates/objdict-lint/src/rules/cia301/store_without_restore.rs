@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Place};
 use crate::{rule, stated};
 
@@ -30,7 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for (there, other, message) in pairs {
         if device.objects.contains_key(&there) && !stated::is_there(device, other) {
             let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
-            findings.push(finding.help(format!("add {other:04X}h")));
+            findings.push(finding.help(say!("add {:04X}h", other)));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Object, Place};
 use crate::{rule, stated};
 
@@ -32,7 +32,7 @@ fn check(device: &Device, index: u16, _: &Object, findings: &mut Findings) {
     if stated::is_there(device, 0x1005) {
         return;
     }
-    let message = format!("{index:04X}h ({name}) is there, and 1005h for SYNC is not");
+    let message = say!("{:04X}h ({}) is there, and 1005h for SYNC is not", index, name);
     let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-    findings.push(finding.help(format!("add 1005h (COB-ID SYNC), or remove {index:04X}h")));
+    findings.push(finding.help(say!("add 1005h (COB-ID SYNC), or remove {:04X}h", index)));
 }

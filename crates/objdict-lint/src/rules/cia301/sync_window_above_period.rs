@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -26,7 +26,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if period == 0 || window <= period {
         return;
     }
-    let message = format!("the synchronous window is {window} µs long, and SYNC comes every {period} µs");
+    let message = say!("the synchronous window is {} µs long, and SYNC comes every {} µs", window, period);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1007, 0), message)
         .label(facts.device.value_place(0x1006, 0), "the period of SYNC");
     findings.push(finding.help("shorten the window, or lengthen the period"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule, stated, with_others};
 
 rule! {
@@ -34,11 +34,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(first) = synchronous.next() else { return };
     let transmission_type = first.transmission_type.unwrap_or_default();
     let message =
-        format!("{first} has the synchronous type `{transmission_type}`, and there is no 1005h for SYNC");
+        say!("{} has the synchronous type `{}`, and there is no 1005h for SYNC", first, transmission_type);
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 2), message);
     let finding = finding
         .help("add 1005h (COB-ID SYNC, UNSIGNED32, default 0x80), or use transmission type 254 or 255");
     let place = |index| device.value_place(index, 2);
-    let others = synchronous.map(|pdo| (place(pdo.communication_index()), format!("{pdo} too")));
+    let others = synchronous.map(|pdo| (place(pdo.communication_index()), say!("{} too", pdo)));
     findings.push(with_others(finding, others));
 }

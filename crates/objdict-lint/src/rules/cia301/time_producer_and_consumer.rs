@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Service, rule};
 
 rule! {
@@ -24,7 +24,7 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let time = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Time);
     let Some(time) = time.filter(|time| !time.cob_id.is_valid() && time.cob_id.bit_30()) else { return };
-    let message = format!("`{}` makes the device send TIME and listen to it", time.cob_id);
+    let message = say!("`{}` makes the device send TIME and listen to it", time.cob_id);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1012, 0), message);
     findings.push(finding.help("clear bit 30 of one that takes the time, bit 31 of one that gives it"));
 }

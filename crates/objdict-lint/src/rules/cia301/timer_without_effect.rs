@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
@@ -36,11 +36,11 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let place = facts.device.value_place(index, sub);
     let finding = match pdo.transmission_type.filter(|_| is_cyclic) {
         Some(transmission_type) => {
-            let message = format!("{pdo} is sent with SYNC, so its {name} of `{time}` has no effect");
-            let reason = format!("type {transmission_type} is a synchronous one");
+            let message = say!("{} is sent with SYNC, so its {} of `{}` has no effect", pdo, name, time);
+            let reason = say!("type {} is a synchronous one", transmission_type);
             Diagnostic::new(&RULE.info, place, message).label(facts.device.value_place(index, 2), reason)
         }
-        None => Diagnostic::new(&RULE.info, place, format!("the {name} `{time}` of {pdo} has no effect")),
+        None => Diagnostic::new(&RULE.info, place, say!("the {} `{}` of {} has no effect", name, time, pdo)),
     };
     findings.push(finding.help("write 0, or the transmission type 254 or 255"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{DeviceKind, PdoKind};
 use crate::{Facts, PdoFacts, rule};
 
@@ -33,9 +33,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let number = (can_id >> 8) & 0x7;
-        let message = format!(
-            "{} of node {own} is sent as `{can_id:03X}h`, the TPDO {number} of node {node}",
-            cob_id.service
+        let message = say!(
+            "{} of node {} is sent as `{:03X}h`, the TPDO {} of node {}",
+            cob_id.service,
+            own,
+            can_id,
+            number,
+            node
         );
         let finding =
             Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let mut start = 0u32;
     for mapped in &pdo.mapped {
         if mapped.object.bits >= 8 && !start.is_multiple_of(8) {
-            let message = format!("{} maps {} from bit {start} on", pdo.pdo, mapped.object);
+            let message = say!("{} maps {} from bit {} on", pdo.pdo, mapped.object, start);
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help("map the single bits last, or fill up the byte before"));

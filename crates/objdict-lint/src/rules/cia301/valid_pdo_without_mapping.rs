@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -33,9 +33,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         return;
     }
     let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
-    let message = format!("`{cob_id}` switches {} on, and it maps nothing", pdo.pdo);
+    let message = say!("`{}` switches {} on, and it maps nothing", cob_id, pdo.pdo);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding =
         finding.label(facts.device.value_place(pdo.pdo.mapping_index(), 0), "no objects are mapped");
-    findings.push(finding.help(format!("set bit 31: `{}`, or map something", cob_id.disabled())));
+    findings.push(finding.help(say!("set bit 31: `{}`, or map something", cob_id.disabled())));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
 use crate::model::Object;
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
@@ -26,10 +26,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (Some(count), Some(object)) = (pdo.pdo.mapped_count, pdo.pdo.mapping) else { return };
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, 0);
-    let finding = |message: String| Diagnostic::new(&RULE.info, place.clone(), message);
+    let finding = |message: Text| Diagnostic::new(&RULE.info, place.clone(), message);
     if (65..=253).contains(&count) {
         let finding =
-            finding(format!("`{count}` as number of objects that {} maps, which takes 0 to 64", pdo.pdo));
+            finding(say!("`{}` as number of objects that {} maps, which takes 0 to 64", count, pdo.pdo));
         findings
             .push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
         return;
@@ -39,14 +39,14 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
     let is_empty = |sub: u8| is_unstated(object, sub) || mapped_number(object, sub) == Some(0);
     let Some(sub) = (1..=count).find(|&sub| !object.has(sub) || is_empty(sub)) else { return };
-    let message = format!("{} maps `{count}` objects", pdo.pdo);
+    let message = say!("{} maps `{}` objects", pdo.pdo, count);
     let finding = if object.has(sub) {
-        let finding = finding(format!("{message}, but sub-index {sub} of {index:04X}h names none"));
+        let finding = finding(say!("{}, but sub-index {} of {:04X}h names none", message, sub, index));
         finding.label(facts.device.value_place(index, sub), "the first entry without an object")
     } else {
-        finding(format!("{message}, but {index:04X}h has no sub-index {sub}"))
+        finding(say!("{}, but {:04X}h has no sub-index {}", message, index, sub))
     };
-    let title = format!("write the number of entries in use: `{}`", sub - 1);
+    let title = say!("write the number of entries in use: `{}`", sub - 1);
     let fix = Fix::risky(title.clone()).set(place.clone(), (sub - 1).to_string());
     findings.push(finding.help(title).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, PdoKind, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             continue;
         };
         let (index, sub) = (mapped.object.index, mapped.object.sub);
-        let message = format!("{} maps {index:04X}h:{sub:02X}, which is {}", pdo.pdo, what_it_is(access));
+        let message = say!("{} maps {:04X}h:{:02X}, which is {}", pdo.pdo, index, sub, what_it_is(access));
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };

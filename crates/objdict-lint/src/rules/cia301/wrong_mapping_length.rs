@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{DataType, Field, MappedObject, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -28,9 +28,15 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let MappedObject { index, sub, bits: stated } = mapped.object;
         let data_type = entry.data_type.map(|data_type| data_type.to_string()).unwrap_or_default();
         let unit = if stated == 1 { "bit" } else { "bits" };
-        let message = format!(
-            "{} maps {stated} {unit} of {index:04X}h:{sub:02X}, which has {bits} ({data_type})",
-            pdo.pdo
+        let message = say!(
+            "{} maps {} {} of {:04X}h:{:02X}, which has {} ({})",
+            pdo.pdo,
+            stated,
+            unit,
+            index,
+            sub,
+            bits,
+            data_type
         );
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
@@ -39,7 +45,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let finding = finding.label(target.field(Field::DataType), "its data type");
         let right = MappedObject { bits, ..mapped.object };
         let right = format!("0x{:08X}", right.to_number());
-        let title = format!("write `{right}`");
+        let title = say!("write `{}`", right);
         let finding = finding.help(title.clone()).fix(Fix::risky(title).set(place, right));
         let whole_byte = entry.data_type == Some(DataType::BOOLEAN) && stated == 8;
         findings.push(if whole_byte { finding.severity(Severity::Warning) } else { finding });

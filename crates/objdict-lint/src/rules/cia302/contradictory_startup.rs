@@ -1,5 +1,5 @@
 use crate::demands::Against;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::rule;
 
 rule! {
@@ -38,9 +38,9 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let is_set = |bit: u8| value >> bit & 1 == 1;
     for (first, second, meaning) in CONTRADICTIONS {
         if is_set(first) && is_set(second) {
-            let message = format!("bits {first} and {second} of 1F80h are set: {meaning}");
+            let message = say!("bits {} and {} of 1F80h are set: {}", first, second, Text::from(meaning));
             let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
-            findings.push(finding.help(format!("clear bit {first} or bit {second}")));
+            findings.push(finding.help(say!("clear bit {} or bit {}", first, second)));
         }
     }
 }

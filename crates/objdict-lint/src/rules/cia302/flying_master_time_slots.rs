@@ -1,5 +1,5 @@
 use crate::demands::Against;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::rule;
 
 rule! {
@@ -32,12 +32,13 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let value = |sub: u8| at.object.value(sub)?.as_integer();
     let (Some(priority), Some(node)) = (value(4), value(5)) else { return };
     if priority <= NODES * node {
-        let message = format!(
-            "`{priority}` ms as priority time slot, which must be more than 127 time slots of a device ({} ms)",
+        let message = say!(
+            "`{}` ms as priority time slot, which must be more than 127 time slots of a device ({} ms)",
+            priority,
             NODES * node
         );
         let finding = Diagnostic::new(rule, at.device.value_place(at.index, 4), message);
         let finding = finding.label(at.device.value_place(at.index, 5), "time slot of a device");
-        findings.push(finding.help(format!("write more than {}", NODES * node)));
+        findings.push(finding.help(say!("write more than {}", NODES * node)));
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Expected;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::rule;
 
 rule! {
@@ -29,8 +29,8 @@ fn check(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = at.entry.value().and_then(crate::model::Value::as_integer) else { return };
     let (retries, time) = (value >> 8 & 0xFF, value >> 16 & 0xFFFF);
     let message = match (value & 1 == 1, time > 0, retries > 0) {
-        (true, true, false) => format!("{at} has a guard time of {time} ms and no retries"),
-        (true, false, true) => format!("{at} has a retry factor of {retries} and no guard time"),
+        (true, true, false) => say!("{} has a guard time of {} ms and no retries", at, time),
+        (true, false, true) => say!("{} has a retry factor of {} and no guard time", at, retries),
         _ => return,
     };
     let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part, Place};
 use crate::{Facts, rule};
 
@@ -32,11 +32,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
     let marked = device.device_info.as_ref().and_then(|info| info.simple_boot_up_master);
     let list = LISTS.iter().find(|&&index| device.object(index).is_some_and(|object| !object.orphan));
     if let Some(&index) = list.filter(|_| marked == Some(false)) {
-        let message = format!("the device has {index:04X}h, a list of nodes, and `SimpleBootUpMaster=0`");
+        let message = say!("the device has {:04X}h, a list of nodes, and `{SimpleBootUpMaster=0}`", index);
         let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(Place::object(index), "a list of nodes");
-        let finding = finding.help("write `SimpleBootUpMaster=1` when the device can boot a network");
-        findings.push(finding.fix(Fix::risky("write `SimpleBootUpMaster=1`").set(place, "1")));
+        let finding = finding.help(say!("write `{SimpleBootUpMaster=1}` when the device can boot a network"));
+        findings.push(finding.fix(Fix::risky(say!("write `{SimpleBootUpMaster=1}`")).set(place, "1")));
     }
 }

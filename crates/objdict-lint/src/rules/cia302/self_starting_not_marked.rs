@@ -1,5 +1,5 @@
 use crate::demands::Against;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part, Place};
 use crate::rule;
 
@@ -28,12 +28,13 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let starts = value.and_then(|value| value.as_integer()).is_some_and(|value| value & 0b101 == 0);
     let marked = at.device.device_info.as_ref().and_then(|info| info.simple_boot_up_slave);
     if starts && marked == Some(false) {
-        let message =
-            "1F80h lets the device enter operational by itself, `SimpleBootUpSlave` says that it does not";
+        let message = say!(
+            "1F80h lets the device enter operational by itself, `{SimpleBootUpSlave}` says that it does not"
+        );
         let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpSlave);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(at.device.value_place(at.index, 0), "bit 2 is clear");
-        let fix = Fix::risky("write `SimpleBootUpSlave=1`").set(place, "1");
-        findings.push(finding.help("write `SimpleBootUpSlave=1`").fix(fix));
+        let fix = Fix::risky(say!("write `{SimpleBootUpSlave=1}`")).set(place, "1");
+        findings.push(finding.help(say!("write `{SimpleBootUpSlave=1}`")).fix(fix));
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Place;
 use crate::{Facts, rule};
 
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     };
     let number = |srdo: &crate::Srdo<'_>| u8::try_from(srdo.number).unwrap_or(u8::MAX);
     if let Some(srdo) = facts.srdos.iter().find(|srdo| !object.has(number(srdo))) {
-        let message = format!("13FFh has no sub-index {} for the checksum of {srdo}", srdo.number);
+        let message = say!("13FFh has no sub-index {} for the checksum of {}", srdo.number, srdo);
         let finding = Diagnostic::new(&RULE.info, Place::object(0x13FF), message);
         findings.push(finding.help("describe an element for each SRDO"));
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Srdo, rule};
 
 rule! {
@@ -32,8 +32,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         match seen.iter().find(|(other, _)| *other == cob_id) {
             Some(&(_, first)) => {
-                let message = format!(
-                    "{srdo} has the COB-IDs of SRDO {}",
+                let message = say!(
+                    "{} has the COB-IDs of SRDO {}",
+                    srdo,
                     facts.srdos.get(first).map_or(0, |srdo| srdo.number)
                 );
                 let finding =

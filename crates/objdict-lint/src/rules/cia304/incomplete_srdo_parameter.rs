@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::model::Place;
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{Part, Place};
 use crate::{Facts, rule};
 
 const SUBS: [(u8, &str); 6] = [
@@ -40,9 +40,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         let index = srdo.communication_index();
         for (sub, name) in SUBS.into_iter().filter(|(sub, _)| !object.has(*sub)) {
-            let message = format!("{srdo} has no sub-index {sub} ({name}) in {index:04X}h");
+            let message = say!("{} has no sub-index {} ({}) in {:04X}h", srdo, sub, name, index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-            findings.push(finding.help(format!("add `[{index:X}sub{sub:X}]`")));
+            findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::DeviceKind;
 use crate::{Facts, rule};
 
@@ -33,11 +33,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let place = |sub| facts.device.value_place(index, sub);
         let is_plain = (0x101..=0x17F).contains(&plain) && plain % 2 == 1;
         let finding = if !is_plain {
-            let message = format!("`{plain:X}h` as COB-ID 1 of {srdo}, which is odd and from 101h to 17Fh");
+            let message = say!("`{:X}h` as COB-ID 1 of {}, which is odd and from 101h to 17Fh", plain, srdo);
             Diagnostic::new(&RULE.info, place(5), message)
         } else if inverted != plain + 1 {
             let message =
-                format!("`{inverted:X}h` as COB-ID 2 of {srdo} does not follow `{plain:X}h`, COB-ID 1");
+                say!("`{:X}h` as COB-ID 2 of {} does not follow `{:X}h`, COB-ID 1", inverted, srdo, plain);
             Diagnostic::new(&RULE.info, place(6), message).label(place(5), "COB-ID 1")
         } else {
             continue;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,7 +27,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         };
         let place = facts.device.value_place(srdo.communication_index(), 1);
-        let message = format!("`{direction}` is no information direction of {srdo}");
+        let message = say!("`{}` is no information direction of {}", direction, srdo);
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("write 0 for none, 1 for one that is sent or 2 for one that is received"));
     }

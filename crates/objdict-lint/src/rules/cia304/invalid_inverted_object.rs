@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{DataType, Device, Field, Place};
 use crate::rule;
 
@@ -30,28 +30,28 @@ fn check(device: &Device, findings: &mut Findings) {
             let Some(what) = problem(device, (index, sub.unwrap_or(0)), srad, entry.data_type) else {
                 continue;
             };
-            let message = format!("`0x{srad:06X}` as entry with the inverted value: {what}");
+            let message = say!("`0x{:06X}` as entry with the inverted value: {}", srad, what);
             let finding = Diagnostic::new(&RULE.info, part.field(Field::InvertedSrad), message);
             findings.push(finding.help("write index and sub-index of the inverted entry as six hex digits"));
         }
     }
 }
 
-fn problem(device: &Device, own: (u16, u8), srad: u32, data_type: Option<DataType>) -> Option<String> {
+fn problem(device: &Device, own: (u16, u8), srad: u32, data_type: Option<DataType>) -> Option<Text> {
     let [sub, low, high, above] = srad.to_le_bytes();
     let named = (u16::from_le_bytes([low, high]), sub);
     if above != 0 {
-        return Some("it has more than six digits".to_owned());
+        return Some("it has more than six digits".into());
     }
     if named == own {
-        return Some("it is the entry itself".to_owned());
+        return Some("it is the entry itself".into());
     }
     let Some(inverted) = device.entry(named.0, named.1) else {
-        return (!device.is_modular()).then(|| "there is no such entry".to_owned());
+        return (!device.is_modular()).then(|| "there is no such entry".into());
     };
     match (data_type, inverted.data_type) {
         (Some(plain), Some(other)) if plain != other => {
-            Some(format!("it is {other}, and the entry is {plain}"))
+            Some(say!("it is {}, and the entry is {}", other, plain))
         }
         _ => None,
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,15 +27,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let place = |sub| facts.device.value_place(srdo.communication_index(), sub);
         let name = if srdo.number(1) == Some(2) { "safeguard cycle time" } else { "refresh time" };
         let finding = match (cycle, validation) {
-            (Some(0), _) => Diagnostic::new(&RULE.info, place(2), format!("the {name} of {srdo} is 0 ms")),
+            (Some(0), _) => Diagnostic::new(&RULE.info, place(2), say!("the {} of {} is 0 ms", name, srdo)),
             (_, Some(0)) => {
-                Diagnostic::new(&RULE.info, place(3), format!("the validation time of {srdo} is 0 ms"))
+                Diagnostic::new(&RULE.info, place(3), say!("the validation time of {} is 0 ms", srdo))
             }
             (Some(cycle), Some(validation)) if validation > cycle => {
                 let message =
-                    format!("{srdo} has {validation} ms to be validated, and its {name} is {cycle} ms");
+                    say!("{} has {} ms to be validated, and its {} is {} ms", srdo, validation, name, cycle);
                 let finding = Diagnostic::new(&RULE.info, place(3), message).severity(Severity::Warning);
-                finding.label(place(2), format!("the {name}"))
+                finding.label(place(2), say!("the {}", name))
             }
             _ => continue,
         };

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Target, rule};
 
 rule! {
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 Target::Count => "which is a number of entries",
                 _ => continue,
             };
-            let message = format!("{srdo} maps {:04X}h:{:02X}, {what}", mapped.index, mapped.sub);
+            let message = say!("{} maps {:04X}h:{:02X}, {}", srdo, mapped.index, mapped.sub, what);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help("describe the object, or map the one that was meant"));

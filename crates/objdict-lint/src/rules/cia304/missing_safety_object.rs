@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Place;
 use crate::{Facts, rule, stated};
 
@@ -30,9 +30,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     };
     for (index, name) in [(0x13FE, "configuration valid"), (0x13FF, "safety configuration checksum")] {
         if !stated::is_there(facts.device, index) {
-            let message = format!("the device has SRDOs, and no {index:04X}h ({name})");
+            let message = say!("the device has SRDOs, and no {:04X}h ({})", index, name);
             findings
-                .push(Diagnostic::new(&RULE.info, place.clone(), message).help(format!("add {index:04X}h")));
+                .push(Diagnostic::new(&RULE.info, place.clone(), message).help(say!("add {:04X}h", index)));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Device;
 use crate::{Facts, Target, rule};
 
@@ -33,10 +33,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 continue;
             }
             let message =
-                format!("{srdo} maps {:04X}h:{:02X}, which is not for SRDOs", mapped.index, mapped.sub);
+                say!("{} maps {:04X}h:{:02X}, which is not for SRDOs", srdo, mapped.index, mapped.sub);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
-            findings.push(finding.help("write `SRDOMapping=1` there, or map an entry that is made for it"));
+            findings.push(
+                finding.help(say!("write `{SRDOMapping=1}` there, or map an entry that is made for it")),
+            );
         }
     }
 }

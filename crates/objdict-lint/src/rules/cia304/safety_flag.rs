@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Field, Part, Place};
 use crate::{Facts, rule};
 
@@ -34,7 +34,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let finding = Diagnostic::new(
                 &RULE.info,
                 place,
-                format!("the device has {srdo}, and does not support SRDOs"),
+                say!("the device has {}, and does not support SRDOs", srdo),
             );
             finding.label(Place::object(srdo.first_index()), "the SRDO")
         }

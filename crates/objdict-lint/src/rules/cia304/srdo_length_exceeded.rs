@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -26,7 +26,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let bits: u32 = srdo.pairs().map(|(plain, _)| u32::from(plain.1.bits)).sum();
         if bits > 64 {
             let place = facts.device.value_place(srdo.mapping_index(), 0);
-            let message = format!("{srdo} carries {bits} bits, and a frame has 64");
+            let message = say!("{} carries {} bits, and a frame has 64", srdo, bits);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help("take objects out, or put them into another SRDO"));
         }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Place;
 use crate::{Facts, rule, stated};
 
@@ -32,8 +32,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if stated::is_there(facts.device, missing) {
             continue;
         }
-        let message = format!("{srdo} has {there:04X}h, and no {missing:04X}h for its {what}");
+        let message = say!("{} has {:04X}h, and no {:04X}h for its {}", srdo, there, missing, what);
         let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
-        findings.push(finding.help(format!("add {missing:04X}h, or remove {there:04X}h")));
+        findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
     }
 }

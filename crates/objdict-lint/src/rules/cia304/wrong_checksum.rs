@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Srdo, rule};
 
 rule! {
@@ -31,7 +31,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         };
         if stated != i128::from(right) {
-            let message = format!("`0x{stated:04X}` as checksum of {srdo}, which is 0x{right:04X}");
+            let message = say!("`0x{:04X}` as checksum of {}, which is 0x{:04X}", stated, srdo, right);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x13FF, sub), message)
                 .label(facts.device.value_place(0x13FE, 0), "the configuration is called valid");
             findings.push(finding.help("make sure that the configuration is right, and write its checksum"));

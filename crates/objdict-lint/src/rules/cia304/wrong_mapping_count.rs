@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,10 +27,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let index = srdo.mapping_index();
         let place = facts.device.value_place(index, 0);
         let finding = if count > 16 {
-            let message = format!("{srdo} maps `{count}` objects, and 16 are the most");
+            let message = say!("{} maps `{}` objects, and 16 are the most", srdo, count);
             Diagnostic::new(&RULE.info, place, message).help("write 0, or an even number up to 16")
         } else if count % 2 == 1 {
-            let message = format!("{srdo} maps `{count}` objects, which are no pairs");
+            let message = say!("{} maps `{}` objects, which are no pairs", srdo, count);
             Diagnostic::new(&RULE.info, place, message).help("map the inverted object of each plain one")
         } else {
             let is_filled = |sub: u8| {
@@ -40,9 +40,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             };
             let Some(sub) = (1..=count).find(|&sub| !is_filled(sub)) else { continue };
             let what = if object.has(sub) { "names no object" } else { "is not described" };
-            let message = format!(
-                "{srdo} maps `{count}` objects, but sub-index {} of {index:04X}h {what}",
-                sub_index(sub)
+            let message = say!(
+                "{} maps `{}` objects, but sub-index {} of {:04X}h {}",
+                srdo,
+                count,
+                sub_index(sub),
+                index,
+                what
             );
             Diagnostic::new(&RULE.info, place, message)
                 .help("describe the entry with its object, or count less")

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Target, rule};
 
 rule! {
@@ -27,11 +27,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
             let Some(data_type) = entry.data_type else { continue };
             let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
-            let message = format!("{srdo} maps {mapped}, but it is {data_type} of {bits} bits");
+            let message = say!("{} maps {}, but it is {} of {} bits", srdo, mapped, data_type, bits);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
             let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
-            findings.push(finding.help(format!("write `0x{right:08X}`")));
+            findings.push(finding.help(say!("write `0x{:08X}`", right)));
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -25,7 +25,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for srdo in &facts.srdos {
         let Some(transmission_type) = srdo.number(4).filter(|&value| value != 254) else { continue };
         let place = facts.device.value_place(srdo.communication_index(), 4);
-        let message = format!("`{transmission_type}` as transmission type of {srdo}, which is always 254");
+        let message = say!("`{}` as transmission type of {}, which is always 254", transmission_type, srdo);
         let fix = Fix::risky("write the transmission type of SRDOs").set(place.clone(), "0xFE");
         findings.push(Diagnostic::new(&RULE.info, place, message).help("write `0xFE`").fix(fix));
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::{is_unstated, rule};
 
@@ -30,7 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for (sub, name) in [(2, "product code"), (3, "revision number")] {
         let has_type = object.subs.get(sub).is_some_and(|entry| entry.data_type.is_some());
         if has_type && is_unstated(object, sub) {
-            let message = format!("the {name} that LSS selects the device by has no value");
+            let message = say!("the {} that LSS selects the device by has no value", name);
             let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, sub), message)
                 .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "the device supports LSS");
             findings.push(finding.help("write the value"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
@@ -29,8 +29,8 @@ fn check(device: &Device, findings: &mut Findings) {
     else {
         return;
     };
-    let message = format!("every device of the type has the serial number `{serial_number}`");
+    let message = say!("every device of the type has the serial number `{}`", serial_number);
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, 4), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs different ones");
-    findings.push(finding.help("remove the value; the number of a node belongs into its DCF"));
+    findings.push(finding.help(say!("remove the value; the number of a node belongs into its {DCF}")));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -27,9 +27,9 @@ fn check(device: &Device, findings: &mut Findings) {
         device.commissioning.as_ref().and_then(|node| node.lss_serial_number).filter(|&number| number != 0);
     let refuses = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(false));
     let Some(number) = number.filter(|_| refuses) else { return };
-    let message = format!("LSS shall find the node by `{number}`, and it does not support LSS");
+    let message = say!("LSS shall find the node by `{}`, and it does not support LSS", number);
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = Diagnostic::new(&RULE.info, place, message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "says so");
-    findings.push(finding.help("remove the number, or write `LSS_Supported=1` if that is so"));
+    findings.push(finding.help(say!("remove the number, or write `{LSS_Supported=1}` if that is so")));
 }

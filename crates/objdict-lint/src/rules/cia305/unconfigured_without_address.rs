@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, series};
+use crate::diagnostic::{Diagnostic, Findings, say, series};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -40,7 +40,7 @@ fn check(device: &Device, findings: &mut Findings) {
     if missing.is_empty() {
         return;
     }
-    let message = format!("LSS shall find the node, and nobody knows its {}", series(missing));
+    let message = say!("LSS shall find the node, and nobody knows its {}", series(missing));
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("write the numbers of the device's label"));

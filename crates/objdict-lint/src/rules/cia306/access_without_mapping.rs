@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Access, Field};
 use crate::{EntryAt, rule, stated};
 
@@ -29,9 +29,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let pdo = if access == Access::Rwr { "a TPDO" } else { "an RPDO" };
-    let message = format!("`{access}` means that {pdo} may carry the entry, but it is not mappable");
+    let message = say!("`{}` means that {} may carry the entry, but it is not mappable", access, pdo);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::AccessType), message)
         .label(at.field(Field::PdoMapping), "not mappable");
-    let fix = Fix::risky("write `AccessType=rw`").set(at.field(Field::AccessType), "rw");
-    findings.push(finding.help("write `PDOMapping=1`, or `AccessType=rw`").fix(fix));
+    let fix = Fix::risky(say!("write `{AccessType=rw}`")).set(at.field(Field::AccessType), "rw");
+    findings.push(finding.help(say!("write `{PDOMapping=1}`, or `{AccessType=rw}`")).fix(fix));
 }

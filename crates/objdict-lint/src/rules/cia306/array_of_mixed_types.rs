@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say, sub_index};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
@@ -30,15 +30,17 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let mut types = members.filter_map(|(sub, entry)| Some((sub, entry.data_type?)));
     let Some((first, data_type)) = types.next() else { return };
     let Some((sub, other)) = types.find(|&(_, other)| other != data_type) else { return };
-    let message = format!(
-        "sub-index {} of an ARRAY is {other}, sub-index {} is {data_type}",
+    let message = say!(
+        "sub-index {} of an ARRAY is {}, sub-index {} is {}",
         sub_index(sub),
-        sub_index(first)
+        other,
+        sub_index(first),
+        data_type
     );
     let place = |sub| Place::entry(index, sub).field(Field::DataType);
     let finding =
-        Diagnostic::new(&RULE.info, place(sub), message).label(place(first), format!("{data_type} here"));
+        Diagnostic::new(&RULE.info, place(sub), message).label(place(first), say!("{} here", data_type));
     let object_type = Place::object(index).field(Field::ObjectType);
-    let fix = Fix::risky("write `ObjectType=0x9`").set(object_type, "0x9");
-    findings.push(finding.help("write `ObjectType=0x9` (RECORD), or correct the data type").fix(fix));
+    let fix = Fix::risky(say!("write `{ObjectType=0x9}`")).set(object_type, "0x9");
+    findings.push(finding.help(say!("write `{ObjectType=0x9}` (RECORD), or correct the data type")).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Access, Device, Entry, Field, Object, Place};
 use crate::{rule, stated};
 
@@ -39,13 +39,13 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     }
     let places = unguarded(index, object);
     let Some((place, _)) = places.first().cloned() else { return };
-    let message = format!("writing {index:04X}h {command}, but no flag keeps a tool from it");
+    let message = say!("writing {:04X}h {}, but no flag keeps a tool from it", index, command);
     let finding = Diagnostic::new(&RULE.info, place, message);
-    let fix = Fix::risky("write `ObjFlags=0x1` into its writable entries");
+    let fix = Fix::risky(say!("write `{ObjFlags=0x1}` into its writable entries"));
     let fix = places
         .into_iter()
         .fold(fix, |fix, (place, flags)| fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1)));
-    findings.push(finding.help("write `ObjFlags=0x1` into its writable entries").fix(fix));
+    findings.push(finding.help(say!("write `{ObjFlags=0x1}` into its writable entries")).fix(fix));
 }
 
 /// The entries that can be written and have no flag, with the flags that they have.

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
@@ -30,10 +30,10 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let count = compact.count;
-    let message = format!("`CompactSubObj` is {count}, so `SubNumber` cannot be {number}");
+    let message = say!("`{CompactSubObj}` is {}, so `{SubNumber}` cannot be {}", count, number);
     let place = |field| Place::object(index).field(field);
     let finding = Diagnostic::new(&RULE.info, place(Field::SubNumber), message)
-        .label(place(Field::CompactSubObj), format!("sub-indexes 0 to {count}"));
-    let fix = Fix::safe("remove `SubNumber`").remove(place(Field::SubNumber));
-    findings.push(finding.help("remove `SubNumber`").fix(fix));
+        .label(place(Field::CompactSubObj), say!("sub-indexes 0 to {}", count));
+    let fix = Fix::safe(say!("remove `{SubNumber}`")).remove(place(Field::SubNumber));
+    findings.push(finding.help(say!("remove `{SubNumber}`")).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, Part, Place};
 use crate::rule;
 
@@ -45,22 +45,18 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let Some(first) = places.first() else { return };
     let what = match &first.field {
-        Some(field) => format!("`{field}`"),
-        None => match first.part {
-            Part::CompactValues(index) => format!("`[{index:X}Value]`"),
-            Part::CompactDenotations(index) => format!("`[{index:X}Denotation]`"),
-            _ => format!("`[{}]`", first.part),
-        },
+        Some(field) => say!("`{}`", field),
+        None => say!("`{}`", first.part),
     };
     let others = others + places.len() - 1;
     let message = match others {
-        0 => format!("{what} belongs into a DCF"),
-        _ => format!("{what} and {others} more like it belong into a DCF"),
+        0 => say!("{} belongs into {a DCF}", what),
+        _ => say!("{} and {} more like it belong into {a DCF}", what, others),
     };
     let finding = Diagnostic::new(&RULE.info, first.clone(), message);
-    findings.push(
-        finding.help("write values as `DefaultValue`, or add `[DeviceComissioning]` and call the file .dcf"),
-    );
+    findings.push(finding.help(say!(
+        "write values as `{DefaultValue}`, or add `{[DeviceComissioning]}` and call the file {.dcf}"
+    )));
 }
 
 fn of_object(index: u16, object: &Object) -> impl Iterator<Item = Place> {

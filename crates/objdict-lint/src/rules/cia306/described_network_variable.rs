@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::diagnostic::{Diagnostic, Findings, counted, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
@@ -30,8 +30,8 @@ fn check(device: &Device, findings: &mut Findings) {
     let mut variables = device.objects.range(0xA000..=0xAFFF);
     let Some((&first, _)) = variables.next() else { return };
     let objects = counted(1 + variables.count(), "object is", "objects are");
-    let message = format!("the device has dynamic channels, but {objects} described in A000h to AFFFh");
+    let message = say!("the device has dynamic channels, but {} described in A000h to AFFFh", objects);
     let finding = Diagnostic::new(&RULE.info, Place::object(first), message)
         .label(Place::of(Part::DeviceInfo).field(Field::DynamicChannelsSupported), "dynamic channels");
-    findings.push(finding.help("remove the objects, or write `DynamicChannelsSupported=0`"));
+    findings.push(finding.help(say!("remove the objects, or write `{DynamicChannelsSupported=0}`")));
 }

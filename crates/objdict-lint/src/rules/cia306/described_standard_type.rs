@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Text, counted, say};
 use crate::model::{DataType, Device, Place};
 use crate::rule;
 
@@ -28,10 +28,13 @@ fn check(device: &Device, findings: &mut Findings) {
     let name = DataType(index).name().unwrap_or("reserved");
     let others = types.count();
     let more = match others {
-        0 => String::new(),
-        _ => format!(", and {} more", counted(others, "type", "types")),
+        0 => Text::default(),
+        _ => say!(", and {} more", counted(others, "type", "types")),
     };
-    let message = format!("{index:04X}h ({name}) is a type that CiA 301 defines{more}");
+    let message = say!("{:04X}h ({}) is a type that CiA 301 defines{}", index, name, more);
     let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-    findings.push(finding.help("remove the sections and their lines in the lists"));
+    findings.push(
+        finding
+            .help(say!("remove the {sections}{}", Argument::OfLists(" and their lines in the lists".into()))),
+    );
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule};
 
@@ -29,15 +29,15 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let finding = Diagnostic::new(
             &RULE.info,
             at.field(Field::DataType),
-            format!("the object type is DOMAIN, but the data type {data_type}"),
+            say!("the object type is DOMAIN, but the data type {}", data_type),
         );
-        let fix = Fix::risky("write `DataType=0x000F`").set(at.field(Field::DataType), "0x000F");
-        findings.push(finding.help("write `DataType=0x000F`, or correct `ObjectType`").fix(fix));
+        let fix = Fix::risky(say!("write `{DataType=0x000F}`")).set(at.field(Field::DataType), "0x000F");
+        findings.push(finding.help(say!("write `{DataType=0x000F}`, or correct `{ObjectType}`")).fix(fix));
     } else if at.sub.is_none() && data_type == DataType::DOMAIN && at.object_type() == Some(ObjectType::Var) {
         let message = "the data type is DOMAIN, but the object type VAR";
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message)
             .label(at.field(Field::DataType), "a DOMAIN");
-        let fix = Fix::risky("write `ObjectType=0x2`").set(at.field(Field::ObjectType), "0x2");
-        findings.push(finding.help("write `ObjectType=0x2`, or correct `DataType`").fix(fix));
+        let fix = Fix::risky(say!("write `{ObjectType=0x2}`")).set(at.field(Field::ObjectType), "0x2");
+        findings.push(finding.help(say!("write `{ObjectType=0x2}`, or correct `{DataType}`")).fix(fix));
     }
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing, say};
 use crate::model::{DataType, Device, Field, Part, Place};
 use crate::rule;
 
@@ -29,11 +29,11 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = wrong.first() else { return };
     let key = |data_type: &DataType| format!("Dummy{:04X}", data_type.0);
     let message = match wrong[..] {
-        [one] => format!("`{}` allows {one} as a dummy, which no PDO can map", key(&one)),
-        _ => format!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
+        [one] => say!("`{}` allows {} as a dummy, which no PDO can map", key(&one), one),
+        _ => say!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
     };
     let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
-    let title = format!("write `{}=0`", key(first));
+    let title = say!("write `{}=0`", key(first));
     let fix = wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
     findings.push(Diagnostic::new(&RULE.info, place(first), message).help(title).fix(fix));
 }

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::{Device, Entry, Field, Object, Place};
 use crate::rule;
 
@@ -28,7 +28,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some((first, second)) = Some(object).filter(|_| index >= 0x2000).and_then(repetition) else { return };
     let name = object.subs.get(second).map_or("", |entry| &entry.name);
     let message =
-        format!("sub-indexes {} and {} are both called `{name}`", sub_index(first), sub_index(second));
+        say!("sub-indexes {} and {} are both called `{}`", sub_index(first), sub_index(second), name);
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
     let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
     findings.push(finding.help("add a number or a word to the names"));

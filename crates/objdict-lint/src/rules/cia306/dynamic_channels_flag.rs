@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -29,18 +29,19 @@ fn check(device: &Device, findings: &mut Findings) {
     match (supported, &device.dynamic_channels) {
         (Some(number), None) if number > 0 => {
             let message =
-                format!("`DynamicChannelsSupported` is {number}, but there is no `[DynamicChannels]`");
-            let fix = Fix::risky("write `DynamicChannelsSupported=0`").set(flag.clone(), "0");
+                say!("`{DynamicChannelsSupported}` is {}, but there is no `{[DynamicChannels]}`", number);
+            let fix = Fix::risky(say!("write `{DynamicChannelsSupported=0}`")).set(flag.clone(), "0");
             let finding = Diagnostic::new(&RULE.info, flag, message).fix(fix);
-            findings.push(finding.help("describe the segments in `[DynamicChannels]`, or write 0"));
+            findings.push(finding.help(say!("describe the segments in `{[DynamicChannels]}`, or write 0")));
         }
         (Some(0), Some(channels)) if !channels.segments.is_empty() => {
-            let message = "`[DynamicChannels]` has segments, but `DynamicChannelsSupported` is 0";
-            let fix = Fix::risky("write `DynamicChannelsSupported=1`").set(flag.clone(), "1");
+            let message = say!("`{[DynamicChannels]}` has segments, but `{DynamicChannelsSupported}` is 0");
+            let fix = Fix::risky(say!("write `{DynamicChannelsSupported=1}`")).set(flag.clone(), "1");
             let finding = Diagnostic::new(&RULE.info, flag, message)
                 .fix(fix)
                 .label(Place::of(Part::DynamicChannels), "segments");
-            findings.push(finding.help("write `DynamicChannelsSupported=1`, or remove the section"));
+            findings
+                .push(finding.help(say!("write `{DynamicChannelsSupported=1}`, or remove the {section}")));
         }
         _ => {}
     }

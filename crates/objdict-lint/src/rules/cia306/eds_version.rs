@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -28,11 +28,11 @@ fn check(device: &Device, findings: &mut Findings) {
     let text = info.eds_version.as_deref().unwrap_or_default();
     let (severity, message) = match text.as_bytes() {
         [b'4'..=b'9', b'.', b'0'..=b'9'] => return,
-        [] => (Severity::Note, "`EDSVersion` is missing, which means 3.0".to_owned()),
-        [b'0'..=b'3', b'.', b'0'..=b'9'] => (Severity::Note, format!("EDS version {text} is outdated")),
-        _ => (Severity::Warning, format!("`{text}` is no EDS version, which is a digit, a dot and a digit")),
+        [] => (Severity::Note, say!("`{EDSVersion}` is missing, which means 3.0").to_owned()),
+        [b'0'..=b'3', b'.', b'0'..=b'9'] => (Severity::Note, say!("EDS version {} is outdated", text)),
+        _ => (Severity::Warning, say!("`{}` is no EDS version, which is a digit, a dot and a digit", text)),
     };
-    let fix = Fix::risky("write `EDSVersion=4.0`").set(place.clone(), "4.0");
+    let fix = Fix::risky(say!("write `{EDSVersion=4.0}`")).set(place.clone(), "4.0");
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
-    findings.push(finding.help("write `EDSVersion=4.0`").fix(fix));
+    findings.push(finding.help(say!("write `{EDSVersion=4.0}`")).fix(fix));
 }

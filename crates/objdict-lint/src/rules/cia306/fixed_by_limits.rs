@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, DataType, Field};
 use crate::{EntryAt, rule, stated};
 
@@ -36,7 +36,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
         return;
     }
-    let message = format!("the entry can be written, and its limits leave `{low}` only");
+    let message = say!("the entry can be written, and its limits leave `{}` only", low);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::HighLimit), message);
     let finding = finding.label(at.field(Field::LowLimit), "the other limit");
     findings.push(finding.help("write the limits that the device has, or remove them"));

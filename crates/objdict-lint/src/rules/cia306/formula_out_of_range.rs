@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{DataType, Field, Value};
 use crate::{EntryAt, rule, stated};
 
@@ -48,7 +48,8 @@ fn check_formula(
     let Some((_, highest)) = data_type.integer_range() else { return };
     let [_, node_id] = stated::node_ids(at.device);
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
-    let message = format!("`{value}` is {result} on node {node_id}, but {data_type} ends at {highest}");
+    let message =
+        say!("`{}` is {} on node {}, but {} ends at {}", value, result, node_id, data_type, highest);
     let finding =
         Diagnostic::new(&RULE.info, at.field(field.clone()), message).label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::{Device, Object, ObjectType, Place};
 use crate::rule;
 
@@ -31,7 +31,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(mut last) = subs.next() else { return };
     for sub in subs {
         if sub != last + 1 {
-            let message = format!("{index:04X}h has sub-index {} behind {}", sub_index(sub), sub_index(last));
+            let message = say!("{:04X}h has sub-index {} behind {}", index, sub_index(sub), sub_index(last));
             let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
             findings.push(finding.help("describe the missing elements, or make it a RECORD"));
             return;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, Object, Part, Place};
 use crate::{Facts, rule};
 
@@ -33,12 +33,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let finding = Diagnostic::new(
                 &RULE.info,
                 place,
-                format!("{pdo} is a multiplexed PDO, and the flag denies them"),
+                say!("{} is a multiplexed PDO, and the flag denies them", pdo),
             );
             finding.label(device.value_place(pdo.mapping_index(), 0), "makes it one")
         }
         (false, None, Some((&index, _))) => {
-            let message = format!("{index:04X}h is for multiplexed PDOs, and the flag denies them");
+            let message = say!("{:04X}h is for multiplexed PDOs, and the flag denies them", index);
             Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the list")
         }
         (true, None, None) if !can_be_made(facts) => Diagnostic::new(

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{Device, Field, Part, Place, Value};
 use crate::rule;
 
@@ -39,10 +39,10 @@ fn check(device: &Device, findings: &mut Findings) {
         }
         let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
         // where nobody has filled it in, it is clear which one is right
-        let title = format!("write `{field}=0x{value:X}`");
+        let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
         let fix = if stated == 0 { Fix::safe(title) } else { Fix::risky(title) };
         let fix = fix.set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
-        let message = format!("`{field}` is {stated:#x}, but 1018h sub-index {sub} is {value:#x}");
+        let message = say!("`{}` is {:#x}, but 1018h sub-index {} is {:#x}", field, stated, sub, value);
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
             .severity(if stated == 0 || value == 0 { Severity::Warning } else { Severity::Error })
             .label(Place::entry(0x1018, sub).field(key), "the identity object");

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let early =
         dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
     let Some((field, date)) = early else { return };
-    let message = format!("there were no such files in {}", date.year);
+    let message = say!("there were no such files in {}", date.year);
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::FileInfo).field(field), message);
     findings.push(finding.help("write the date"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, series};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say, series};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -29,15 +29,15 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::of(Part::Commissioning).field(Field::Baudrate);
     if !RATES.contains(&rate) {
         let message = match rate {
-            0 => "`Baudrate` is 0, so the bit rate is open".to_owned(),
-            _ => format!("`Baudrate` is {rate}, but CANopen has no such bit rate"),
+            0 => say!("`{Baudrate}` is 0, so the bit rate is open").to_owned(),
+            _ => say!("`{Baudrate}` is {}, but CANopen has no such bit rate", rate),
         };
         let finding = Diagnostic::new(&RULE.info, place, message).severity(if rate == 0 {
             Severity::Warning
         } else {
             Severity::Error
         });
-        findings.push(finding.help(format!("the bit rates in kbit/s are {}", series(RATES))));
+        findings.push(finding.help(say!("the bit rates in kbit/s are {}", series(RATES))));
         return;
     }
     let Some(info) = &device.device_info else { return };
@@ -50,8 +50,8 @@ fn check(device: &Device, findings: &mut Findings) {
     if field.as_ref().is_some_and(|field| info.misfits.get(field).is_some()) {
         return;
     }
-    let message = format!("`Baudrate` is {rate}, which the device does not support");
+    let message = say!("`{Baudrate}` is {}, which the device does not support", rate);
     let label = Place { field, ..Place::of(Part::DeviceInfo) };
     let finding = Diagnostic::new(&RULE.info, place, message).label(label, "not supported");
-    findings.push(finding.help(format!("the device supports {} kbit/s", series(supported))));
+    findings.push(finding.help(say!("the device supports {} kbit/s", series(supported))));
 }

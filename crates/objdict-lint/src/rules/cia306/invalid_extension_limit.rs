@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, ExtensionCount, Field, ModulePart, Part, Place};
 use crate::rule;
 
@@ -35,8 +35,12 @@ fn check(device: &Device, findings: &mut Findings) {
                 let message = "`255` as highest sub-index of an element, which is 254 at most";
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
             } else if count > limit {
-                let message = format!(
-                    "each module {number} adds {count} sub-indexes to {index:04X}h, which takes {limit}"
+                let message = say!(
+                    "each module {} adds {} sub-indexes to {:04X}h, which takes {}",
+                    number,
+                    count,
+                    index,
+                    limit
                 );
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
                     .label(place(Field::Count), "so many are added")

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Commissioning, Device, Field, Part, Place};
 use crate::{rule, stated};
 
@@ -31,12 +31,14 @@ fn check(device: &Device, findings: &mut Findings) {
             Some(formula) => return report_unknown(place, formula, findings),
             None => return,
         },
-        Some(number) => format!("`NodeID` is {number}, but node-IDs are 1 to 127"),
+        Some(number) => say!("`{NodeID}` is {}, but node-IDs are 1 to 127", number),
         None if is_misfit(node) => return,
-        None => "`NodeID` is missing".to_owned(),
+        None => say!("`{NodeID}` is missing").to_owned(),
     };
-    findings
-        .push(Diagnostic::new(&RULE.info, place, message).help("write `NodeID=` and a number from 1 to 127"));
+    findings.push(
+        Diagnostic::new(&RULE.info, place, message)
+            .help(say!("write `{NodeID=}` and a number from 1 to 127")),
+    );
 }
 
 fn is_misfit(node: &Commissioning) -> bool {
@@ -44,7 +46,7 @@ fn is_misfit(node: &Commissioning) -> bool {
 }
 
 fn report_unknown(place: Place, formula: Place, findings: &mut Findings) {
-    let message = "`NodeID` is 255, so the formulas with `$NODEID` have no value";
+    let message = say!("`{NodeID}` is 255, so the formulas with `$NODEID` have no value");
     let finding = Diagnostic::new(&RULE.info, place, message).label(formula, "a formula");
     findings.push(finding.help("write the node-ID that the node will have"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
@@ -24,14 +24,17 @@ rule! {
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(flags) = at.entry.flags.filter(|flags| flags.0 > 7) else { return };
-    let message = format!("`ObjFlags` is {:#x}, of which only the bits 0 to 2 have a meaning", flags.0);
+    let message = say!(
+        "`{ObjFlags}` is {}, of which only the bits 0 to 2 have a meaning",
+        Argument::worth(Field::ObjFlags, format_args!("{:#x}", flags.0))
+    );
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjFlags), message);
     let known = flags.0 & 7;
     findings.push(if known == 0 {
-        let fix = Fix::safe("remove the key").remove(at.field(Field::ObjFlags));
-        finding.help("remove the key").fix(fix)
+        let fix = Fix::safe(say!("remove {the key}")).remove(at.field(Field::ObjFlags));
+        finding.help(say!("remove {the key}")).fix(fix)
     } else {
-        let title = format!("write `ObjFlags={known:#x}`");
+        let title = say!("write `{}`", Argument::setting(Field::ObjFlags, format_args!("{known:#x}")));
         let fix = Fix::safe(title.clone()).set(at.field(Field::ObjFlags), format!("{known:#x}"));
         finding.help(title).fix(fix)
     });

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, listing, say};
 use crate::model::{Device, DynamicChannels, Field, Part, Place, Segment};
 use crate::rule;
 
@@ -53,26 +53,26 @@ fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, find
     if missing.is_empty() {
         return;
     }
-    let message = format!("segment {number} of the dynamic channels has no {}", listing(&missing));
+    let message = say!("segment {} of the dynamic channels has no {}", number, listing(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message);
     findings.push(finding.help("a segment has `TypeN`, `DirN`, `RangeN` and `PPOffsetN`"));
 }
 
 fn check_range(channels: &DynamicChannels, number: usize, (low, high): (u16, u16), findings: &mut Findings) {
     let at = place("Range", number);
-    let range = format!("{low:04X}h to {high:04X}h");
+    let range = say!("{:04X}h to {:04X}h", low, high);
     if low > high {
-        let finding = Diagnostic::new(&RULE.info, at, format!("the range {range} runs backwards"));
+        let finding = Diagnostic::new(&RULE.info, at, say!("the range {} runs backwards", range));
         findings.push(finding.help("write the smaller index first"));
     } else if low < 0xA000 || high > 0xBFFF {
-        let message = format!("the range {range} leaves A000h to BFFFh, where network variables are");
+        let message = say!("the range {} leaves A000h to BFFFh, where network variables are", range);
         findings.push(Diagnostic::new(&RULE.info, at, message).help("write a range from 0xA000 to 0xBFFF"));
     } else {
         let before = (1..number).zip(&channels.segments);
         let overlaps = |range: (u16, u16)| range.0 <= high && low <= range.1;
         let other = before.into_iter().find(|(_, segment)| segment.range.is_some_and(overlaps));
         if let Some((other, _)) = other {
-            let message = format!("the ranges of the segments {other} and {number} overlap");
+            let message = say!("the ranges of the segments {} and {} overlap", other, number);
             let finding =
                 Diagnostic::new(&RULE.info, at, message).label(place("Range", other), "the other range");
             findings.push(finding.help("give each segment indexes of its own"));

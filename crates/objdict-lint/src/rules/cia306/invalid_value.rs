@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Severity, Text, joined, say};
 use crate::model::{Access, DataType, Device, Field, Misfit, Place, Reason};
 use crate::{nearest_access, respell, rule};
 
@@ -41,52 +41,57 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-fn message(misfit: &Misfit, data_type: Option<DataType>) -> String {
+fn message(misfit: &Misfit, data_type: Option<DataType>) -> Text {
     let Misfit { field, text, reason } = misfit;
     let what = match data_type {
-        Some(data_type) => format!("`{field}` of type {data_type}"),
-        None => format!("`{field}`"),
+        Some(data_type) => say!("`{}` of type {}", field, data_type),
+        None => say!("`{}`", field),
     };
     match reason {
         Reason::OutOfRange { low, high } => {
-            format!("`{text}` does not fit {what}, which takes {low} to {high}")
+            say!("`{}` does not fit {}, which takes {} to {}", text, what, low, high)
         }
-        Reason::NotANumber => format!("`{text}` is no number; {what} takes one"),
+        Reason::NotANumber => say!("`{}` is no number; {} takes one", text, what),
         Reason::NotOctal => {
-            format!("`{text}` is no number: a leading zero means octal, which has no digit 8 or 9")
+            say!("`{}` is no number: a leading zero means octal, which has no digit 8 or 9", text)
         }
-        Reason::NotReal => format!("`{text}` is no number that fits {what}"),
-        Reason::NotHexBytes => format!("`{text}` is not made of pairs of hex digits, as {what} takes them"),
-        Reason::NotATime => format!("`{text}` is no time; {what} takes one"),
-        Reason::NotAFormula => format!("`{text}` is no formula of the form `$NODEID+number`"),
-        Reason::FormulaForType => format!("`{text}` is a formula, and {what} is no integer"),
-        Reason::UnknownWord => format!("`{text}` is none of the words that {what} takes"),
-        Reason::NotADate => format!("`{text}` is no date of the form `mm-dd-yyyy`"),
-        Reason::NotAClockTime => format!("`{text}` is no time of the form `hh:mmAM` or `hh:mmPM`"),
-        Reason::Malformed => format!("`{text}` is not of the form that {what} takes"),
+        Reason::NotReal => say!("`{}` is no number that fits {}", text, what),
+        Reason::NotHexBytes => say!("`{}` is not made of pairs of hex digits, as {} takes them", text, what),
+        Reason::NotATime => say!("`{}` is no time; {} takes one", text, what),
+        Reason::NotAFormula => say!("`{}` is no formula of the form `$NODEID+number`", text),
+        Reason::FormulaForType => say!("`{}` is a formula, and {} is no integer", text, what),
+        Reason::UnknownWord => say!("`{}` is none of the words that {} takes", text, what),
+        Reason::NotADate => say!("`{}` is no date of the form `mm-dd-yyyy`", text),
+        Reason::NotAClockTime => say!("`{}` is no time of the form `hh:mmAM` or `hh:mmPM`", text),
+        Reason::Malformed => say!("`{}` is not of the form that {} takes", text, what),
     }
 }
 
-fn help(misfit: &Misfit) -> String {
+fn help(misfit: &Misfit) -> Text {
     match (&misfit.field, &misfit.reason) {
         (Field::AccessType, _) => match nearest_access(&misfit.text) {
-            Some(access) => format!("did you mean `{access}`? the access types are {}", access_names()),
-            None => format!("the access types are {}", access_names()),
+            Some(access) => say!("did you mean `{}`? the access types are {}", access, access_names()),
+            None => say!("the access types are {}", access_names()),
         },
-        (Field::ObjectType, _) => "the object types are 0x0 NULL, 0x2 DOMAIN, 0x5 DEFTYPE, 0x6 DEFSTRUCT, 0x7 VAR, 0x8 ARRAY, 0x9 RECORD".to_owned(),
-        (Field::Count, _) => "write the number of sub-indexes, or `0;` and a number of bits".to_owned(),
-        (_, Reason::NotADate) => "write month, day and year with two, two and four digits: `01-31-2026`".to_owned(),
-        (_, Reason::NotAClockTime) => "write two digits for hour (01 to 12) and minute: `09:45AM`".to_owned(),
-        (_, Reason::NotAFormula) => "write `$NODEID`, or `$NODEID+` and a number; there is no other operator".to_owned(),
-        (_, Reason::NotHexBytes) => "write two hex digits a byte and nothing else: `01A105`".to_owned(),
-        (_, Reason::NotATime) => "write the days and the milliseconds with a blank between them".to_owned(),
-        (_, Reason::NotOctal) => "remove the leading zeros".to_owned(),
-        (_, Reason::OutOfRange { .. }) => "write a value that fits, or choose a larger data type".to_owned(),
-        _ => "write a value of the right form, or remove the text to leave the key empty".to_owned(),
+        (Field::ObjectType, _) => say!(
+            "the object types are {ObjectType:0x0} NULL, {ObjectType:0x2} DOMAIN, {ObjectType:0x5} DEFTYPE, {ObjectType:0x6} DEFSTRUCT, {ObjectType:0x7} VAR, {ObjectType:0x8} ARRAY, {ObjectType:0x9} RECORD"
+        ),
+        (Field::Count, _) => "write the number of sub-indexes, or `0;` and a number of bits".into(),
+        (_, Reason::NotADate) => {
+            "write month, day and year with two, two and four digits: `01-31-2026`".into()
+        }
+        (_, Reason::NotAClockTime) => "write two digits for hour (01 to 12) and minute: `09:45AM`".into(),
+        (_, Reason::NotAFormula) => {
+            "write `$NODEID`, or `$NODEID+` and a number; there is no other operator".into()
+        }
+        (_, Reason::NotHexBytes) => "write two hex digits a byte and nothing else: `01A105`".into(),
+        (_, Reason::NotATime) => "write the days and the milliseconds with a blank between them".into(),
+        (_, Reason::NotOctal) => "remove the leading zeros".into(),
+        (_, Reason::OutOfRange { .. }) => "write a value that fits, or choose a larger data type".into(),
+        _ => say!("write a value of the right form, or remove the text to leave {the key} empty"),
     }
 }
 
-fn access_names() -> String {
-    let names: Vec<String> = Access::ALL.iter().map(|access| format!("`{access}`")).collect();
-    names.join(", ")
+fn access_names() -> Argument {
+    joined(Access::ALL.map(|access| say!("`{}`", access)), ", ")
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
@@ -36,7 +36,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     );
     // limits of a DOMAIN object are a key that it does not have
     if is_text && at.holds_value() && at.object_type() != Some(ObjectType::Domain) {
-        let message = format!("`{field}` of a {data_type} means nothing");
+        let message = say!("`{}` of a {} means nothing", field, data_type);
         let finding = Diagnostic::new(&RULE.info, at.field(field), message)
             .label(at.field(Field::DataType), "no number");
         let stated =

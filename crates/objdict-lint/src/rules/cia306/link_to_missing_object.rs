@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule;
 
@@ -28,15 +28,17 @@ fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) 
     }
     let section = Place::of(Part::Links(index));
     if object.orphan && object.subs.is_empty() {
-        let message = format!("links of {index:04X}h are described, the object is not");
-        let fix = Fix::risky("remove the section").remove(section.clone());
+        let message = say!("links of {:04X}h are described, the object is not", index);
+        let fix = Fix::risky(say!("remove the {section}")).remove(section.clone());
         let finding = Diagnostic::new(&RULE.info, section, message).fix(fix);
-        findings.push(finding.help(format!("describe the object in `[{index:X}]`, or remove the section")));
+        findings.push(
+            finding.help(say!("describe the object in `{}`, or remove the {section}", Part::Object(index))),
+        );
         return;
     }
     let described = |index: &u16| device.object(*index).is_some_and(|object| !object.orphan);
     for (number, link) in (1..).zip(&object.links).filter(|(_, link)| !described(link)) {
-        let message = format!("{index:04X}h has a link to {link:04X}h, which is not described");
+        let message = say!("{:04X}h has a link to {:04X}h, which is not described", index, link);
         let place = section.clone().field(Field::Item(number));
         let fix = Fix::risky("remove the link").remove(place.clone());
         let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix, counted};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, counted, say};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{ListFixes, rule};
 
@@ -33,7 +33,8 @@ fn check(device: &Device, findings: &mut Findings) {
         for (number, index) in (1..).zip(device.lists.get(list)) {
             if !device.objects.contains_key(index) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
-                let message = format!("{index:04X}h is listed, but there is no section `[{index:X}]`");
+                let message =
+                    say!("{:04X}h is listed, but there is no {section} `{}`", index, Part::Object(*index));
                 let finding = Diagnostic::new(&RULE.info, place, message);
                 let mut finding = finding.help("describe the object, or take it off the list");
                 finding.fix = fixes.next(device.lists.get(list), || {
@@ -51,7 +52,7 @@ fn nothing_described(device: &Device, findings: &mut Findings) {
     let mut listed = device.lists.iter();
     let Some((list, _)) = listed.next() else { return };
     let objects = counted(1 + listed.count(), "object is", "objects are");
-    let message = format!("{objects} listed, but none is described");
+    let message = say!("{} listed, but none is described", objects);
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::List(list)), message);
-    findings.push(finding.help("add a section such as `[1000]` for each object"));
+    findings.push(finding.help(say!("add {a section} such as `{[1000]}` for each object")));
 }

@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Field, Value};
 use crate::{EntryAt, rule, stated};
 
@@ -30,7 +30,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !above || !at.holds_value() {
         return;
     }
-    let message = format!("`LowLimit` is {low}, but `HighLimit` is {high}");
+    let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, high);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
     let is_formula = [low, high].into_iter().any(|limit| matches!(limit, Value::NodeId(_)));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place, Value};
 use crate::rule;
 
@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     };
     if value != i128::from(stated) {
-        let message = format!("`LSS_SerialNumber` is {stated}, but 1018h sub-index 4 is {value}");
+        let message = say!("`{LSS_SerialNumber}` is {}, but 1018h sub-index 4 is {}", stated, value);
         let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
         let finding = Diagnostic::new(&RULE.info, place, message)
             .label(Place::entry(0x1018, 4).field(field), "the serial number of the identity object");

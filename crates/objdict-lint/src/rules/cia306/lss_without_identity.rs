@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, series};
+use crate::diagnostic::{Diagnostic, Findings, say, series};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -33,8 +33,8 @@ fn check(device: &Device, findings: &mut Findings) {
     if missing.is_empty() {
         return;
     }
-    let message = format!("`LSS_Supported` is 1, but 1018h has no {}", series(&missing));
+    let message = say!("`{LSS_Supported}` is {LSS_Supported:1}, but 1018h has no {}", series(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::object(0x1018), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is supported");
-    findings.push(finding.help("describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`"));
+    findings.push(finding.help(say!("describe sub-indexes 1 to 4 of 1018h, or write `{LSS_Supported=0}`")));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::{rule, stated};
 
@@ -34,5 +34,5 @@ fn check(device: &Device, findings: &mut Findings) {
             Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster),
             "says so, and there is no 1F80h",
         );
-    findings.push(finding.help("write `CANopenManager=0`, or what the device supports"));
+    findings.push(finding.help(say!("write `{CANopenManager=0}`, or what the device supports")));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
 use crate::model::{Access, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -29,16 +29,16 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
     let (message, field, label) = match (unmappable, entry.access) {
-        (Some(data_type), _) => (format!("no PDO can map {data_type}"), Field::DataType, "the data type"),
+        (Some(data_type), _) => (say!("no PDO can map {}", data_type), Field::DataType, "the data type"),
         (None, Some(Access::Const)) => {
-            ("a constant never changes".to_owned(), Field::AccessType, "a constant")
+            (Text::from("a constant never changes"), Field::AccessType, "a constant")
         }
         _ => return,
     };
-    let message = format!("`PDOMapping` is 1, but {message}");
+    let message = say!("`{PDOMapping}` is {}, but {}", entry.pdo_mapping.unwrap_or_default(), message);
     let finding =
         Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);
-    let title = "write `PDOMapping=0`";
-    let fix = if unmappable.is_some() { Fix::safe(title) } else { Fix::risky(title) };
+    let title = say!("write `{PDOMapping=0}`");
+    let fix = if unmappable.is_some() { Fix::safe(title.clone()) } else { Fix::risky(title.clone()) };
     findings.push(finding.help(title).fix(fix.set(at.field(Field::PdoMapping), "0")));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, DataType, Field, ObjectType};
 use crate::{EntryAt, rule};
 
@@ -34,19 +34,25 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         entry.object_type == Some(ObjectType::Domain) || entry.data_type == Some(DataType::DOMAIN);
     let access = entry.access;
     let (message, help) = if !is_domain {
-        let what = entry.data_type.map_or("no DOMAIN".to_owned(), |data_type| data_type.to_string());
+        let what = entry.data_type.map_or("no DOMAIN".into(), |data_type| say!("{}", data_type));
         (
-            format!("`{field}` is for a DOMAIN, but the entry is {what}"),
-            "remove the key and write `ParameterValue`",
+            say!("`{}` is for a DOMAIN, but the entry is {}", field, what),
+            say!("remove {the key} and write `{ParameterValue}`"),
         )
     } else if configured.upload_file.is_some() && configured.download_file.is_some() {
-        ("an entry has `UploadFile` or `DownloadFile`, not both".to_owned(), "keep the one that is meant")
+        (
+            say!("an entry has `{UploadFile}` or `{DownloadFile}`, not both"),
+            "keep the one that is meant".into(),
+        )
     } else if field == Field::UploadFile && access == Some(Access::Wo) {
-        ("`UploadFile` is for data that are read, but the entry is `wo`".to_owned(), "write `DownloadFile`")
+        (
+            say!("`{UploadFile}` is for data that are read, but the entry is `wo`"),
+            say!("write `{DownloadFile}`"),
+        )
     } else if field == Field::DownloadFile && access.is_some_and(|access| !access.is_writable()) {
         (
-            "`DownloadFile` is for data that are written, but the entry cannot be written".to_owned(),
-            "write `UploadFile`",
+            say!("`{DownloadFile}` is for data that are written, but the entry cannot be written"),
+            say!("write `{UploadFile}`"),
         )
     } else {
         return;

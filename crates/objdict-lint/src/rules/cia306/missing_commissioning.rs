@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::{Device, DeviceKind, Place};
 use crate::{rule, stated};
 
@@ -25,12 +25,12 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let says_something = !device.objects.is_empty() || device.device_info.is_some();
     if device.kind == DeviceKind::Node && device.commissioning.is_none() && says_something {
-        let message = "section `[DeviceComissioning]` is missing";
+        let message = say!("{section} `{[DeviceComissioning]}` is missing");
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
         let finding = match stated::first_formula(device) {
             Some(formula) => finding.label(formula, "a formula that has no value"),
             None => finding.severity(Severity::Warning),
         };
-        findings.push(finding.help("add it with `NodeID` and `Baudrate`"));
+        findings.push(finding.help(say!("add it with `{NodeID}` and `{Baudrate}`")));
     }
 }

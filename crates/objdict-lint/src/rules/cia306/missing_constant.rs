@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
@@ -38,7 +38,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "a constant without a value")
         .label(at.field(Field::AccessType), "a constant");
-    findings.push(
-        finding.help("write `DefaultValue`, or `AccessType=ro` if the value differs from device to device"),
-    );
+    findings.push(finding.help(say!(
+        "write `{DefaultValue}`, or `{AccessType=ro}` if the value differs from device to device"
+    )));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, say};
 use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place};
 use crate::rule;
 
@@ -30,11 +30,11 @@ fn check(device: &Device, findings: &mut Findings) {
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
-    let message = format!("`[DeviceInfo]` gives no value for {}", listing(&missing));
+    let message = say!("`{[DeviceInfo]}` gives no value for {}", listing(&missing));
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(first.clone()), message)
         .severity(if light { Severity::Note } else { Severity::Warning });
-    let title = format!("add {}", listing(missing.iter().map(example)));
+    let title = say!("add {}", listing(missing.iter().map(example)));
     let fix = defaults(device, &missing);
     let finding = finding.help(title);
     findings.push(match fix {
@@ -64,13 +64,13 @@ fn stated(info: &DeviceInfo) -> [(Field, bool); 14] {
 }
 
 /// A line that the author can start from.
-fn example(field: &Field) -> String {
+fn example(field: &Field) -> Argument {
     let value = match field {
         Field::VendorName | Field::ProductName | Field::OrderCode => "",
         Field::Granularity => "8",
         _ => "0",
     };
-    format!("{field}={value}")
+    Argument::setting(field, value)
 }
 
 /// The missing keys with what can be known of them, or what most devices have; `None` where a name is missing.
@@ -80,7 +80,7 @@ fn defaults(device: &Device, missing: &[Field]) -> Option<Fix> {
         let number = device.entry(0x1018, sub)?.default.as_ref()?.as_integer()?;
         Some(format!("0x{number:X}"))
     };
-    missing.iter().try_fold(Fix::risky("add the keys"), |fix, field| {
+    missing.iter().try_fold(Fix::risky(say!("add {the keys}")), |fix, field| {
         let value = match field {
             Field::VendorName | Field::ProductName => return None,
             Field::VendorNumber => identity(1)?,

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, say};
 use crate::model::{Device, Field, FileInfo, Part, Place};
 use crate::rule;
 
@@ -63,10 +63,10 @@ fn is_text(text: Option<&str>) -> bool {
 
 fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut Findings) {
     let Some(first) = missing.first() else { return };
-    let message = format!("`[FileInfo]` gives no value for {}", listing(missing));
+    let message = say!("`{[FileInfo]}` gives no value for {}", listing(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
-    let finding = finding.help(format!("add {}", listing(missing.iter().map(example))));
+    let finding = finding.help(say!("add {}", listing(missing.iter().map(example))));
     findings.push(match filled(info, missing) {
         Some(fix) => finding.fix(fix),
         None => finding,
@@ -75,7 +75,7 @@ fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut
 
 /// The missing keys as of a first version that nobody has changed; `None` where nobody knows who made it when.
 fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
-    missing.iter().try_fold(Fix::risky("add the keys"), |fix, field| {
+    missing.iter().try_fold(Fix::risky(say!("add {the keys}")), |fix, field| {
         let value = match field {
             Field::FileVersion => "1".to_owned(),
             Field::FileRevision => "0".to_owned(),
@@ -90,7 +90,7 @@ fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
 }
 
 /// A line that the author can start from.
-fn example(field: &Field) -> String {
+fn example(field: &Field) -> Argument {
     let value = match field {
         Field::FileName => "device.eds",
         Field::FileVersion => "1",
@@ -99,5 +99,5 @@ fn example(field: &Field) -> String {
         Field::CreationDate | Field::ModificationDate => "01-31-2026",
         _ => "",
     };
-    format!("{field}={value}")
+    Argument::setting(field, value)
 }

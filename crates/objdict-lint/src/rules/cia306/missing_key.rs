@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, listing, say};
 use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -53,15 +53,15 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
         .collect();
     let Some(first) = missing.first() else { return };
     let kind = match (at.sub, entry.object_type) {
-        (Some(_), _) => "a sub-index",
-        (None, Some(ObjectType::DefType)) => "a DEFTYPE",
-        (None, _) if at.object.compact.is_some() => "an object with `CompactSubObj`",
-        _ => kind,
+        (Some(_), _) => "a sub-index".into(),
+        (None, Some(ObjectType::DefType)) => "a DEFTYPE".into(),
+        (None, _) if at.object.compact.is_some() => say!("an object with `{CompactSubObj}`"),
+        _ if kind == "VAR" => "a VAR".into(),
+        _ => say!("{}", kind),
     };
-    let kind = if kind == "VAR" { "a VAR" } else { kind };
-    let message = format!("{kind} needs {}", listing(&missing));
+    let message = say!("{} needs {}", kind, listing(&missing));
     let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
-    findings.push(finding.help(format!("add {}", listing(missing.iter().map(example)))));
+    findings.push(finding.help(say!("add {}", listing(missing.iter().map(example)))));
 }
 
 fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {
@@ -70,14 +70,14 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
     }
     let described = stated::described_subs(at.object);
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
-    let message = format!("{article} {object_type} needs `SubNumber`");
+    let message = say!("{} {} needs `{SubNumber}`", article, object_type);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::SubNumber), message);
     findings.push(if described > 0 {
-        let title = format!("add `SubNumber={described}`");
+        let title = say!("add `{}`", Argument::setting(Field::SubNumber, described));
         let fix = Fix::safe(title.clone()).set(at.field(Field::SubNumber), described.to_string());
         finding.help(title).fix(fix)
     } else {
-        finding.help("describe its sub-indexes and write their number, or add `CompactSubObj`")
+        finding.help(say!("describe its sub-indexes and write their number, or add `{CompactSubObj}`"))
     });
 }
 
@@ -87,14 +87,16 @@ fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     if !in_doubt || at.entry.object_type.is_some() || !at.entry.misfits.is_empty() {
         return;
     }
-    let message = "an object with sub-indexes needs `ObjectType`; without it, it is a VAR";
+    let message = say!("an object with sub-indexes needs `{ObjectType}`; without it, it is a VAR");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message);
-    let fix = Fix::risky("add `ObjectType=0x9`").set(at.field(Field::ObjectType), "0x9");
-    findings.push(finding.help("add `ObjectType=0x9` for a RECORD, `ObjectType=0x8` for an ARRAY").fix(fix));
+    let fix = Fix::risky(say!("add `{ObjectType=0x9}`")).set(at.field(Field::ObjectType), "0x9");
+    findings.push(
+        finding.help(say!("add `{ObjectType=0x9}` for a RECORD, `{ObjectType=0x8}` for an ARRAY")).fix(fix),
+    );
 }
 
 /// A line that the author can start from.
-fn example(field: &Field) -> String {
+fn example(field: &Field) -> Argument {
     let value = if *field == Field::DataType { "0x0007" } else { "rw" };
-    format!("{field}={value}")
+    Argument::setting(field, value)
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
@@ -30,5 +30,5 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let place = Place::of(Part::FileInfo).field(Field::LastEds);
     let finding = Diagnostic::new(&RULE.info, place, "the file does not name the EDS that it was made from");
-    findings.push(finding.help("write the file name of the EDS as `LastEDS`"));
+    findings.push(finding.help(say!("write the file name of the EDS as `{LastEDS}`")));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, listing, say};
 use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::rule;
 
@@ -28,14 +28,14 @@ fn check(device: &Device, findings: &mut Findings) {
         let missing = missing(module);
         let Some(first) = missing.first() else { continue };
         let message = if missing.len() == 4 {
-            format!("module {number} has no `[M{number}ModuleInfo]`, or an empty one")
+            say!("module {} has no `{}`, or an empty one", number, Part::Module(number, ModulePart::Info))
         } else {
-            format!("`[M{number}ModuleInfo]` gives no value for {}", listing(&missing))
+            say!("`{}` gives no value for {}", Part::Module(number, ModulePart::Info), listing(&missing))
         };
         let info = Place::of(Part::Module(number, ModulePart::Info)).field(first.clone());
         let place = if missing.len() == 4 { some_part(number, module) } else { info };
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help(format!("add {}", listing(&missing))));
+        findings.push(finding.help(say!("add {}", listing(&missing))));
     }
 }
 

@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::{rule, stated};
 
@@ -33,11 +33,12 @@ fn check(device: &Device, findings: &mut Findings) {
         let mut missing = brings.filter(|&&index| !stated::is_there(device, index));
         let Some(first) = missing.next() else { continue };
         let more = match missing.count() {
-            0 => String::new(),
-            others => format!(" and {others} more"),
+            0 => Text::default(),
+            others => say!(" and {} more", others),
         };
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
-        let message = format!("module {number} brings {first:04X}h{more}, which the DCF does not describe");
+        let message =
+            say!("module {} brings {:04X}h{}, which the {DCF} does not describe", number, first, more);
         let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("describe the objects as the modules make them"));

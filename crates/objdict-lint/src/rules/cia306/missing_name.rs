@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
@@ -27,10 +27,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let what = match at.sub {
-        Some(sub) => format!("sub-index {} of {:04X}h", sub_index(sub), at.index),
-        None => format!("{:04X}h", at.index),
+        Some(sub) => say!("sub-index {} of {:04X}h", sub_index(sub), at.index),
+        None => say!("{:04X}h", at.index),
     };
-    let message = format!("{what} has no name");
+    let message = say!("{} has no name", what);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterName), message);
-    findings.push(finding.help("write `ParameterName=` and a name"));
+    findings.push(finding.help(say!("write `{ParameterName=}` and a name")));
 }

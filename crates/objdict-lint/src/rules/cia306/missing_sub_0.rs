@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
-use crate::model::{Device, Field, Object, ObjectType, Place};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
+use crate::model::{Device, Field, Object, ObjectType, Part, Place};
 use crate::{rule, stated, sub_0};
 
 rule! {
@@ -35,17 +35,20 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
-    let message = format!("{index:04X}h is {article} {object_type} without sub-index 0");
+    let message = say!("{:04X}h is {} {} without sub-index 0", index, article, object_type);
     let highest = object.highest_sub().unwrap_or_default();
     let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
     let finding = finding.fix(add_sub_0(index, object));
-    findings
-        .push(finding.help(format!("add `[{index:X}sub0]` of type UNSIGNED8 with `DefaultValue={highest}`")));
+    findings.push(finding.help(say!(
+        "add `{}` of type UNSIGNED8 with `{}`",
+        Part::Entry(index, 0),
+        Argument::setting(Field::DefaultValue, highest)
+    )));
 }
 
 /// Sub-index 0, and `SubNumber` with it counted.
 fn add_sub_0(index: u16, object: &Object) -> Fix {
-    let fix = Fix::risky(format!("add `[{index:X}sub0]`")).with(sub_0(index, object));
+    let fix = Fix::risky(say!("add `{}`", Part::Entry(index, 0))).with(sub_0(index, object));
     let described = stated::described_subs(object) + 1;
     if object.sub_number.map(usize::from) == Some(described) {
         return fix;

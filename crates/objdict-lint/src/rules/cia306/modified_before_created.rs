@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -36,8 +36,8 @@ fn check(device: &Device, findings: &mut Findings) {
         (Field::ModificationDate, Field::CreationDate)
     };
     let message = match times.filter(|_| modified == created) {
-        Some((from, to)) => format!("modified at {to}, but created at {from} of the same day"),
-        None => format!("modified on {modified}, but created on {created}"),
+        Some((from, to)) => say!("modified at {}, but created at {} of the same day", to, from),
+        None => say!("modified on {}, but created on {}", modified, created),
     };
     let place = |field| Place::of(Part::FileInfo).field(field);
     let finding = Diagnostic::new(&RULE.info, place(wrong), message).label(place(right), "created here");

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, listing};
+use crate::diagnostic::{Diagnostic, Findings, listing, say};
 use crate::model::{Device, Entry, Field, ModulePart, Object, Part, Place};
 use crate::rule;
 
@@ -85,7 +85,8 @@ fn report(
         return;
     }
     let place = |number| Place::of(Part::Module(number, part));
-    let message = format!("{index:04X}h of the modules {first} and {second} differs in {}", listing(fields));
+    let message =
+        say!("{:04X}h of the modules {} and {} differs in {}", index, first, second, listing(fields));
     let finding =
         Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the other description");
     findings.push(finding.help("describe the object alike in all modules"));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::{IndexSet, rule};
 
@@ -35,7 +35,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.fixed_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.fixed_list) {
         if !module.fixed.contains_key(index) {
-            listed_only(&list, item, &format!("M{number}Fixed{index:X}"), findings);
+            listed_only(&list, item, Part::Module(number, ModulePart::Fixed(*index)), findings);
         }
     }
     for (&index, object) in &module.fixed {
@@ -43,9 +43,11 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
         if let Some((sub, _)) = object.subs.iter().next().filter(|_| object.orphan) {
             let place = Place::of(Part::Module(number, ModulePart::FixedEntry(index, sub)));
             let message =
-                format!("sub-indexes of the fixed object {index:04X}h are described, the object is not");
+                say!("sub-indexes of the fixed object {:04X}h are described, the object is not", index);
             let finding = Diagnostic::new(&RULE.info, place, message);
-            findings.push(finding.help(format!("add a section `[M{number}Fixed{index:X}]`")));
+            findings.push(
+                finding.help(say!("add {a section} `{}`", Part::Module(number, ModulePart::Fixed(index)))),
+            );
         } else if !listed.contains(index) {
             described_only(section, index, (&list, module.fixed_list.len()), findings);
         }
@@ -57,7 +59,7 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.extension_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.extension_list) {
         if !module.extensions.contains_key(index) {
-            listed_only(&list, item, &format!("M{number}SubExt{index:X}"), findings);
+            listed_only(&list, item, Part::Module(number, ModulePart::SubExt(*index)), findings);
         }
     }
     for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
@@ -66,10 +68,10 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     }
 }
 
-fn listed_only(list: &Part, item: u32, section: &str, findings: &mut Findings) {
+fn listed_only(list: &Part, item: u32, section: Part, findings: &mut Findings) {
     let place = Place::of(list.clone()).field(Field::Item(item));
     let fix = Fix::risky("take it off the list").remove(place.clone());
-    let message = format!("listed, but there is no section `[{section}]`");
+    let message = say!("listed, but there is no {section} `{}`", section);
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(finding.help("describe the object, or take it off the list"));
 }
@@ -77,9 +79,9 @@ fn listed_only(list: &Part, item: u32, section: &str, findings: &mut Findings) {
 fn described_only(section: Part, index: u16, (list, length): (&Part, usize), findings: &mut Findings) {
     let next = u32::try_from(length + 1).unwrap_or(u32::MAX);
     let place = Place::of(list.clone()).field(Field::Item(next));
-    let title = format!("add `0x{index:04X}` to `[{list}]`");
+    let title = say!("add `0x{:04X}` to `{}`", index, list);
     let fix = Fix::safe(title.clone()).set(place, format!("0x{index:04X}"));
-    let message = format!("{index:04X}h is described, but not listed in `[{list}]`");
+    let message = say!("{:04X}h is described, but not listed in `{}`", index, list);
     let finding = Diagnostic::new(&RULE.info, Place::of(section), message);
     findings.push(finding.help(title).fix(fix));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, series};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Text, say, series};
 use crate::model::{Device, Field, ModulePart, Modules, Part, Place};
 use crate::rule;
 
@@ -33,32 +33,39 @@ fn check(device: &Device, findings: &mut Findings) {
     match modules.declared {
         None if described == 0 => {}
         None => {
-            let message = format!("`[SupportedModules]` does not say that there are {described} modules");
-            let fix = Fix::safe(format!("write `NrOfEntries={described}`")).set(count, described.to_string());
+            let message = say!("`{[SupportedModules]}` does not say that there are {} modules", described);
+            let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)))
+                .set(count, described.to_string());
             let finding = Diagnostic::new(&RULE.info, first_module(modules), message).fix(fix);
-            findings.push(finding.help(format!("write `NrOfEntries={described}` into `[SupportedModules]`")));
+            findings.push(finding.help(say!(
+                "write `{}` into `{[SupportedModules]}`",
+                Argument::setting(Field::NrOfEntries, described)
+            )));
         }
         Some(declared) if usize::from(declared) != described => {
-            let message = format!("`NrOfEntries` is {declared}, but {} described", modules_are(described));
-            let fix = Fix::safe(format!("write `NrOfEntries={described}`"));
+            let message = say!("`{NrOfEntries}` is {}, but {} described", declared, modules_are(described));
+            let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)));
             let fix = fix.set(count.clone(), described.to_string());
             let finding = Diagnostic::new(&RULE.info, count, message).fix(fix);
-            findings.push(finding.help(format!("write `NrOfEntries={described}`, or describe the others")));
+            findings.push(finding.help(say!(
+                "write `{}`, or describe the others",
+                Argument::setting(Field::NrOfEntries, described)
+            )));
         }
         Some(_) if numbered => {}
         Some(declared) => {
             let numbers = series(modules.supported.keys());
-            let message = format!("{declared} modules have the numbers {numbers}, not 1 to {declared}");
+            let message = say!("{} modules have the numbers {}, not 1 to {}", declared, numbers, declared);
             findings.push(Diagnostic::new(&RULE.info, count, message).help("number the modules again"));
         }
     }
 }
 
-fn modules_are(number: usize) -> String {
+fn modules_are(number: usize) -> Text {
     match number {
-        0 => "no module is".to_owned(),
-        1 => "1 module is".to_owned(),
-        _ => format!("{number} modules are"),
+        0 => "no module is".into(),
+        1 => "1 module is".into(),
+        _ => say!("{} modules are", number),
     }
 }
 

@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind, ModulePart, Part, Place};
 use crate::{IndexSet, rule};
 
@@ -37,16 +37,16 @@ fn check(device: &Device, findings: &mut Findings) {
         // what several modules have is reported at the first
         for &index in module.fixed.keys().filter(|&&index| seen.insert(index)) {
             let place = Place::of(Part::Module(number, ModulePart::Fixed(index)));
-            let fixed = format!("{index:04X}h is a fixed object of module {number}");
+            let fixed = say!("{:04X}h is a fixed object of module {}", index, number);
             if device.kind == DeviceKind::Type && device.objects.contains_key(&index) {
                 let finding =
-                    Diagnostic::new(&RULE.info, place, format!("{fixed} and an object of the device"))
+                    Diagnostic::new(&RULE.info, place, say!("{} and an object of the device", fixed))
                         .label(Place::object(index), "the device's");
                 findings.push(finding.help("keep the object where it comes from"));
             } else if let Some(&other) = extended.get(&index) {
                 let extension = Place::of(Part::Module(other, ModulePart::SubExt(index)));
                 let finding =
-                    Diagnostic::new(&RULE.info, place, format!("{fixed} and extended by module {other}"))
+                    Diagnostic::new(&RULE.info, place, say!("{} and extended by module {}", fixed, other))
                         .label(extension, "the extension");
                 findings.push(finding.help("an object of modules is either fixed or extended"));
             }

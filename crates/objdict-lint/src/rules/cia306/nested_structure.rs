@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::{DataType, Device, Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
@@ -32,10 +32,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         _ => return,
     };
     let what = match at.sub {
-        Some(sub) => format!("sub-index {} of {:04X}h", sub_index(sub), at.index),
-        None => format!("{:04X}h", at.index),
+        Some(sub) => say!("sub-index {} of {:04X}h", sub_index(sub), at.index),
+        None => say!("{:04X}h", at.index),
     };
-    let message = format!("{what} is a structure ({kind}), but can only hold a single value");
+    let message = say!("{} is a structure ({}), but can only hold a single value", what, kind);
     let finding = Diagnostic::new(&RULE.info, at.field(field), message);
     findings.push(finding.help("give each part of the structure a sub-index or an object of its own"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -32,9 +32,10 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let stated = rates.iter().find(|(.., supported)| supported.is_some());
     let (place, message) = match stated {
-        Some((_, field, _)) => (Place::of(Part::DeviceInfo).field(field), "every `BaudRate_x` is 0"),
-        None => (Place::of(Part::DeviceInfo), "`[DeviceInfo]` has no `BaudRate_x`"),
+        Some((_, field, _)) => (Place::of(Part::DeviceInfo).field(field), say!("every `{BaudRate_x}` is 0")),
+        None => (Place::of(Part::DeviceInfo), say!("`{[DeviceInfo]}` has no `{BaudRate_x}`")),
     };
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(finding.help("write `BaudRate_125=1` and the like for each bit rate of the device"));
+    findings
+        .push(finding.help(say!("write `{BaudRate_125=1}` and the like for each bit rate of the device")));
 }

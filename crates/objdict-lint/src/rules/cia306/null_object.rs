@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::rule;
 
@@ -26,7 +26,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if object.main.object_type != Some(ObjectType::Null) {
         return;
     }
-    let message = format!("{index:04X}h is a NULL object, which has no data");
+    let message = say!("{:04X}h is a NULL object, which has no data", index);
     let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::ObjectType), message);
     findings.push(finding.help("write the object type that it has, or remove the object"));
 }

@@ -1,6 +1,6 @@
 use std::collections::{HashMap, HashSet};
 
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule};
 
@@ -40,9 +40,9 @@ fn check(device: &Device, findings: &mut Findings) {
             }
             let place = |list, number| Place::of(Part::List(list)).field(Field::Item(number));
             let message = if other == list {
-                format!("{index:04X}h stands twice in `[{list}]`")
+                say!("{:04X}h stands twice in `{}`", index, list)
             } else {
-                format!("{index:04X}h stands in `[{other}]` and in `[{list}]`")
+                say!("{:04X}h stands in `{}` and in `{}`", index, other, list)
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
             let mut finding = finding.label(place(other, at), "first here").help("keep one of the two");
@@ -66,5 +66,5 @@ fn once(device: &Device, list: ObjectList) -> Fix {
 fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
     let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
     let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
-    Fix::risky(format!("take it off `[{wrong}]`")).with(Change::List(wrong, members))
+    Fix::risky(say!("take it off `{}`", wrong)).with(Change::List(wrong, members))
 }

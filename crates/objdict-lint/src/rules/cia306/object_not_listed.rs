@@ -1,4 +1,4 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, ObjectList, Place};
 use crate::{IndexSet, ListFixes, rule, with_members};
 
@@ -37,11 +37,11 @@ fn check(device: &Device, findings: &mut Findings) {
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let all = with_members(members, others.clone());
         for index in others {
-            let message = format!("{index:04X}h is described, but in no list of objects");
+            let message = say!("{:04X}h is described, but in no list of objects", index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-            let mut finding = finding.help(format!("add `0x{index:04X}` to `[{list}]`"));
+            let mut finding = finding.help(say!("add `0x{:04X}` to `{}`", index, list));
             finding.fix = fixes.next(&all, || {
-                let fix = Fix::safe(format!("add to `[{list}]` what is described"));
+                let fix = Fix::safe(say!("add to `{}` what is described", list));
                 fix.with(Change::List(list, all.clone()))
             });
             findings.push(finding);

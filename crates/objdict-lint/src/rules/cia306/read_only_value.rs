@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{Access, DeviceKind, Field};
 use crate::{EntryAt, rule, stated};
 
@@ -44,10 +44,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let access = at.entry.access.unwrap_or(Access::Ro);
     let message =
-        format!("`ParameterValue` is {value}, but the entry is `{access}` and its default {default}");
+        say!("`{ParameterValue}` is {}, but the entry is `{}` and its default {}", value, access, default);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
         .severity(severity)
         .label(at.field(Field::AccessType), "cannot be written");
-    let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
-    findings.push(finding.help("remove `ParameterValue`, or correct `AccessType`").fix(fix));
+    let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
+    findings.push(finding.help(say!("remove `{ParameterValue}`, or correct `{AccessType}`")).fix(fix));
 }

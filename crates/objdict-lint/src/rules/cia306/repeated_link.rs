@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule;
 
@@ -31,7 +31,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         if seen.insert(link) {
             continue;
         }
-        let message = format!("{index:04X}h is linked with {link:04X}h twice");
+        let message = say!("{:04X}h is linked with {:04X}h twice", index, link);
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let place = Place::of(Part::Links(index)).field(Field::Item(item));
         findings

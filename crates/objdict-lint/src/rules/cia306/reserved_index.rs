@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Object, Place};
 use crate::rule;
 
@@ -33,7 +33,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         _ => return,
     };
     if !object.orphan {
-        let message = format!("{index:04X}h lies in a reserved area, {area}");
+        let message = say!("{:04X}h lies in a reserved area, {}", index, area);
         let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
         findings.push(finding.help("objects of a manufacturer are in 2000h to 5FFFh"));
     }

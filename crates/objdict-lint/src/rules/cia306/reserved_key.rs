@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing, say};
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule;
 
@@ -27,7 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let keys: Vec<&str> =
         info.extra.iter().map(|(key, _)| key).filter(|key| DeviceInfo::is_reserved(key)).collect();
     let Some(first) = keys.first() else { return };
-    let message = format!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
+    let message = say!("readers ignore {}, left over from EDS version 3.0", listing(&keys));
     let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
     let fix = keys.iter().fold(Fix::safe("remove it"), |fix, key| fix.remove(place(key)));
     findings.push(Diagnostic::new(&RULE.info, place(first), message).help("remove it").fix(fix));

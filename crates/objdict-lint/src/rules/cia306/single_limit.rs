@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -34,7 +34,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !is_number || is_domain || !at.holds_value() || stated::is_misfit(entry, &missing) {
         return;
     }
-    let message = format!("`{stated}` is there, and `{missing}` is not");
+    let message = say!("`{}` is there, and `{}` is not", stated, missing);
     let finding = Diagnostic::new(&RULE.info, at.field(stated), message);
-    findings.push(finding.help(format!("write `{missing}` too")));
+    findings.push(finding.help(say!("write `{}` too", missing)));
 }

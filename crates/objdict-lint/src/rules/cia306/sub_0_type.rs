@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -30,9 +30,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     };
     if stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
-        let message = format!("sub-index 0 of {:04X}h is {data_type}, not UNSIGNED8", at.index);
+        let message = say!("sub-index 0 of {:04X}h is {}, not UNSIGNED8", at.index, data_type);
         let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
-        let fix = Fix::risky("write `DataType=0x0005`").set(at.field(Field::DataType), "0x0005");
-        findings.push(finding.help("write `DataType=0x0005`").fix(fix));
+        let fix = Fix::risky(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
+        findings.push(finding.help(say!("write `{DataType=0x0005}`")).fix(fix));
     }
 }

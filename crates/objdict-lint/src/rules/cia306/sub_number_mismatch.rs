@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, counted};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, counted, say};
 use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
@@ -37,18 +37,18 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         0 => "no sub-index is".to_owned(),
         _ => counted(described, "sub-index is", "sub-indexes are"),
     };
-    let message = format!("`SubNumber` is {stated}, but {described_text} described");
+    let message = say!("`{SubNumber}` is {}, but {} described", stated, described_text);
     let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::SubNumber), message);
     findings.push(if described == 0 {
-        finding.help("describe the sub-indexes, or correct `ObjectType`")
+        finding.help(say!("describe the sub-indexes, or correct `{ObjectType}`"))
     } else {
-        let title = format!("write `SubNumber={described}`");
+        let title = say!("write `{}`", Argument::setting(Field::SubNumber, described));
         let place = Place::object(index).field(Field::SubNumber);
         // where sub-index 0 says the same as `SubNumber`, a section got lost
         let value = object.value(0).and_then(|value| value.as_integer());
         let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
         let fix = Fix::safe(title.clone()).set(place, described.to_string());
         let finding = if is_lost { finding } else { finding.fix(fix) };
-        finding.help(if stated > described { format!("describe the others, or {title}") } else { title })
+        finding.help(if stated > described { say!("describe the others, or {}", title) } else { title })
     });
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::{Device, Field, Object, Place};
 use crate::{rule, stated};
 
@@ -15,7 +15,7 @@ rule! {
     /// `ObjectType=0x7` in `[2000]`, and `[2000sub1]`
     ///
     /// ## How to mend
-    /// Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.
+    /// Write `ObjectType=0x9` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes.
     ///
     /// ## Source
     /// CiA 301 §7.4.3
@@ -27,9 +27,10 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(object_type) = stated::object_type(object).filter(|object_type| !object_type.has_subs()) else {
         return;
     };
-    let message = format!("{index:04X}h is a {object_type}, but has sub-index {}", sub_index(sub));
+    let message = say!("{:04X}h is a {}, but has sub-index {}", index, object_type, sub_index(sub));
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message)
-        .label(Place::object(index).field(Field::ObjectType), format!("a {object_type}"));
-    findings
-        .push(finding.help("write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes"));
+        .label(Place::object(index).field(Field::ObjectType), say!("a {}", object_type));
+    findings.push(finding.help(say!(
+        "write `{ObjectType=0x9}` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes"
+    )));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Text, say};
 use crate::model::{Device, Field, Object, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule, stated, sub_0, with_members};
 
@@ -31,9 +31,10 @@ fn check(device: &Device, findings: &mut Findings) {
     let mut fixes = ListFixes::new();
     for (&index, object) in orphans {
         let Some((sub, _)) = object.subs.iter().next() else { continue };
-        let message = format!("sub-indexes of {index:04X}h are described, the object is not");
+        let message = say!("sub-indexes of {:04X}h are described, the object is not", index);
         let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-        let title = format!("add a section `[{index:X}]` with name, object type and `SubNumber`");
+        let title =
+            say!("add {a section} `{}` with name, object type and `{SubNumber}`", Part::Object(index));
         let mut finding = finding.help(title.clone());
         let list = ObjectList::of(index)
             .filter(|&list| !listed.contains(index) && !device.lists.get(list).is_empty());
@@ -52,7 +53,7 @@ fn check(device: &Device, findings: &mut Findings) {
 }
 
 /// The section that the object lacks, and sub-index 0 if it lacks that too.
-fn section(title: String, index: u16, object: &Object) -> Fix {
+fn section(title: Text, index: u16, object: &Object) -> Fix {
     let fix = Fix::risky(title);
     let (fix, described) = match object.subs.get(0) {
         Some(_) => (fix, stated::described_subs(object)),

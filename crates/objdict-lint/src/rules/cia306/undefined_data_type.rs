@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::model::{DataType, Device, Field, ObjectType, TypeKind};
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{DataType, Device, Field, ObjectType, Part, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
@@ -36,13 +36,13 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if is_count || !at.holds_value() {
         return;
     }
-    let message = format!("{:04X}h {why}", data_type.0);
+    let message = say!("{:04X}h {}", data_type.0, why);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
     findings.push(match data_type.kind() {
-        TypeKind::Reserved => finding.help("write a type of CiA 301, such as `0x0007` for UNSIGNED32"),
-        _ => finding.help(format!(
-            "write a type of CiA 301, such as `0x0007`, or describe a DEFTYPE or DEFSTRUCT in `[{:X}]`",
-            data_type.0
+        TypeKind::Reserved => finding.help(say!("write a type of CiA 301, such as `{DataType:0x0007}` for UNSIGNED32")),
+        _ => finding.help(say!(
+            "write a type of CiA 301, such as `{DataType:0x0007}`, or describe a DEFTYPE or DEFSTRUCT in `{}`",
+            Part::Object(data_type.0)
         )),
     });
 }

@@ -1,5 +1,5 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
-use crate::model::{Device, Field, Part, Place};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
+use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::rule;
 
 rule! {
@@ -27,14 +27,13 @@ fn check(device: &Device, findings: &mut Findings) {
     for (item, number) in (1..).zip(modules.connected.iter().flatten()) {
         if !modules.supported.contains_key(number) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
-            let message = format!("module {number} is connected, but not described");
+            let message = say!("module {} is connected, but not described", number);
             let fix = Fix::risky("take it off the list").remove(place.clone());
             let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
-            findings.push(
-                finding.help(format!(
-                    "add the sections `[M{number}ModuleInfo]` and so on, or correct the number"
-                )),
-            );
+            findings.push(finding.help(say!(
+                "add the {sections} `{}` and so on, or correct the number",
+                Part::Module(*number, ModulePart::Info)
+            )));
         }
     }
 }

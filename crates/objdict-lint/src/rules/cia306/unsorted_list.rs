@@ -1,4 +1,4 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::rule;
 
@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let (Some(first), Some(second)) = (indexes.get(at), indexes.get(at + 1)) else { continue };
-        let message = format!("`[{list}]` has {second:04X}h behind {first:04X}h");
+        let message = say!("`{}` has {:04X}h behind {:04X}h", list, second, first);
         let item = u32::try_from(at + 2).unwrap_or(u32::MAX);
         let place = Place::of(Part::List(list)).field(Field::Item(item));
         let fix = Fix::safe("sort the list").with(Change::List(list, sorted));

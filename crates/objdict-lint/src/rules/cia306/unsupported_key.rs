@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, say};
 use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -34,8 +34,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     let Some(first) = keys.first() else { return };
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
-    let message = format!("{article} {object_type} has no use for {}", listing(&keys));
-    let title = if keys.len() == 1 { "remove the key" } else { "remove the keys" };
+    let message = say!("{} {} has no use for {}", article, object_type, listing(&keys));
+    let title = if keys.len() == 1 { say!("remove {the key}") } else { say!("remove {the keys}") };
     // a value or a limit may have been meant for something
     let is_safe = |field: &Field| matches!(field, Field::DataType | Field::AccessType | Field::SubNumber);
     let fix = if keys.iter().all(is_safe) { Fix::safe(title) } else { Fix::risky(title) };
@@ -50,7 +50,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(if object_type.has_subs() {
         finding.help("remove it, or move it to the sub-indexes")
     } else {
-        finding.help("remove it, or correct `ObjectType`")
+        finding.help(say!("remove it, or correct `{ObjectType}`"))
     });
 }
 

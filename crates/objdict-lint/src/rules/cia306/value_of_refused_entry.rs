@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{Access, Field};
 use crate::{EntryAt, rule};
 
@@ -29,11 +29,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let own = at.entry.flags().refuses_write();
     if own || at.sub.is_some_and(|sub| sub > 0) && at.object.main.flags().refuses_write() {
-        let message = "`ParameterValue` is never written, for the flags refuse it";
+        let message = say!("`{ParameterValue}` is never written, for the flags refuse it");
         let flags = if own { at.place() } else { at.object_place() };
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
             .label(flags.field(Field::ObjFlags), "refuses writing");
-        let fix = Fix::risky("remove `ParameterValue`").remove(at.field(Field::ParameterValue));
-        findings.push(finding.help("remove `ParameterValue`").fix(fix));
+        let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
+        findings.push(finding.help(say!("remove `{ParameterValue}`")).fix(fix));
     }
 }

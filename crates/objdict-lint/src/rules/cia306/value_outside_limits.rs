@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, Text, say, sub_index};
 use crate::model::{Entry, Field, Part, Place, Value};
 use crate::{EntryAt, rule, stated};
 
@@ -33,19 +33,19 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if let Some(value) = &entry.default
         && let Some(exceeded) = exceeded(entry, value, node_ids)
     {
-        report(at, at.field(Field::DefaultValue), "`DefaultValue`", value, exceeded, findings);
+        report(at, at.field(Field::DefaultValue), say!("`{DefaultValue}`"), value, exceeded, findings);
     }
     if let Some(value) = entry.configured_value()
         && let Some(exceeded) = exceeded(entry, value, node_ids)
     {
-        report(at, at.field(Field::ParameterValue), "`ParameterValue`", value, exceeded, findings);
+        report(at, at.field(Field::ParameterValue), say!("`{ParameterValue}`"), value, exceeded, findings);
     }
     let compact = at.object.compact.as_ref().filter(|_| at.sub.is_none());
     for (sub, value) in compact.iter().flat_map(|compact| &compact.values) {
         if let Some(exceeded) = exceeded(entry, value, node_ids) {
             let place = Place::of(Part::CompactValues(at.index)).field(Field::Item(u32::from(*sub)));
-            let what = format!("the value of sub-index {}", sub_index(*sub));
-            report(at, place, &what, value, exceeded, findings);
+            let what = say!("the value of sub-index {}", sub_index(*sub));
+            report(at, place, what, value, exceeded, findings);
         }
     }
 }
@@ -84,7 +84,7 @@ fn is_explained(at: &EntryAt<'_>) -> bool {
 fn report(
     at: &EntryAt<'_>,
     place: Place,
-    what: &str,
+    what: Text,
     value: &Value,
     exceeded: Exceeded<'_>,
     findings: &mut Findings,
@@ -95,10 +95,10 @@ fn report(
     let Exceeded { field, limit, node_id } = exceeded;
     // what a formula is on that node
     let number = |value: &Value| match (value, value.integer_for(node_id)) {
-        (Value::NodeId(_), Some(number)) => format!("{number} on node {node_id}"),
-        _ => value.to_string(),
+        (Value::NodeId(_), Some(number)) => say!("{} on node {}", number, node_id),
+        _ => say!("{}", value),
     };
-    let message = format!("{what} is {}, but `{field}` is {}", number(value), number(limit));
+    let message = say!("{} is {}, but `{}` is {}", what, number(value), field, number(limit));
     let finding = Diagnostic::new(&RULE.info, place, message).label(at.field(field), "the limit");
     findings.push(finding.help("correct the value or the limit"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Access, Field, Value};
 use crate::{EntryAt, rule};
 
@@ -27,10 +27,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_nothing(value)) else { return };
-    let message = format!("`{default}` as default of an entry that nobody can read");
+    let message = say!("`{}` as default of an entry that nobody can read", default);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), message);
     let finding = finding.label(at.field(Field::AccessType), "write only");
-    findings.push(finding.help("remove the value, or correct `AccessType`"));
+    findings.push(finding.help(say!("remove the value, or correct `{AccessType}`")));
 }
 
 fn is_nothing(value: &Value) -> bool {

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, say, series};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -31,33 +31,33 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
     let corrected = (mask & POSSIBLE) | MANDATORY;
     if info.rpdo_count == Some(0) && info.tpdo_count == Some(0) {
-        let fix = Fix::safe("write `CompactPDO=0`").set(place.clone(), "0");
+        let fix = Fix::safe(say!("write `{CompactPDO=0}`")).set(place.clone(), "0");
         let finding = Diagnostic::new(
             &RULE.info,
             place,
-            format!("`CompactPDO` is {mask:#04x}, but the device has no PDO"),
+            say!("`{CompactPDO}` is {:#04x}, but the device has no PDO", mask),
         )
         .label(Place::of(Part::DeviceInfo).field(Field::NrOfRxPdo), "no RPDO")
         .label(Place::of(Part::DeviceInfo).field(Field::NrOfTxPdo), "no TPDO");
-        findings.push(finding.help("write `CompactPDO=0` or remove the key").fix(fix));
+        findings.push(finding.help(say!("write `{CompactPDO=0}` or remove {the key}")).fix(fix));
     } else if corrected != mask {
         let message = match mask & MANDATORY {
-            MANDATORY => format!("no PDO has {}", subs(mask & !POSSIBLE)),
-            present => format!("every PDO has {}", subs(MANDATORY & !present)),
+            MANDATORY => say!("no PDO has {}", subs(mask & !POSSIBLE)),
+            present => say!("every PDO has {}", subs(MANDATORY & !present)),
         };
-        let title = format!("write `CompactPDO={corrected:#04x}`");
+        let title = say!("write `CompactPDO={:#04x}`", corrected);
         let fix = Fix::safe(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
         let only_sub_4 = mask ^ corrected == 1 << 3;
         let finding =
-            Diagnostic::new(&RULE.info, place, format!("`CompactPDO` is {mask:#04x}, but {message}"))
+            Diagnostic::new(&RULE.info, place, say!("`{CompactPDO}` is {:#04x}, but {}", mask, message))
                 .severity(if only_sub_4 { Severity::Note } else { Severity::Warning });
         findings.push(finding.help(title).fix(fix));
     }
 }
 
 /// The sub-indexes that the bits of a mask stand for.
-fn subs(mask: u8) -> String {
+fn subs(mask: u8) -> Text {
     let subs = (0..8).filter(|bit| mask >> bit & 1 != 0).map(|bit| bit + 1);
     let word = if mask.is_power_of_two() { "sub-index" } else { "sub-indexes" };
-    format!("{word} {}", series(subs))
+    say!("{} {}", word, series(subs))
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
@@ -39,19 +39,20 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let place = Place::entry(index, 0).field(field.clone());
-    let title = format!("write `{field}={highest}`");
+    let title = say!("write `{}`", Argument::setting(&field, highest));
     let fix = Fix::risky(title).set(place.clone(), highest.to_string());
     let finding = if value < i128::from(highest) {
-        let message = format!("sub-index 0 of {index:04X}h is {value}, but sub-index {highest} is described");
+        let message =
+            say!("sub-index 0 of {:04X}h is {}, but sub-index {} is described", index, value, highest);
         Diagnostic::new(&RULE.info, place, message)
             .label(Place::entry(index, highest), "the highest sub-index")
-            .help(format!("write `{field}={highest}`"))
+            .help(say!("write `{}`", Argument::setting(&field, highest)))
     } else {
         let message =
-            format!("sub-index 0 of {index:04X}h is {value}, but the highest described one is {highest}");
+            say!("sub-index 0 of {:04X}h is {}, but the highest described one is {}", index, value, highest);
         Diagnostic::new(&RULE.info, place, message)
             .severity(Severity::Warning)
-            .help(format!("describe the others, or write `{field}={highest}`"))
+            .help(say!("describe the others, or write `{}`", Argument::setting(&field, highest)))
     };
     findings.push(finding.fix(fix));
 }
@@ -67,9 +68,13 @@ fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings
     if !sub_0.misfits.is_empty() || sub_0.data_type.is_none() {
         return;
     }
-    let message = format!("sub-index 0 of {index:04X}h has no value");
+    let message = say!("sub-index 0 of {:04X}h has no value", index);
     let place = Place::entry(index, 0).field(Field::DefaultValue);
-    let fix = Fix::safe(format!("write `DefaultValue={highest}`")).set(place.clone(), highest.to_string());
+    let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::DefaultValue, highest)))
+        .set(place.clone(), highest.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning).fix(fix);
-    findings.push(finding.help(format!("write `DefaultValue={highest}`, the highest sub-index")));
+    findings.push(
+        finding
+            .help(say!("write `{}`, the highest sub-index", Argument::setting(Field::DefaultValue, highest))),
+    );
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity};
+use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, say};
 use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule, with_members};
 
@@ -37,9 +37,9 @@ fn check(device: &Device, findings: &mut Findings) {
             // what stands in the right list too is listed twice, which is another finding
             if right != list && !stands_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
-                let message = format!("{index:04X}h stands in `[{list}]`, but belongs into `[{right}]`");
+                let message = say!("{:04X}h stands in `{}`, but belongs into `{}`", index, list, right);
                 let mut finding =
-                    Diagnostic::new(&RULE.info, place, message).help(format!("move it to `[{right}]`"));
+                    Diagnostic::new(&RULE.info, place, message).help(say!("move it to `{}`", right));
                 let members = device.lists.get(list);
                 finding.fix = fixes.next(members, || moved(device, list, right, &stands_in));
                 let missed = right == ObjectList::Mandatory;
@@ -60,7 +60,7 @@ fn moved(
     let (wrong, right): (Vec<u16>, Vec<u16>) =
         device.lists.get(from).iter().partition(|index| belongs(index));
     let members = with_members(device.lists.get(to), wrong);
-    let fix = Fix::safe(format!("move to `[{to}]` what belongs there"));
+    let fix = Fix::safe(say!("move to `{}` what belongs there", to));
     fix.with(Change::List(from, right)).with(Change::List(to, members))
 }
 

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule;
 
@@ -51,17 +51,18 @@ fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, f
         return;
     }
     let count = match described {
-        0 => format!("no {name} is"),
-        1 => format!("1 {name} is"),
-        _ => format!("{described} {name}s are"),
+        0 => say!("no {} is", name),
+        1 => say!("1 {} is", name),
+        _ => say!("{} {}s are", described, name),
     };
-    let message = format!("`{field}` is {stated}, but {count} described ({low:04X}h to {high:04X}h)");
+    let message = say!("`{}` is {}, but {} described ({:04X}h to {:04X}h)", field, stated, count, low, high);
     let place = Place::of(Part::DeviceInfo).field(field.clone());
-    let fix = Fix::safe(format!("write `{field}={described}`")).set(place.clone(), described.to_string());
+    let fix = Fix::safe(say!("write `{}`", Argument::setting(field, described)))
+        .set(place.clone(), described.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(if stated > described {
-        finding.help(format!("write `{field}={described}`, or describe the other {name}s"))
+        finding.help(say!("write `{}`, or describe the other {}s", Argument::setting(field, described), name))
     } else {
-        finding.help(format!("write `{field}={described}`"))
+        finding.help(say!("write `{}`", Argument::setting(field, described)))
     });
 }

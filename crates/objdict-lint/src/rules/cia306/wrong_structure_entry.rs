@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{DataType, Device, Entry, Field, Object, ObjectType, Place, Value};
 use crate::{rule, stated};
 
@@ -39,11 +39,15 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let place = |field| Place::entry(index, 0xFF).field(field);
     let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32)
     {
-        let message = format!("sub-index FFh of {index:04X}h is {other}, and the structure is an UNSIGNED32");
+        let message =
+            say!("sub-index FFh of {:04X}h is {}, and the structure is an UNSIGNED32", index, other);
         Diagnostic::new(&RULE.info, place(Field::DataType), message)
     } else if let Some(code) = stated_code(entry).filter(|&code| code != i128::from(object_type.code())) {
-        let message = format!(
-            "sub-index FFh of {index:04X}h gives object code {code}, and the object is {object_type}"
+        let message = say!(
+            "sub-index FFh of {:04X}h gives object code {}, and the object is {}",
+            index,
+            code,
+            object_type
         );
         let finding = Diagnostic::new(&RULE.info, place(Field::DefaultValue), message);
         finding.label(Place::object(index).field(Field::ObjectType), "the object type")
@@ -51,8 +55,10 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     };
     let code = object_type.code();
-    findings.push(finding.help(format!(
-        "write an UNSIGNED32 such as `0x0000{{data type}}{code:02X}`, the data type in four digits"
+    findings.push(finding.help(say!(
+        "write an UNSIGNED32 such as `{}{:02X}`, the data type in four digits",
+        "0x0000{data type}",
+        code
     )));
 }
 

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::{DeviceKind, PdoKind, Value};
 use crate::profile::index_in;
 use crate::{Facts, rule};
@@ -41,9 +41,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     });
     if let Some(pdo) = waits {
         let message =
-            format!("{pdo} is never sent: analogue inputs make no events until {enable:04X}h is true");
+            say!("{} is never sent: analogue inputs make no events until {:04X}h is true", pdo, enable);
         let finding = Diagnostic::new(rule, device.value_place(enable, 0), message);
         let finding = finding.label(device.value_place(pdo.communication_index(), 2), "sent on events");
-        findings.push(finding.help("write `ParameterValue=1`, or set the event timer of the TPDO"));
+        findings.push(finding.help(say!("write `{ParameterValue=1}`, or set the event timer of the TPDO")));
     }
 }

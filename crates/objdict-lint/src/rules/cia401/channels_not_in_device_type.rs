@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series};
 use crate::model::Place;
 use crate::profile::{device_type_index, number_of};
 use crate::{Facts, channels, rule};
@@ -35,7 +35,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     }
     let names = series(unnamed.iter().map(|(kind, _)| kind.name));
-    let message = format!("the device has {names}, and its device type does not say so");
+    let message = say!("the device has {}, and its device type does not say so", names);
     let right = unnamed.iter().fold(value, |value, (kind, _)| value | 1 << kind.bit);
     let place = device.value_place(index, 0);
     let mut finding = Diagnostic::new(rule, place.clone(), message);
@@ -43,6 +43,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         finding = finding.label(Place::object(index), kind.name);
     }
     let text = format!("0x{right:08X}");
-    let finding = finding.help(format!("write `{text}`"));
-    findings.push(finding.fix(Fix::risky(format!("write `{text}`")).set(place, text)));
+    let finding = finding.help(say!("write `{}`", text));
+    findings.push(finding.fix(Fix::risky(say!("write `{}`", text)).set(place, text)));
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::{MappedObject, PdoKind};
 use crate::{Facts, channels, rule};
 
@@ -45,9 +45,14 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let kind = kind.name();
-        let message =
-            format!("{index:04X}h has {number} elements, and {kind}s 1 to 4 carry the first {room} only");
+        let message = say!(
+            "{:04X}h has {} elements, and {}s 1 to 4 carry the first {} only",
+            index,
+            number,
+            kind,
+            room
+        );
         let finding = Diagnostic::new(rule, facts.device.value_place(index, 0), message);
-        findings.push(finding.help(format!("add {kind}s from {kind} 5 on for the others")));
+        findings.push(finding.help(say!("add {}s from {} 5 on for the others", kind, kind)));
     }
 }

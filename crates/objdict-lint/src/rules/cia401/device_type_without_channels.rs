@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series};
 use crate::profile::{device_type_index, number_of};
 use crate::{Facts, channels, rule};
 
@@ -34,11 +34,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     }
     let names = series(missing.iter().map(|kind| kind.name));
-    let message = format!("the device type says {names}, and there are no objects for them");
+    let message = say!("the device type says {}, and there are no objects for them", names);
     let cleared = missing.iter().fold(value, |value, kind| value & !(1 << kind.bit));
     let place = device.value_place(index, 0);
     let finding = Diagnostic::new(rule, place.clone(), message);
     let text = format!("0x{cleared:08X}");
-    let finding = finding.help(format!("write `{text}`, or describe the channels"));
-    findings.push(finding.fix(Fix::risky(format!("write `{text}`")).set(place, text)));
+    let finding = finding.help(say!("write `{}`, or describe the channels", text));
+    findings.push(finding.fix(Fix::risky(say!("write `{}`", text)).set(place, text)));
 }

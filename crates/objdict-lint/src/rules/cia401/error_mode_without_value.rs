@@ -1,6 +1,6 @@
 use crate::demands::{self, Against};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
-use crate::model::Place;
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
+use crate::model::{Part, Place};
 use crate::profile::index_in;
 use crate::rule;
 
@@ -43,8 +43,8 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let mut indexes = values.iter().map(|&index| index_in(block, index));
     let Some(first) = indexes.clone().next().filter(|_| !at.object.orphan) else { return };
     if !indexes.any(|index| demands::is_there(at.device, index)) {
-        let message = format!("{at} has no error value beside it, {first:04X}h");
+        let message = say!("{} has no error value beside it, {:04X}h", at, first);
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
-        findings.push(finding.help(format!("describe the error value: `[{first:04X}]`")));
+        findings.push(finding.help(say!("describe the error value: `{}`", Part::Object(first))));
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity, series};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity, say, series};
 use crate::model::{Device, MappedObject};
 use crate::{Facts, PdoFacts, Target, channels, rule};
 
@@ -31,7 +31,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let (carries, should) = (shown(&found), shown(&right));
-        let message = format!("{} carries {carries}, CiA 401 has {should} in it", pdo.pdo);
+        let message = say!("{} carries {}, CiA 401 has {} in it", pdo.pdo, carries, should);
         let is_shorter = right.starts_with(&found);
         let differs = found.iter().zip(&right).position(|(found, right)| found != right);
         let slot = differs.and_then(|at| pdo.mapped.get(at)).map_or(0, |mapped| mapped.slot);
@@ -73,7 +73,7 @@ fn fix(device: &Device, pdo: &PdoFacts<'_>, right: &[MappedObject]) -> Option<Fi
 }
 
 /// `6401h:01 to 04`, and what else there is.
-fn shown(mapped: &[MappedObject]) -> String {
+fn shown(mapped: &[MappedObject]) -> Argument {
     let mut runs: Vec<(MappedObject, u8)> = Vec::new();
     for object in mapped {
         match runs.last_mut() {
@@ -84,7 +84,7 @@ fn shown(mapped: &[MappedObject]) -> String {
         }
     }
     series(runs.iter().map(|(first, last)| match first.sub == *last {
-        true => format!("{:04X}h:{last:02X}", first.index),
-        false => format!("{:04X}h:{:02X} to {last:02X}", first.index, first.sub),
+        true => say!("{:04X}h:{:02X}", first.index, last),
+        false => say!("{:04X}h:{:02X} to {:02X}", first.index, first.sub, last),
     }))
 }

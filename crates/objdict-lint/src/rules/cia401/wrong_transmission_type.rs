@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::{Facts, channels, rule};
 
 rule! {
@@ -28,7 +28,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         // types that no PDO has are reported as that
         let wrong = pdo.transmission_type.filter(|found| !matches!(found, 241..=251 | 255));
         let Some(found) = wrong.filter(|_| pdo.is_valid() != Some(false)) else { continue };
-        let message = format!("`{found}` as transmission type of {pdo}, CiA 401 has 255");
+        let message = say!("`{}` as transmission type of {}, CiA 401 has 255", found, pdo);
         let place = facts.device.value_place(pdo.communication_index(), 2);
         let finding = Diagnostic::new(rule, place.clone(), message).help("write 255");
         findings.push(finding.fix(Fix::risky("write `255`").set(place, "255")));

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -27,8 +27,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_axis = applied.block > 0 && drive.has(0x6040);
     if is_axis && drive.lacks(0x67FF) {
         let (axis, name) = (applied.block + 1, drive.name(0x67FF));
-        let message = format!("axis {axis} has no device type, {name} is missing");
+        let message = say!("axis {} has no device type, {} is missing", axis, name);
         let finding = Diagnostic::new(rule, drive.place(0x6040), message);
-        findings.push(finding.help(format!("describe {name} (UNSIGNED32, `ro`)")));
+        findings.push(finding.help(say!("describe {} (UNSIGNED32, `ro`)", name)));
     }
 }

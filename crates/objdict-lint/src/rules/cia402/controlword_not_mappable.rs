@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::{Field, PdoKind};
 use crate::{Drive, Facts, rule};
 
@@ -32,8 +32,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if entry.is_mappable() || entry.misfits.get(&Field::PdoMapping).is_some() {
             continue;
         }
-        let message = format!("{} ({name}) is not mappable, so no {kind} can carry it", drive.name(index));
+        let message = say!("{} ({}) is not mappable, so no {} can carry it", drive.name(index), name, kind);
         let place = drive.place(index).field(Field::PdoMapping);
-        findings.push(Diagnostic::new(rule, place, message).help("write `PDOMapping=1`"));
+        findings.push(Diagnostic::new(rule, place, message).help(say!("write `{PDOMapping=1}`")));
     }
 }

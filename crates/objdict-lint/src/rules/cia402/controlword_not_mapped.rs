@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::{Entry, PdoKind};
 use crate::{Drive, Facts, PdoFacts, rule};
 
@@ -40,10 +40,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if is_open || !is_mappable || pdos.clone().any(maps) {
             continue;
         }
-        let message = format!("no {kind} carries {} ({name}) by default", drive.name(index));
+        let message = say!("no {} carries {} ({}) by default", kind, drive.name(index), name);
         let finding = Diagnostic::new(rule, drive.place(index), message);
         let place = facts.device.value_place(first.pdo.mapping_index(), 1);
-        let help = format!("map it first: `0x{:04X}0010`", drive.index(index));
-        findings.push(finding.label(place, format!("{} carries this", first.pdo)).help(help));
+        let help = say!("map it first: `0x{:04X}0010`", drive.index(index));
+        findings.push(finding.label(place, say!("{} carries this", first.pdo)).help(help));
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
@@ -27,7 +27,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let cyclic =
         MODES.iter().find(|mode| (7..=10).contains(&mode.bit) && drive.supports(mode.bit) == Some(true));
     let Some(mode) = cyclic.filter(|_| applied.block == 0 && drive.lacks(0x1005)) else { return };
-    let message = format!("{} mode is supported, and there is no 1005h for SYNC", mode.name);
+    let message = say!("{} mode is supported, and there is no 1005h for SYNC", mode.name);
     let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
     findings.push(finding.help("add 1005h (COB-ID SYNC, UNSIGNED32, default 0x80)"));
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::Field;
 use crate::{Drive, Facts, rule};
 
@@ -30,10 +30,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let is_readable = entry.misfits.get(&Field::PdoMapping).is_none();
         if drive.supports(bit) == Some(true) && is_readable && !entry.is_mappable() {
             let name = drive.name(index);
-            let message = format!("{name} is not mappable, and cyclic synchronous {mode} mode lives on it");
+            let message = say!("{} is not mappable, and cyclic synchronous {} mode lives on it", name, mode);
             let finding = Diagnostic::new(rule, drive.place(index).field(Field::PdoMapping), message);
-            let finding = finding.label(drive.value_place(0x6502, 0), format!("bit {bit} names the mode"));
-            findings.push(finding.help("write `PDOMapping=1`"));
+            let finding = finding.label(drive.value_place(0x6502, 0), say!("bit {} names the mode", bit));
+            findings.push(finding.help(say!("write `{PDOMapping=1}`")));
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::profile;
 use crate::{Facts, rule};
 
@@ -31,9 +31,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
     let value = facts.device.object(index).and_then(|object| object.value(0)?.as_integer());
     let Some(value) = value.filter(|value| value & 0xFFFF == 402 && value & 0x7_0000 == 0) else { return };
-    let message = format!("`0x{value:08X}` as device type does not say which kind of drive it is");
+    let message = say!("`0x{:08X}` as device type does not say which kind of drive it is", value);
     let place = facts.device.value_place(index, 0);
     let servo = value | 0x2_0000;
-    let help = format!("set bit 16, 17 or 18, for a servo drive: `0x{servo:08X}`");
+    let help = say!("set bit 16, 17 or 18, for a servo drive: `0x{:08X}`", servo);
     findings.push(Diagnostic::new(rule, place, message).help(help));
 }

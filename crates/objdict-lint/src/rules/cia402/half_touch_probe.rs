@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say, series};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -27,12 +27,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let Some(there) = (0x60B8..=0x60BD).find(|&index| drive.has(index)) else { return };
     let missing = [(0x60B8, "touch probe function"), (0x60B9, "touch probe status")];
     let missing = missing.into_iter().filter(|&(index, _)| drive.lacks(index));
-    let missing: Vec<String> =
-        missing.map(|(index, name)| format!("{} ({name})", drive.name(index))).collect();
+    let missing: Vec<Text> = missing.map(|(index, name)| say!("{} ({})", drive.name(index), name)).collect();
     if missing.is_empty() {
         return;
     }
     let verb = if missing.len() == 1 { "is not" } else { "are not" };
-    let message = format!("{} is there, and {} {verb}", drive.name(there), series(&missing));
+    let message = say!("{} is there, and {} {}", drive.name(there), series(&missing), verb);
     findings.push(Diagnostic::new(rule, drive.place(there), message).help("describe what is missing"));
 }

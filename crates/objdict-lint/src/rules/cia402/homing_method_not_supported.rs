@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::model::Value;
 use crate::{Drive, Facts, rule};
 
@@ -35,8 +35,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let Some(methods) = methods.filter(|methods| !methods.is_empty() && !methods.contains(&method)) else {
         return;
     };
-    let message = format!(
-        "`{method}` as homing method, {} lists {}",
+    let message = say!(
+        "`{}` as homing method, {} lists {}",
+        method,
         drive.name(0x60E3),
         series(methods.iter().take(20))
     );

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -30,9 +30,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if period % time == 0 || time % period == 0 {
         return;
     }
-    let message = format!(
-        "the interpolation time of {} is {time} µs, SYNC comes every `{period}` µs",
-        drive.name(0x60C2)
+    let message = say!(
+        "the interpolation time of {} is {} µs, SYNC comes every `{}` µs",
+        drive.name(0x60C2),
+        time,
+        period
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x60C2, 1), message);
     findings.push(finding.label(drive.value_place(0x1006, 0), "the period of SYNC"));

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -27,8 +27,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let Some(there) = [0x60C0, 0x60C4].into_iter().find(|&index| drive.has(index)) else { return };
     if drive.lacks(0x60C1) {
         let (there_name, missing) = (drive.name(there), drive.name(0x60C1));
-        let message = format!("{there_name} is there, and {missing} (interpolation data record) is not");
+        let message = say!("{} is there, and {} (interpolation data record) is not", there_name, missing);
         let finding = Diagnostic::new(rule, drive.place(there), message);
-        findings.push(finding.help(format!("describe {missing} (ARRAY of INTEGER32)")));
+        findings.push(finding.help(say!("describe {} (ARRAY of INTEGER32)", missing)));
     }
 }

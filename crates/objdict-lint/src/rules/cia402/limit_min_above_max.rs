@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -30,7 +30,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let message =
-            format!("the lower limit `{min}` of {} is above the upper one, `{max}`", drive.name(index));
+            say!("the lower limit `{}` of {} is above the upper one, `{}`", min, drive.name(index), max);
         let finding = Diagnostic::new(rule, drive.value_place(index, 1), message);
         let finding = finding.label(drive.value_place(index, 2), "the upper limit");
         findings.push(finding.help("exchange the values"));

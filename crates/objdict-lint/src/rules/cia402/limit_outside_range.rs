@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -35,9 +35,12 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     };
     let (sub, limit) = outside;
-    let message = format!(
-        "the limit `{limit}` of {} lies outside the range {first} to {last} of {}",
+    let message = say!(
+        "the limit `{}` of {} lies outside the range {} to {} of {}",
+        limit,
         drive.name(0x607D),
+        first,
+        last,
         drive.name(0x607B)
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x607D, sub), message);

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -40,10 +40,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let [first, second] = objects.map(|index| drive.name(index));
-        let message = format!("`0x{modes:08X}` does not name {mode}, but {first} and {second} are there");
+        let message =
+            say!("`0x{:08X}` does not name {}, but {} and {} are there", modes, mode, first, second);
         let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
         let finding = finding.label(drive.place(objects[0]), "an object of the mode");
-        let help = format!("set bit {}, or take the objects out", bits.trailing_zeros());
+        let help = say!("set bit {}, or take the objects out", bits.trailing_zeros());
         findings.push(finding.help(help));
     }
 }

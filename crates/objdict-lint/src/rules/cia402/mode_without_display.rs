@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
@@ -35,7 +35,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             0x6060 => "modes of operation",
             _ => "modes of operation display",
         };
-        let message = format!(
+        let message = say!(
             "{} ({}) is there, and {} ({}) is not",
             drive.name(there),
             name(there),
@@ -43,7 +43,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             name(missing)
         );
         let finding = Diagnostic::new(rule, drive.place(there), message);
-        findings.push(finding.help(format!("describe {}", drive.name(missing))));
+        findings.push(finding.help(say!("describe {}", drive.name(missing))));
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -25,7 +25,7 @@ rule! {
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     if drive.modes() == Some(0) {
-        let message = format!("{} names no mode of operation", drive.name(0x6502));
+        let message = say!("{} names no mode of operation", drive.name(0x6502));
         let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
         findings.push(
             finding.help("set the bits of the modes, such as `0x00000021` for profile position and homing"),

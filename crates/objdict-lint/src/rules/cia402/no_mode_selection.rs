@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
@@ -30,8 +30,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if names.len() < 2 || !drive.lacks(0x6060) {
         return;
     }
-    let message =
-        format!("{} is missing, so nobody can choose between {}", drive.name(0x6060), series(names));
+    let message = say!("{} is missing, so nobody can choose between {}", drive.name(0x6060), series(names));
     let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
     findings.push(finding.help("describe the modes of operation (INTEGER8, `rw`)"));
 }

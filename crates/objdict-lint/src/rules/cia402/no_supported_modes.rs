@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -25,7 +25,7 @@ rule! {
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     if drive.has(0x6040) && drive.lacks(0x6502) {
-        let message = format!("{} (supported drive modes) is missing", drive.name(0x6502));
+        let message = say!("{} (supported drive modes) is missing", drive.name(0x6502));
         let finding = Diagnostic::new(rule, drive.place(0x6040), message);
         findings.push(finding.help("describe it (UNSIGNED32, `ro`), with the bits of the modes as value"));
     }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -32,9 +32,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         };
         if drive.lacks(missing) {
             let (there_name, missing) = (drive.name(there), drive.name(missing));
-            let message = format!("{there_name} is there, and its {name} {missing} is not");
+            let message = say!("{} is there, and its {} {} is not", there_name, name, missing);
             let finding = Diagnostic::new(rule, drive.place(there), message);
-            findings.push(finding.help(format!("describe {missing}")));
+            findings.push(finding.help(say!("describe {}", missing)));
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -31,7 +31,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let bits: Vec<u32> = bits.collect();
     let plural = if bits.len() == 1 { "bit" } else { "bits" };
     let message =
-        format!("`0x{modes:08X}` as supported drive modes has the reserved {plural} {}", series(bits));
+        say!("`0x{:08X}` as supported drive modes has the reserved {} {}", modes, plural, series(bits));
     let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
     findings.push(finding.help("modes of the manufacturer have bits 16 to 31"));
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -38,7 +38,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if limit <= 0 || value.abs() <= limit {
             continue;
         }
-        let message = format!("the {name} `{value}` is above its limit `{limit}`");
+        let message = say!("the {} `{}` is above its limit `{}`", name, value, limit);
         let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
         findings.push(finding.label(drive.value_place(limit_index, 0), "the limit"));
     }

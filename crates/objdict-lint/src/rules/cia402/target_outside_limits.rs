@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -30,8 +30,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     }
     let sub = if target < min { 1 } else { 2 };
-    let message = format!(
-        "the target position `{target}` lies outside the software limits {min} to {max} of {}",
+    let message = say!(
+        "the target position `{}` lies outside the software limits {} to {} of {}",
+        target,
+        min,
+        max,
         drive.name(0x607D)
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x607A, 0), message);

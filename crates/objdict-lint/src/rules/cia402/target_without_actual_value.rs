@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -36,9 +36,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let (target_name, actual_name) = (drive.name(target), drive.name(actual));
-        let message = format!("{target_name} is there, and {actual_name} ({name}) is not");
+        let message = say!("{} is there, and {} ({}) is not", target_name, actual_name, name);
         let finding = Diagnostic::new(rule, drive.place(target), message);
-        findings.push(finding.help(format!("describe {actual_name}")));
+        findings.push(finding.help(say!("describe {}", actual_name)));
     }
 }
 

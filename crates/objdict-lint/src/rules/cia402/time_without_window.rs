@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
@@ -32,9 +32,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     ] {
         if drive.has(time) && drive.lacks(window) {
             let (time_name, window) = (drive.name(time), drive.name(window));
-            let message = format!("{time_name} is there, and its {name} {window} is not");
+            let message = say!("{} is there, and its {} {} is not", time_name, name, window);
             let finding = Diagnostic::new(rule, drive.place(time), message);
-            findings.push(finding.help(format!("describe {window}")));
+            findings.push(finding.help(say!("describe {}", window)));
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
@@ -32,7 +32,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         }
         let (name, modes) = (drive.name(index), drive.name(0x6502));
         let message =
-            format!("{name} is `{number}` ({}), and {modes} does not have bit {}", mode.name, mode.bit);
+            say!("{} is `{}` ({}), and {} does not have bit {}", name, number, mode.name, modes, mode.bit);
         let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
         let finding = finding.label(drive.value_place(0x6502, 0), "the supported drive modes");
         findings.push(finding.help("correct the mode, or set the bit"));

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule, with_others};
 
 rule! {
@@ -28,9 +28,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let zero: Vec<u8> = [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)).collect();
         let Some(&first) = zero.first() else { continue };
         let name = applied.profile.object(index).map_or("", |facts| facts.name);
-        let message = format!("`0` in {} ({name}), which is a ratio", drive.name(index));
+        let message = say!("`0` in {} ({}), which is a ratio", drive.name(index), name);
         let finding = Diagnostic::new(rule, drive.value_place(index, first), message);
-        let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "here too".to_owned()));
+        let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "here too"));
         findings.push(with_others(finding, others).help("write 1 where nothing is to be scaled"));
     }
 }

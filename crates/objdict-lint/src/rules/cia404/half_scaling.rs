@@ -1,5 +1,5 @@
 use crate::demands::{Applied, is_there};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::model::Place;
 use crate::{Facts, rule};
 
@@ -35,7 +35,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
         }
         let verb = if missing.len() == 1 { "is not" } else { "are not" };
         let message =
-            format!("{there:04X}h is there, and {} {verb}, which belong together", series(&missing));
+            say!("{:04X}h is there, and {} {}, which belong together", there, series(&missing), verb);
         let finding = Diagnostic::new(rule, Place::object(there), message);
         findings.push(finding.help("describe what is missing"));
     }

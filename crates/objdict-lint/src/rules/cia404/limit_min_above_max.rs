@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::Object;
 use crate::{Facts, rule, with_others};
 
@@ -38,15 +38,17 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
         let crossed = |&sub: &u8| matches!((number(low, sub), number(high, sub)), (Some(low), Some(high)) if low > high);
         let channels: Vec<u8> = (1..=199).filter(crossed).collect();
         let Some(&first) = channels.first() else { continue };
-        let message = format!(
-            "the lower limit `{}` of {lower:04X}h is above the upper one of {upper:04X}h, `{}`",
+        let message = say!(
+            "the lower limit `{}` of {:04X}h is above the upper one of {:04X}h, `{}`",
             number(low, first).unwrap_or_default(),
+            lower,
+            upper,
             number(high, first).unwrap_or_default()
         );
         let finding = Diagnostic::new(rule, facts.device.value_place(lower, first), message);
         let finding = finding.label(facts.device.value_place(upper, first), "the upper limit");
         let others = channels.iter().skip(1);
-        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "this one too".to_owned()));
+        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "this one too"));
         findings.push(with_others(finding, others).help("exchange the values"));
     }
 }

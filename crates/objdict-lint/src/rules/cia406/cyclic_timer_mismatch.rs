@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Facts, rule};
 
 rule! {
@@ -27,7 +27,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let value = |index: u16, sub: u8| device.object(index)?.value(sub)?.as_integer();
     let (Some(cyclic), Some(event)) = (value(0x6200, 0), value(0x1800, 5)) else { return };
     if cyclic != event && applied.block == 0 {
-        let message = format!("`{cyclic}` ms as cyclic timer, and {event} ms as event timer of TPDO 1");
+        let message = say!("`{}` ms as cyclic timer, and {} ms as event timer of TPDO 1", cyclic, event);
         let finding = Diagnostic::new(rule, device.value_place(0x6200, 0), message);
         let finding = finding.label(device.value_place(0x1800, 5), "the same timer");
         findings.push(finding.help("write the same time in both"));

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::DeviceKind;
 use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
@@ -35,12 +35,12 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
         let message =
-            format!("`{stated}` as measuring range, {steps} steps by {turned} revolutions make {right}");
+            say!("`{}` as measuring range, {} steps by {} revolutions make {}", stated, steps, turned, right);
         let place = device.value_place(range, 0);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(device.value_place(resolution, 0), "steps of a revolution");
         let finding = finding.label(device.value_place(revolutions, 0), "revolutions");
-        let finding = finding.help(format!("write {right}"));
-        findings.push(finding.fix(Fix::risky(format!("write `{right}`")).set(place, right.to_string())));
+        let finding = finding.help(say!("write {}", right));
+        findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));
     }
 }

@@ -1,5 +1,5 @@
 use crate::demands::{self, Applied};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, series};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::model::Place;
 use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
@@ -48,7 +48,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         .map(|index| format!("{:04X}h", index_in(block, index)))
         .collect();
     if !missing.is_empty() {
-        let message = format!("the encoder has scaling and preset of class C2, and not {}", series(missing));
+        let message = say!("the encoder has scaling and preset of class C2, and not {}", series(missing));
         findings.push(Diagnostic::new(rule, Place::object(index_in(block, 0x6003)), message));
     }
 }

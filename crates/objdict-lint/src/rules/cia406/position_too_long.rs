@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
@@ -34,7 +34,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_longer = device.objects.contains_key(&index_in(block, 0x6008));
     let (Some(steps), Some(turned)) = (value(resolution), value(revolutions)) else { return };
     if turns && !is_longer && steps * turned > POSITIONS {
-        let message = format!("{steps} steps by {turned} revolutions do not fit into a position of 32 bits");
+        let message = say!("{} steps by {} revolutions do not fit into a position of 32 bits", steps, turned);
         let finding = Diagnostic::new(rule, device.value_place(revolutions, 0), message);
         findings.push(finding.label(device.value_place(resolution, 0), "steps of a revolution"));
     }

@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
@@ -30,7 +30,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
     if kind >> 16 == 1 && revolutions != 1 {
         let message =
-            format!("`{revolutions}` revolutions of an encoder that is single-turn by its device type");
+            say!("`{}` revolutions of an encoder that is single-turn by its device type", revolutions);
         let finding = Diagnostic::new(rule, device.value_place(index, 0), message);
         let finding = finding.label(device.value_place(device_type, 0), "type 1, single-turn");
         findings.push(finding.help("write 1, or state the type of a multi-turn encoder"));

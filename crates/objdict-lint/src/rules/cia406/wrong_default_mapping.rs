@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity, say};
 use crate::model::{DeviceKind, MappedObject, PdoKind};
 use crate::{Facts, PdoFacts, Target, rule};
 
@@ -45,23 +45,25 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         }
         let index = pdo.pdo.mapping_index();
         if right {
-            let message = format!("{} carries more than the position", pdo.pdo);
+            let message = say!("{} carries more than the position", pdo.pdo);
             let place = device.value_place(index, pdo.mapped.get(1).map_or(0, |second| second.slot));
             let finding = Diagnostic::new(rule, place, message).severity(Severity::Warning);
             let fix = Fix::risky("map the position only").set(device.value_place(index, 0), "1");
             findings.push(finding.help("map other values into further TPDOs").fix(fix));
             continue;
         }
-        let message = format!(
+        let message = say!(
             "{} carries {:04X}h:{:02X} first, not the position",
-            pdo.pdo, first.object.index, first.object.sub
+            pdo.pdo,
+            first.object.index,
+            first.object.sub
         );
         let finding = Diagnostic::new(rule, device.value_place(index, first.slot), message);
         let (is_there, number) = match device.object(0x6004) {
             Some(_) => (true, "0x60040020"),
             None => (device.objects.contains_key(&0x6020), "0x60200120"),
         };
-        let finding = finding.help(format!("write `{number}`, and 1 as number of mapped objects"));
+        let finding = finding.help(say!("write `{}`, and 1 as number of mapped objects", number));
         let fix = Fix::risky("map the position").set(device.value_place(index, 0), "1");
         let fix = fix.set(device.value_place(index, first.slot), number);
         findings.push(if is_there { finding.fix(fix) } else { finding });

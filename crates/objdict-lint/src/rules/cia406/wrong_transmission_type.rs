@@ -1,5 +1,5 @@
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{DeviceKind, PdoKind};
 use crate::{Facts, rule};
 
@@ -38,9 +38,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let wrong =
             pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
         let Some(found) = wrong else { continue };
-        let message = format!("`{found}` as transmission type of {pdo}, CiA 406 has {right}");
+        let message = say!("`{}` as transmission type of {}, CiA 406 has {}", found, pdo, right);
         let place = device.value_place(pdo.communication_index(), 2);
-        let finding = Diagnostic::new(rule, place.clone(), message).help(format!("write {right}"));
-        findings.push(finding.fix(Fix::risky(format!("write `{right}`")).set(place, right.to_string())));
+        let finding = Diagnostic::new(rule, place.clone(), message).help(say!("write {}", right));
+        findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));
     }
 }

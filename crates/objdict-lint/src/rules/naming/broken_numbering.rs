@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::model::{Device, Field, Object, Place};
 use crate::rule;
 
@@ -28,7 +28,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     }
     let Some((first, second)) = disorder(object) else { return };
     let name = |sub| object.subs.get(sub).map_or("", |entry| &entry.name);
-    let message = format!(
+    let message = say!(
         "sub-index {} is `{}`, and sub-index {} `{}`",
         sub_index(first),
         name(first),

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::{rule, with_others};
 
@@ -55,8 +55,8 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let mut repeated = repeated.into_iter();
     let Some((first, second, name)) = repeated.next() else { return };
-    let message = format!("two entries have the denotation `{name}`");
+    let message = say!("two entries have the denotation `{}`", name);
     let finding = Diagnostic::new(&RULE.info, second, message).label(first, "first here");
-    let others = repeated.map(|(_, place, name)| (place, format!("`{name}` again")));
+    let others = repeated.map(|(_, place, name)| (place, say!("`{}` again", name)));
     findings.push(with_others(finding, others).help("give each its own name"));
 }

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::rule;
 
@@ -35,7 +35,7 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let place = |number| Place::of(Part::Module(number, ModulePart::Info)).field(Field::ProductName);
-        let message = format!("modules {first} and {number} are both `{name}` with order code `{code}`");
+        let message = say!("modules {} and {} are both `{}` with order code `{}`", first, number, name, code);
         let finding = Diagnostic::new(&RULE.info, place(number), message).label(place(first), "first here");
         findings.push(finding.help("add the version to the name, or remove one of the two"));
     }

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Place};
 use crate::{rule, with_others};
 
@@ -38,9 +38,9 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some((first, second, name)) = repeated.next() else { return };
     let place = |index| Place::object(index).field(Field::ParameterName);
-    let message = format!("{first:04X}h and {second:04X}h are both called `{name}`");
+    let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
     let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
     let others =
-        repeated.map(|(first, index, _)| (place(index), format!("and {index:04X}h like {first:04X}h")));
+        repeated.map(|(first, index, _)| (place(index), say!("and {:04X}h like {:04X}h", index, first)));
     findings.push(with_others(finding, others).help("add a number or a word to the names"));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
@@ -33,7 +33,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let length = name.chars().count();
     if length > LONGEST {
-        let message = format!("a name of {length} characters");
+        let message = say!("a name of {} characters", length);
         let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterName), message);
         findings.push(finding.help("shorten it, and put the description elsewhere"));
     }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
@@ -45,7 +45,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if name.len() > 10 || !PLACEHOLDERS.iter().any(|placeholder| placeholder.eq_ignore_ascii_case(name)) {
         return;
     }
-    let message = format!("`{name}` is a placeholder");
+    let message = say!("`{}` is a placeholder", name);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterName), message);
     findings.push(finding.help("write what the entry is"));
 }

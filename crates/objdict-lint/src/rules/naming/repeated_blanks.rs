@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
@@ -35,7 +35,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let place = at.field(Field::ParameterName);
-    let message = format!("`{name}` has blanks that nobody sees");
+    let message = say!("`{}` has blanks that nobody sees", name);
     let fix = Fix::risky("remove the blanks").set(place.clone(), clean.as_str());
-    findings.push(Diagnostic::new(&RULE.info, place, message).help(format!("write `{clean}`")).fix(fix));
+    findings.push(Diagnostic::new(&RULE.info, place, message).help(say!("write `{}`", clean)).fix(fix));
 }

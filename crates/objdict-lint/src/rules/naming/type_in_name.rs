@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{DataType, Field, TypeKind};
 use crate::{EntryAt, rule};
 
@@ -30,7 +30,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !is_other || !at.holds_value() {
         return;
     }
-    let message = format!("the name ends with `{text}`, and the entry is {data_type}");
+    let message = say!("the name ends with `{}`, and the entry is {}", text, data_type);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
     let finding = finding.label(at.field(Field::ParameterName), "the name");
     findings.push(finding.help("correct the type or the name"));

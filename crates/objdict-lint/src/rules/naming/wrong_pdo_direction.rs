@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Field, PdoKind, Place};
 use crate::{Facts, PdoFacts, rule};
 
@@ -36,7 +36,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let name = object.name();
         let says = |words: [&str; 3]| words.iter().any(|word| contains(name, word));
         if says(other) && !says(own) {
-            let message = format!("{index:04X}h is of {pdo}, and is called `{name}`");
+            let message = say!("{:04X}h is of {}, and is called `{}`", index, pdo, name);
             let place = Place::object(index).field(Field::ParameterName);
             findings.push(Diagnostic::new(&RULE.info, place, message).help("correct the name, or the index"));
             return;

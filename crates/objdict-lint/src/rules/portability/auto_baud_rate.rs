@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -25,10 +25,10 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let Some(auto) = device.device_info.as_ref().and_then(|info| info.baud_rates.auto) else { return };
     let place = Place::of(Part::DeviceInfo).field(Field::BaudRateAuto);
-    let finding = Diagnostic::new(&RULE.info, place, "`BaudRate_auto` is a key of later editions");
+    let finding = Diagnostic::new(&RULE.info, place, say!("`{BaudRate_auto}` is {a key} of later editions"));
     findings.push(finding.help(if auto {
-        "give the tool a copy without the key"
+        say!("give the tool a copy without {the key}")
     } else {
-        "remove the key: 0 is what its absence means"
+        say!("remove {the key}: 0 is what its absence means")
     }));
 }

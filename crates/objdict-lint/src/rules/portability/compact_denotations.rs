@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
@@ -30,6 +30,6 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = places.next() else { return };
     let finding =
         Diagnostic::new(&RULE.info, first, "the denotations of these sub-indexes are not known to all tools")
-            .help("use `[xxxxName]`, or describe the sub-indexes one by one");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+            .help(say!("use `{[xxxxName]}`, or describe the sub-indexes one by one"));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding =
         Diagnostic::new(&RULE.info, first, "the names of these sub-indexes are not known to all tools")
             .help("describe the sub-indexes one by one");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
 /// Whether not all names from 1 to as many as there are stand there, of which another rule speaks.

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
@@ -32,8 +32,8 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding = Diagnostic::new(
         &RULE.info,
         first,
-        "`ParameterValue` of a compact object configures all its sub-indexes",
+        say!("`{ParameterValue}` of a compact object configures all its sub-indexes"),
     )
-    .help("write the values into `[xxxxValue]`");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+    .help(say!("write the values into `{[xxxxValue]}`"));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Compact, Device, Part, Place};
 use crate::{rule, with_others};
 
@@ -32,10 +32,10 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding = Diagnostic::new(
         &RULE.info,
         first,
-        "`CompactSubObj` is not understood as the standard has it by all tools",
+        say!("`{CompactSubObj}` is not understood as the standard has it by all tools"),
     )
     .help("describe the sub-indexes one by one");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
 /// Without sections of its own.

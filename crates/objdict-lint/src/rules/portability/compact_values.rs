@@ -31,5 +31,5 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding =
         Diagnostic::new(&RULE.info, first, "the values of these sub-indexes are not known to all tools")
             .help("describe the sub-indexes one by one");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
@@ -29,7 +29,7 @@ fn check(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::Denotation));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`Denotation` is not known to all tools")
-        .help("repeat what matters in `ParameterName`");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    let finding = Diagnostic::new(&RULE.info, first, say!("`{Denotation}` is not known to all tools"))
+        .help(say!("repeat what matters in `{ParameterName}`"));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }

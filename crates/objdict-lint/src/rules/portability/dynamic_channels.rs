@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Part, Place};
 use crate::rule;
 
@@ -27,8 +27,8 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding = Diagnostic::new(
             &RULE.info,
             Place::of(Part::DynamicChannels),
-            "`[DynamicChannels]` is a section of CiA 302",
+            say!("`{[DynamicChannels]}` is {a section} of CiA 302"),
         );
-        findings.push(finding.help("give the tool a copy without the section"));
+        findings.push(finding.help(say!("give the tool a copy without the {section}")));
     }
 }

@@ -27,7 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "a file holds the data of this entry")
         .help("let the application load the file");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
 fn field_of(entry: &Entry) -> Option<Field> {

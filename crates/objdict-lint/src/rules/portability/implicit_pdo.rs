@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, counted};
+use crate::diagnostic::{Diagnostic, Findings, counted, say};
 use crate::model::{Device, Field, Part, PdoKind, Place};
 use crate::rule;
 
@@ -29,10 +29,10 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let rpdos = implicit.iter().filter(|(kind, _)| *kind == PdoKind::Rpdo).count();
     let message = match (rpdos, implicit.len() - rpdos) {
-        (0, tpdos) => format!("`CompactPDO` implies {}", counted(tpdos, "TPDO", "TPDOs")),
-        (rpdos, 0) => format!("`CompactPDO` implies {}", counted(rpdos, "RPDO", "RPDOs")),
-        (rpdos, tpdos) => format!(
-            "`CompactPDO` implies {} and {}",
+        (0, tpdos) => say!("`{CompactPDO}` implies {}", counted(tpdos, "TPDO", "TPDOs")),
+        (rpdos, 0) => say!("`{CompactPDO}` implies {}", counted(rpdos, "RPDO", "RPDOs")),
+        (rpdos, tpdos) => say!(
+            "`{CompactPDO}` implies {} and {}",
             counted(rpdos, "RPDO", "RPDOs"),
             counted(tpdos, "TPDO", "TPDOs")
         ),

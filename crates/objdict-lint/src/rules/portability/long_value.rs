@@ -31,7 +31,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "the value has more than four bytes")
         .help("let the application write it");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
 fn is_long(entry: &Entry) -> bool {

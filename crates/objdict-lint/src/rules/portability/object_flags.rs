@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
@@ -27,7 +27,8 @@ fn check(device: &Device, findings: &mut Findings) {
         .filter(|(_, entry)| entry.flags().0 != 0)
         .map(|(place, _)| place.field(Field::ObjFlags));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`ObjFlags` says what a configuration tool must not do")
-        .help("check what the tool writes when it configures the device");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    let finding =
+        Diagnostic::new(&RULE.info, first, say!("`{ObjFlags}` says what a configuration tool must not do"))
+            .help("check what the tool writes when it configures the device");
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
@@ -29,6 +29,6 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "object links are unknown to some tools")
-        .help("give the tool a copy without the section");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+        .help(say!("give the tool a copy without the {section}"));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
@@ -29,7 +29,7 @@ fn check(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::ParamRefd));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "`ParamRefd` is not known to all tools")
+    let finding = Diagnostic::new(&RULE.info, first, say!("`{ParamRefd}` is not known to all tools"))
         .help("keep the original file");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Entry, Field, Part, Place};
 use crate::{rule, stated, with_others};
 
@@ -28,9 +28,9 @@ fn check(device: &Device, findings: &mut Findings) {
     let entries = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
     let mut places = supported.into_iter().chain(entries);
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "the key belongs to CANopen Safety")
+    let finding = Diagnostic::new(&RULE.info, first, say!("{the key} belongs to CANopen Safety"))
         .help("give the tool a copy without it");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
 fn field_of(entry: &Entry) -> Option<Field> {

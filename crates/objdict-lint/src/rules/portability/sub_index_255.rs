@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Place};
 use crate::rule;
 
@@ -25,7 +25,7 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     for (&index, object) in &device.objects {
         if object.subs.get(0xFF).is_some() && !object.orphan {
-            let message = format!("{index:04X}h has sub-index FFh");
+            let message = say!("{:04X}h has sub-index FFh", index);
             let finding = Diagnostic::new(&RULE.info, Place::entry(index, 0xFF), message);
             findings.push(finding.help("give the tool a copy without it"));
         }

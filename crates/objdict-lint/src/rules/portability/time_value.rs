@@ -27,7 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "a time is no number to all tools")
         .help("remove the value where 0 does");
-    findings.push(with_others(finding, places.map(|place| (place, "another one".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
 fn field_of(entry: &Entry) -> Option<Field> {

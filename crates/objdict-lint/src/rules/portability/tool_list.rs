@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{Device, Part, Place};
 use crate::rule;
 
@@ -24,8 +24,11 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if !device.tools.is_empty() {
-        let finding =
-            Diagnostic::new(&RULE.info, Place::of(Part::Tools), "`[Tools]` lists programs for the device");
-        findings.push(finding.help("give the tool a copy without the sections"));
+        let finding = Diagnostic::new(
+            &RULE.info,
+            Place::of(Part::Tools),
+            say!("`{[Tools]}` lists programs for the device"),
+        );
+        findings.push(finding.help(say!("give the tool a copy without the {sections}")));
     }
 }

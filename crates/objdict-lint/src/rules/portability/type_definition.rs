@@ -31,5 +31,5 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding =
         Diagnostic::new(&RULE.info, first, "data types that the file defines are unknown to some tools")
             .help("use static types, and remove the definition");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here".to_owned()))));
+    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,0 +1,128 @@
+//! What findings speak of, by the name that CiA 306 has for it, and how another syntax calls it.
+
+use std::borrow::Cow;
+
+use crate::model::{Field, ModulePart, Part};
+
+/// How a syntax calls what CiA 306 has a name for; `None` where the name is the same.
+pub type Vocabulary = fn(&Term<'_>) -> Option<String>;
+
+/// Something that has a name of its own in each syntax.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term<'a> {
+    /// A key.
+    Key(&'a str),
+    /// A key with a value.
+    Setting(&'a str, &'a str),
+    /// The value of a key.
+    Worth(&'a str, &'a str),
+    /// A section, by the name in its header.
+    Section(&'a str),
+    /// One of [`WORDS`].
+    Word(&'a str),
+}
+
+/// The words that a text has in braces, for another syntax has others.
+pub const WORDS: &[&str] =
+    &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf"];
+
+impl<'a> Term<'a> {
+    /// The term that stands in the braces of a template.
+    pub(super) fn of(gap: &'a str) -> Self {
+        if WORDS.contains(&gap) {
+            return Self::Word(gap);
+        }
+        if let Some(name) = gap.strip_prefix('[') {
+            return Self::Section(name.strip_suffix(']').unwrap_or(name));
+        }
+        match (gap.split_once('='), gap.split_once(':')) {
+            (Some((key, value)), _) => Self::Setting(key, value),
+            (None, Some((key, value))) => Self::Worth(key, value),
+            (None, None) => Self::Key(gap),
+        }
+    }
+
+    /// The term in the words of a syntax, or as CiA 306 has it.
+    pub(super) fn shown(self, words: Option<Vocabulary>) -> Cow<'a, str> {
+        if let Some(shown) = words.and_then(|words| words(&self)) {
+            return Cow::Owned(shown);
+        }
+        match self {
+            Self::Key(text) | Self::Worth(_, text) | Self::Word(text) => Cow::Borrowed(text),
+            Self::Setting(key, value) => Cow::Owned(format!("{key}={value}")),
+            Self::Section(name) => Cow::Owned(format!("[{name}]")),
+        }
+    }
+}
+
+/// The name of the section that describes a part.
+pub(super) fn section(part: &Part) -> String {
+    match part {
+        Part::Object(index) => format!("{index:X}"),
+        Part::Entry(index, sub) => format!("{index:X}sub{sub:X}"),
+        Part::CompactNames(index) => format!("{index:X}Name"),
+        Part::CompactValues(index) => format!("{index:X}Value"),
+        Part::CompactDenotations(index) => format!("{index:X}Denotation"),
+        Part::Links(index) => format!("{index:X}ObjectLinks"),
+        Part::Module(number, ModulePart::Fixed(index)) => format!("M{number}Fixed{index:X}"),
+        Part::Module(number, ModulePart::FixedEntry(index, sub)) => {
+            format!("M{number}Fixed{index:X}sub{sub:X}")
+        }
+        Part::Module(number, ModulePart::SubExt(index)) => format!("M{number}SubExt{index:X}"),
+        part => part.to_string(),
+    }
+}
+
+/// Refuses a template with another number of gaps than there are values, or with a name in braces that there is not.
+/// [`say!`](crate::say) asks it when a program is compiled.
+pub const fn assert_template(template: &str, values: usize) {
+    let text = template.as_bytes();
+    let (mut at, mut gaps) = (0, 0);
+    while at < text.len() {
+        if text[at] == b'{' {
+            let start = at + 1;
+            while at < text.len() && text[at] != b'}' {
+                at += 1;
+            }
+            assert!(at < text.len(), "a brace is not closed");
+            if start == at || text[start] == b':' {
+                gaps += 1;
+            } else {
+                assert!(text[start] == b'[' || is_known(text, start, at), "no key and no word is called so");
+            }
+        }
+        at += 1;
+    }
+    assert!(gaps == values, "there are more gaps than values, or fewer");
+}
+
+/// Whether a key or a word stands there.
+const fn is_known(text: &[u8], start: usize, end: usize) -> bool {
+    let mut key_end = start;
+    while key_end < end && text[key_end] != b'=' && text[key_end] != b':' {
+        key_end += 1;
+    }
+    let mut number = 0;
+    while number < Field::NAMED.len() {
+        if is_at(text, start, key_end, Field::NAMED[number].0.as_bytes()) {
+            return true;
+        }
+        number += 1;
+    }
+    number = 0;
+    while number < WORDS.len() {
+        if is_at(text, start, end, WORDS[number].as_bytes()) {
+            return true;
+        }
+        number += 1;
+    }
+    is_at(text, start, end, b"BaudRate_x")
+}
+
+const fn is_at(text: &[u8], start: usize, end: usize, name: &[u8]) -> bool {
+    let mut at = 0;
+    while at < name.len() && start + at < end && text[start + at] == name[at] {
+        at += 1;
+    }
+    at == name.len() && start + at == end
+}

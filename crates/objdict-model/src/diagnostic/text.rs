@@ -1,0 +1,406 @@
+//! What a finding says: a sentence with gaps, and the values that fill them. The sentence is made when it is shown, in the
+//! words of the syntax that the file has.
+
+use std::borrow::{Borrow, Cow};
+use std::fmt;
+
+use super::term::{Term, Vocabulary, section};
+use super::{Selection, Tool};
+use crate::model::{
+    Access, ClockTime, CobId, DataType, Date, Field, MappedObject, ObjectList, ObjectType, Part, Pdo,
+    PdoKind, PdoMapping, Value,
+};
+use crate::say;
+use crate::source::Encoding;
+
+/// So many characters of a value are quoted; a file may hold a line of any length.
+pub const MAX_QUOTED: usize = 80;
+
+/// What a finding says. [`Display`](fmt::Display) shows it.
+///
+/// ```
+/// use objdict_model::{model::Field, say};
+/// let text = say!("`{}` is {}, and {the key} is `{SubNumber}`", Field::LowLimit, 5);
+/// assert_eq!(text, "`LowLimit` is 5, and the key is `SubNumber`");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Text {
+    said: Said,
+    /// The words of another syntax than that of CiA 306.
+    words: Option<Vocabulary>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Said {
+    /// A sentence as it is.
+    Plain(Cow<'static, str>),
+    /// A sentence with gaps, as [`say!`] takes it.
+    Template(&'static str, Box<[Argument]>),
+}
+
+/// What fills a gap.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Argument {
+    /// A number, written as the gap says: `{:04X}`.
+    Number(i128),
+    /// A text of a file, cut after [`MAX_QUOTED`] characters.
+    Value(Box<str>),
+    /// What a field is called.
+    Key(Field),
+    /// A field with a value: `PDOMapping=1`.
+    Setting(Field, Box<str>),
+    /// The value of a field alone, which another syntax may spell otherwise.
+    Worth(Field, Box<str>),
+    /// The part of the file that describes a part of the device: `[1018sub1]`.
+    Section(Part),
+    /// Words with gaps of their own.
+    Text(Text),
+    /// Words that hold only where files have lists of objects.
+    OfLists(Text),
+    /// Several, with what stands between them and what stands before the last.
+    Series(Box<[Argument]>, [&'static str; 2]),
+}
+
+impl Text {
+    /// A sentence with gaps and what fills them; [`say!`] calls this, and counts both.
+    pub fn new(template: &'static str, arguments: Box<[Argument]>) -> Self {
+        Self { said: Said::Template(template, arguments), words: None }
+    }
+
+    /// Whether there is nothing to say.
+    pub fn is_empty(&self) -> bool {
+        matches!(&self.said, Said::Plain(text) if text.is_empty())
+    }
+
+    /// The text in the words of another syntax.
+    #[must_use]
+    pub fn in_words(self, words: Vocabulary) -> Self {
+        Self { words: Some(words), ..self }
+    }
+
+    /// The sentence.
+    pub fn shown(&self) -> Cow<'_, str> {
+        match &self.said {
+            Said::Plain(text) => Cow::Borrowed(text),
+            Said::Template(..) => Cow::Owned(self.to_string()),
+        }
+    }
+
+    /// Whether one of the values is this field, alone or with a value.
+    pub fn names(&self, field: &Field) -> bool {
+        self.any(&|argument| match argument {
+            Argument::Key(key) | Argument::Setting(key, _) | Argument::Worth(key, _) => key == field,
+            _ => false,
+        })
+    }
+
+    /// Whether one of the values is a part that is meant.
+    pub fn names_part(&self, is_meant: impl Fn(&Part) -> bool) -> bool {
+        self.any(&|argument| matches!(argument, Argument::Section(part) if is_meant(part)))
+    }
+
+    /// The first text of a file that is quoted.
+    pub fn quoted(&self) -> Option<&str> {
+        let Said::Template(_, arguments) = &self.said else { return None };
+        arguments.iter().find_map(|argument| match argument {
+            Argument::Value(text) => Some(&**text),
+            _ => None,
+        })
+    }
+
+    fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
+        let Said::Template(_, arguments) = &self.said else { return false };
+        arguments.iter().any(|argument| argument.any(is_meant))
+    }
+
+    fn write(&self, words: Option<Vocabulary>, out: &mut dyn fmt::Write) -> fmt::Result {
+        let (template, arguments) = match &self.said {
+            Said::Plain(text) => return out.write_str(text),
+            Said::Template(template, arguments) => (template, arguments),
+        };
+        let mut arguments = arguments.iter();
+        let mut rest = *template;
+        while let Some((before, behind)) = rest.split_once('{') {
+            out.write_str(before)?;
+            let Some((gap, behind)) = behind.split_once('}') else { return out.write_str(behind) };
+            match gap.strip_prefix(':') {
+                None if !gap.is_empty() => out.write_str(&Term::of(gap).shown(words))?,
+                spec => match arguments.next() {
+                    Some(argument) => argument.write(spec.unwrap_or_default(), words, out)?,
+                    None => out.write_char('…')?,
+                },
+            }
+            rest = behind;
+        }
+        out.write_str(rest)
+    }
+}
+
+impl Argument {
+    /// A field with a value.
+    pub fn setting(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
+        Self::Setting(field.borrow().clone(), cut(&value.to_string()))
+    }
+
+    /// The value of a field.
+    pub fn worth(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
+        Self::Worth(field.borrow().clone(), cut(&value.to_string()))
+    }
+
+    fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
+        is_meant(self)
+            || match self {
+                Self::Text(text) | Self::OfLists(text) => text.any(is_meant),
+                Self::Series(items, ..) => items.iter().any(|item| item.any(is_meant)),
+                _ => false,
+            }
+    }
+
+    fn write(&self, spec: &str, words: Option<Vocabulary>, out: &mut dyn fmt::Write) -> fmt::Result {
+        match self {
+            Self::Number(number) => write_number(*number, spec, out),
+            Self::Value(text) => out.write_str(text),
+            Self::Key(field) => out.write_str(&Term::Key(&field.name()).shown(words)),
+            Self::Setting(field, value) => out.write_str(&Term::Setting(&field.name(), value).shown(words)),
+            Self::Worth(field, value) => out.write_str(&Term::Worth(&field.name(), value).shown(words)),
+            Self::Section(part) => out.write_str(&Term::Section(&section(part)).shown(words)),
+            Self::Text(text) => text.write(words, out),
+            Self::OfLists(text) => match words {
+                None => text.write(words, out),
+                Some(_) => Ok(()),
+            },
+            Self::Series(items, [between, last]) => {
+                for (number, item) in items.iter().enumerate() {
+                    out.write_str(match number {
+                        0 => "",
+                        _ if number + 1 == items.len() => last,
+                        _ => between,
+                    })?;
+                    item.write(spec, words, out)?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// "a, b and c".
+pub fn series<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
+    Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " and "])
+}
+
+/// All items with the same between them: "a or b or c".
+pub fn joined<T: Sayable>(items: impl IntoIterator<Item = T>, between: &'static str) -> Argument {
+    Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [between; 2])
+}
+
+/// "`a`, `b` and `c`": all items in backticks.
+pub fn listing<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
+    series(items.into_iter().map(|item| say!("`{}`", item)))
+}
+
+/// A number as [`std::fmt`] would write it: `#` for `0x`, the width with zeros before, `x` or `X` for hex.
+fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Result {
+    let (is_marked, width) = spec.strip_prefix('#').map_or((false, spec), |width| (true, width));
+    let width: usize = width.trim_end_matches(['x', 'X']).parse().unwrap_or_default();
+    match (spec.chars().next_back(), is_marked) {
+        (Some('X'), false) => write!(out, "{number:0width$X}"),
+        (Some('X'), true) => write!(out, "{number:#0width$X}"),
+        (Some('x'), false) => write!(out, "{number:0width$x}"),
+        (Some('x'), true) => write!(out, "{number:#0width$x}"),
+        _ => write!(out, "{number:0width$}"),
+    }
+}
+
+/// A text of a file, not longer than what is quoted of one.
+fn cut(text: &str) -> Box<str> {
+    match text.char_indices().nth(MAX_QUOTED) {
+        Some((end, _)) => [text.get(..end).unwrap_or_default(), "…"].concat().into(),
+        None => text.into(),
+    }
+}
+
+/// A sentence of another hand: what it quotes in backticks is cut.
+fn cut_quotes(text: String) -> String {
+    if text.len() <= MAX_QUOTED {
+        return text;
+    }
+    let parts = text.split('`').enumerate();
+    let parts = parts.map(|(number, part)| if number % 2 == 1 { cut(part) } else { part.into() });
+    parts.collect::<Vec<Box<str>>>().join("`")
+}
+
+/// What can fill a gap.
+pub trait Sayable {
+    /// As an argument.
+    fn argument(&self) -> Argument;
+}
+
+macro_rules! sayable {
+    ($($type:ty),*: |$this:ident| $argument:expr) => {
+        $(impl Sayable for $type {
+            fn argument(&self) -> Argument {
+                let $this = self;
+                $argument
+            }
+        })*
+    };
+}
+
+sayable!(u8, u16, u32, u64, i32, i64, i128: |number| Argument::Number((*number).into()));
+sayable!(usize: |number| Argument::Number(i128::try_from(*number).unwrap_or(i128::MAX)));
+sayable!(str, String: |text| Argument::Value(cut(text)));
+sayable!(
+    ClockTime, CobId, DataType, Date, MappedObject, ObjectType, Pdo<'_>, Encoding, PdoKind, Selection, Tool, Value, f64, char:
+    |value| Argument::Value(cut(&value.to_string())));
+sayable!(Access: |access| Argument::Worth(Field::AccessType, access.name().into()));
+sayable!(PdoMapping: |mapping| Argument::Worth(
+    Field::PdoMapping,
+    match mapping {
+        PdoMapping::No => "0",
+        PdoMapping::Optional => "1",
+        PdoMapping::Default => "default",
+        PdoMapping::Tpdo => "TPDO",
+        PdoMapping::Rpdo => "RPDO",
+    }
+    .into()
+));
+sayable!(Field: |field| Argument::Key(field.clone()));
+sayable!(Part: |part| Argument::Section(part.clone()));
+sayable!(ObjectList: |list| Argument::Section(Part::List(*list)));
+sayable!(Text: |text| Argument::Text(text.clone()));
+sayable!(Argument: |argument| argument.clone());
+
+impl<T: Sayable + ?Sized> Sayable for &T {
+    fn argument(&self) -> Argument {
+        (**self).argument()
+    }
+}
+
+impl<T: Sayable + ?Sized> Sayable for Box<T> {
+    fn argument(&self) -> Argument {
+        (**self).argument()
+    }
+}
+
+impl<T: Sayable + ToOwned + ?Sized> Sayable for Cow<'_, T> {
+    fn argument(&self) -> Argument {
+        (**self).argument()
+    }
+}
+
+impl From<&'static str> for Text {
+    fn from(text: &'static str) -> Self {
+        Self { said: Said::Plain(Cow::Borrowed(text)), words: None }
+    }
+}
+
+impl From<String> for Text {
+    fn from(text: String) -> Self {
+        Self { said: Said::Plain(Cow::Owned(cut_quotes(text))), words: None }
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(self.words, f)
+    }
+}
+
+impl fmt::Display for Argument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write("", None, f)
+    }
+}
+
+impl Default for Text {
+    fn default() -> Self {
+        "".into()
+    }
+}
+
+impl PartialEq for Text {
+    fn eq(&self, other: &Self) -> bool {
+        self.said == other.said
+    }
+}
+
+impl Eq for Text {}
+
+impl PartialOrd for Text {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Text {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.said.cmp(&other.said)
+    }
+}
+
+impl PartialEq<&str> for Text {
+    fn eq(&self, other: &&str) -> bool {
+        self.shown() == *other
+    }
+}
+
+/// A [`Text`]: a sentence with gaps, and what fills them.
+///
+/// `{}` and `{:04X}` are gaps for [`Sayable`] values, in their order. What has another name in another syntax stands in
+/// braces too: a key `{LowLimit}`, a key with a value `{PDOMapping=1}`, a value of a key `{ObjectType:0x8}`, a section
+/// `{[DeviceInfo]}`, or one of the [`WORDS`](crate::diagnostic::WORDS), such as `{the key}`. A number of values that does
+/// not fit, and a name that there is not, do not compile.
+#[macro_export]
+macro_rules! say {
+    ($template:literal $(, $argument:expr)* $(,)?) => {{
+        const TEMPLATE: &str = $template;
+        const { $crate::diagnostic::assert_template(TEMPLATE, <[&str]>::len(&[$(stringify!($argument)),*])) };
+        $crate::diagnostic::Text::new(TEMPLATE, Box::new([$($crate::diagnostic::Sayable::argument(&$argument)),*]))
+    }};
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_are_filled_in_their_order() {
+        assert_eq!(say!("{:04X}h, `{}` or {:#x}", 0x1Au8, "a}{", 26), "001Ah, `a}{` or 0x1a");
+        assert_eq!(
+            say!("`{PDOMapping=1}` in {a section} `{[DeviceInfo]}`"),
+            "`PDOMapping=1` in a section `[DeviceInfo]`"
+        );
+        assert_eq!(say!("add `{}`", Part::Entry(0xA00, 11)), "add `[A00subB]`");
+    }
+
+    #[test]
+    fn items_are_listed_as_people_write_them() {
+        assert_eq!(say!("{}", listing(["a"])), "`a`");
+        assert_eq!(say!("{}", listing(["a", "b"])), "`a` and `b`");
+        assert_eq!(say!("{}", series([1, 2, 3])), "1, 2 and 3");
+        assert_eq!(say!("{}", joined(["a", "b", "c"], " or ")), "a or b or c");
+    }
+
+    #[test]
+    fn values_are_cut_and_sentences_are_not() {
+        let long = "ä".repeat(1_000_000);
+        let shown = format!("`{}…`", "ä".repeat(MAX_QUOTED));
+        assert_eq!(say!("`{}`", long), shown.as_str());
+        assert_eq!(Text::from(format!("`{long}`")), shown.as_str());
+        assert_eq!(Text::from("a".repeat(200)).shown().len(), 200);
+    }
+
+    #[test]
+    fn another_syntax_has_other_words() {
+        let words: Vocabulary = |term| match term {
+            Term::Key("LowLimit") => Some("lowLimit".to_owned()),
+            Term::Worth("LSS_Supported", value) => Some((*value == "1").to_string()),
+            _ => None,
+        };
+        let nested = say!("`{}` of `{}`", Field::LowLimit, "LowLimit");
+        let text = say!("{} is {LSS_Supported:1}, `{LowLimit}`", nested).in_words(words);
+        assert_eq!(text, "`lowLimit` of `LowLimit` is true, `lowLimit`");
+        assert!(text.names(&Field::LowLimit) && !text.names(&Field::HighLimit));
+    }
+}
