@@ -50,7 +50,7 @@ fn check_formula(
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
     let message =
         say!("`{}` is {} on node {}, but {} ends at {}", value, result, node_id, data_type, highest);
-    let finding =
-        Diagnostic::new(&RULE.info, at.field(field.clone()), message).label(at.field(Field::DataType), "the type");
+    let finding = Diagnostic::new(&RULE.info, at.field(field.clone()), message)
+        .label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));
 }
