@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::Failure;
 use super::args::{CheckArgs, Counting, ReportFormat};
 use super::output::Output;
-use crate::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, Text};
+use crate::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, TextReport};
 
 /// The report that was asked for. Services get paths as they are seen from the current folder.
 pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn Report + 'a>, Failure> {
@@ -14,7 +14,7 @@ pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn R
     Ok(match args.format {
         ReportFormat::Text => {
             let colour = out.colour();
-            Box::new(Text::new(out, colour).detail(detail))
+            Box::new(TextReport::new(out, colour).detail(detail))
         }
         ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),
         ReportFormat::Json => Box::new(Json::new(out).detail(detail)),

@@ -48,7 +48,7 @@ pub use sarif::Sarif;
 pub use statistics::{Detail, Statistic, Statistics};
 pub use subject::Subject;
 #[cfg(feature = "cli")]
-pub use text::Text;
+pub use text::TextReport;
 #[cfg(feature = "cli")]
 pub(crate) use text::{listed, problem};
 

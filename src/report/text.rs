@@ -25,7 +25,7 @@ const SHORT: usize = WIDTH - 10;
 const MAX_MESSAGE: usize = 600;
 
 /// Findings with the lines that they are about, and a sum at the end.
-pub struct Text<W> {
+pub struct TextReport<W> {
     out: W,
     handler: GraphicalReportHandler,
     /// For findings whose texts each fit a line: to look where Unicode lets a line break takes longer than all the rest.
@@ -37,13 +37,13 @@ pub struct Text<W> {
     fixable: [usize; 2],
 }
 
-impl<W> fmt::Debug for Text<W> {
+impl<W> fmt::Debug for TextReport<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Text").field("tally", &self.tally).finish_non_exhaustive()
+        f.debug_struct("TextReport").field("tally", &self.tally).finish_non_exhaustive()
     }
 }
 
-impl<W: Write> Text<W> {
+impl<W: Write> TextReport<W> {
     /// A report that writes to `out`, with the colours of a terminal or without.
     pub fn new(out: W, colour: bool) -> Self {
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
@@ -71,7 +71,7 @@ fn handler(theme: GraphicalTheme) -> GraphicalReportHandler {
     GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH)
 }
 
-impl<W> Text<W> {
+impl<W> TextReport<W> {
     fn count_fixes(&mut self, description: &Description, findings: &Findings) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref());
         for fix in fixes.filter(|fix| description.can_mend(fix)) {
@@ -80,7 +80,7 @@ impl<W> Text<W> {
     }
 }
 
-impl<W: Write> Report for Text<W> {
+impl<W: Write> Report for TextReport<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
         if self.detail.has_statistics() {
@@ -128,7 +128,7 @@ impl<W: Write> Report for Text<W> {
 /// Findings of a file as a text without colours, with a sum at the end.
 pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     let mut text = Vec::new();
-    let mut report = Text::new(&mut text, false);
+    let mut report = TextReport::new(&mut text, false);
     report.file(subject, findings)?;
     report.finish()?;
     Ok(String::from_utf8_lossy(&text).into_owned())
@@ -233,7 +233,7 @@ mod tests {
         let mut findings = Findings::new();
         findings.push(finding);
         let mut out = Vec::new();
-        let mut report = Text::new(&mut out, false);
+        let mut report = TextReport::new(&mut out, false);
         report.file((&description).into(), &findings).unwrap();
         report.finish().unwrap();
         String::from_utf8(out).unwrap()
@@ -270,7 +270,7 @@ mod tests {
             findings.push(Diagnostic::new(&TEST, Span::empty(0), "m"));
         }
         let mut out = Vec::new();
-        let mut report = Text::new(&mut out, false);
+        let mut report = TextReport::new(&mut out, false);
         report.file((&description).into(), &findings).unwrap();
         report.finish().unwrap();
         let shown = String::from_utf8(out).unwrap();

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use objdict::diagnostic::{Diagnostic, MAX_QUOTED, Term, WORDS};
+use objdict::diagnostic::{Diagnostic, MAX_QUOTED, Notion, WORDS};
 use objdict::format::{self, Format};
 use objdict::lint;
 use objdict::model::Field;
@@ -31,7 +31,7 @@ fn no_finding_about_the_model_speaks_of_an_eds_to_who_has_an_xdd() {
     let keys: Vec<&str> = Field::NAMED
         .iter()
         .map(|(name, _)| *name)
-        .filter(|name| words(&Term::Key(name)).is_some_and(|word| word != *name))
+        .filter(|name| words(&Notion::Key(name)).is_some_and(|word| word != *name))
         .collect();
     assert!(keys.len() > 30);
     let names = Field::NAMED.iter().map(|(name, _)| name).chain(WORDS);

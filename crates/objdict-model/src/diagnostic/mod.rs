@@ -5,9 +5,9 @@
 
 mod findings;
 mod fix;
+mod notion;
 mod rule;
 mod selection;
-mod term;
 mod text;
 mod tool;
 mod words;
@@ -21,9 +21,9 @@ pub use crate::{fix_of, say, text_rule};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, Tidy};
+pub use notion::{Notion, Vocabulary, WORDS, assert_template};
 pub use rule::{HEADINGS, RuleInfo};
 pub use selection::Selection;
-pub use term::{Term, Vocabulary, WORDS, assert_template};
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;
 pub use words::{counted, nearest, one_line, sub_index, visible};

@@ -4,7 +4,7 @@
 use std::borrow::{Borrow, Cow};
 use std::fmt;
 
-use super::term::{Term, Vocabulary, section};
+use super::notion::{Notion, Vocabulary, section};
 use super::{Selection, Tool};
 use crate::model::{
     Access, ClockTime, CobId, DataType, Date, Field, MappedObject, ObjectList, ObjectType, Part, Pdo,
@@ -124,7 +124,7 @@ impl Text {
             out.write_str(before)?;
             let Some((gap, behind)) = behind.split_once('}') else { return out.write_str(behind) };
             match gap.strip_prefix(':') {
-                None if !gap.is_empty() => out.write_str(&Term::of(gap).shown(words))?,
+                None if !gap.is_empty() => out.write_str(&Notion::of(gap).shown(words))?,
                 spec => match arguments.next() {
                     Some(argument) => argument.write(spec.unwrap_or_default(), words, out)?,
                     None => out.write_char('…')?,
@@ -160,10 +160,10 @@ impl Argument {
         match self {
             Self::Number(number) => write_number(*number, spec, out),
             Self::Value(text) => out.write_str(text),
-            Self::Key(field) => out.write_str(&Term::Key(&field.name()).shown(words)),
-            Self::Setting(field, value) => out.write_str(&Term::Setting(&field.name(), value).shown(words)),
-            Self::Worth(field, value) => out.write_str(&Term::Worth(&field.name(), value).shown(words)),
-            Self::Section(part) => out.write_str(&Term::Section(&section(part)).shown(words)),
+            Self::Key(field) => out.write_str(&Notion::Key(&field.name()).shown(words)),
+            Self::Setting(field, value) => out.write_str(&Notion::Setting(&field.name(), value).shown(words)),
+            Self::Worth(field, value) => out.write_str(&Notion::Worth(&field.name(), value).shown(words)),
+            Self::Section(part) => out.write_str(&Notion::Section(&section(part)).shown(words)),
             Self::Text(text) => text.write(words, out),
             Self::OfLists(text) => match words {
                 None => text.write(words, out),
@@ -393,9 +393,9 @@ mod tests {
 
     #[test]
     fn another_syntax_has_other_words() {
-        let words: Vocabulary = |term| match term {
-            Term::Key("LowLimit") => Some("lowLimit".to_owned()),
-            Term::Worth("LSS_Supported", value) => Some((*value == "1").to_string()),
+        let words: Vocabulary = |notion| match notion {
+            Notion::Key("LowLimit") => Some("lowLimit".to_owned()),
+            Notion::Worth("LSS_Supported", value) => Some((*value == "1").to_string()),
             _ => None,
         };
         let nested = say!("`{}` of `{}`", Field::LowLimit, "LowLimit");

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use super::schema::{
     self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
 };
-use crate::diagnostic::{At, Diagnostic, Findings, Severity, Term};
+use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity};
 use crate::model::Field;
 use crate::source::Span;
 use crate::xml::{Name, n};
@@ -44,13 +44,13 @@ const WORDS: [(&str, &str); 9] = [
 ];
 
 /// How an XDD calls what CiA 306 has a name for.
-pub fn words(term: &Term<'_>) -> Option<String> {
-    match *term {
-        Term::Key(key) => rate(key).or_else(|| own(key)).or_else(|| Some(What::of(key)?.name().to_owned())),
-        Term::Setting(key, value) => rate(key).or_else(|| Some(What::of(key)?.with(value))),
-        Term::Worth(key, value) => What::of(key)?.spelled(value),
-        Term::Section(name) => section(name).or_else(|| own(&format!("[{name}]"))),
-        Term::Word(word) => WORDS.iter().find(|(eds, _)| *eds == word).map(|(_, xdd)| (*xdd).to_owned()),
+pub fn words(notion: &Notion<'_>) -> Option<String> {
+    match *notion {
+        Notion::Key(key) => rate(key).or_else(|| own(key)).or_else(|| Some(What::of(key)?.name().to_owned())),
+        Notion::Setting(key, value) => rate(key).or_else(|| Some(What::of(key)?.with(value))),
+        Notion::Worth(key, value) => What::of(key)?.spelled(value),
+        Notion::Section(name) => section(name).or_else(|| own(&format!("[{name}]"))),
+        Notion::Word(word) => WORDS.iter().find(|(eds, _)| *eds == word).map(|(_, xdd)| (*xdd).to_owned()),
     }
 }
 
@@ -220,6 +220,6 @@ mod tests {
 
     #[test]
     fn every_word_has_one() {
-        assert!(crate::diagnostic::WORDS.iter().all(|word| words(&Term::Word(word)).is_some()));
+        assert!(crate::diagnostic::WORDS.iter().all(|word| words(&Notion::Word(word)).is_some()));
     }
 }

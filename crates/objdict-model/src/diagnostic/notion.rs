@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use crate::model::{Field, ModulePart, Part};
 
 /// How a syntax calls what CiA 306 has a name for; `None` where the name is the same.
-pub type Vocabulary = fn(&Term<'_>) -> Option<String>;
+pub type Vocabulary = fn(&Notion<'_>) -> Option<String>;
 
 /// Something that has a name of its own in each syntax.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Term<'a> {
+pub enum Notion<'a> {
     /// A key.
     Key(&'a str),
     /// A key with a value.
@@ -26,8 +26,8 @@ pub enum Term<'a> {
 pub const WORDS: &[&str] =
     &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf"];
 
-impl<'a> Term<'a> {
-    /// The term that stands in the braces of a template.
+impl<'a> Notion<'a> {
+    /// The notion that stands in the braces of a template.
     pub(super) fn of(gap: &'a str) -> Self {
         if WORDS.contains(&gap) {
             return Self::Word(gap);
@@ -42,7 +42,7 @@ impl<'a> Term<'a> {
         }
     }
 
-    /// The term in the words of a syntax, or as CiA 306 has it.
+    /// The notion in the words of a syntax, or as CiA 306 has it.
     pub(super) fn shown(self, words: Option<Vocabulary>) -> Cow<'a, str> {
         if let Some(shown) = words.and_then(|words| words(&self)) {
             return Cow::Owned(shown);
