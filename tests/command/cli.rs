@@ -67,7 +67,7 @@ fn the_first_command_of_the_readme() {
         let rest = readme.split_once(&format!("```{language}\n")).unwrap().1;
         rest.split_once("```").unwrap().0
     };
-    let command = block("sh").trim().strip_prefix("cargo run --release -- ").unwrap();
+    let command = block("sh").trim().strip_prefix("cargo run -- ").unwrap();
     let folder = tempfile::tempdir().unwrap();
     let mut arguments: Vec<&str> = command.split(' ').collect();
     let out = arguments.iter().position(|argument| *argument == "--out").unwrap() + 1;
