@@ -247,7 +247,8 @@ macro_rules! sayable {
     };
 }
 
-sayable!(u8, u16, u32, u64, i32, i64, i128: |number| Argument::Number((*number).into()));
+sayable!(i128: |number| Argument::Number(*number));
+sayable!(u8, u16, u32, u64, i32, i64: |number| Argument::Number((*number).into()));
 sayable!(usize: |number| Argument::Number(i128::try_from(*number).unwrap_or(i128::MAX)));
 sayable!(str, String: |text| Argument::Value(cut(text)));
 sayable!(

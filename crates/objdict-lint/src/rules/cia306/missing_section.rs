@@ -32,23 +32,23 @@ fn check(device: &Device, findings: &mut Findings) {
     // keys above all sections most likely belong to it, and that is reported
     let headless = device.extra.iter().any(|section| section.name.is_empty());
     if device.file_info.is_none() && !headless {
-        findings.push(report(Part::FileInfo, grave, "say who made the file and when"));
+        findings.push(report(&Part::FileInfo, grave, "say who made the file and when"));
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
-        findings.push(report(Part::DeviceInfo, severity, "say whose device it is and what it can do"));
+        findings.push(report(&Part::DeviceInfo, severity, "say whose device it is and what it can do"));
     }
     if device.dummy_usage.is_none() {
         let help = "write `Dummy0005=1` for a type that can fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
         let fix = Fix::safe("add it without dummies").with(Change::Add(Part::DummyUsage, none));
-        findings.push(report(Part::DummyUsage, light, help).fix(fix));
+        findings.push(report(&Part::DummyUsage, light, help).fix(fix));
     }
     if device.comments.is_none() {
         let none = vec![(Field::Lines, "0".to_owned())];
         let fix = Fix::safe("add it without comments").with(Change::Add(Part::Comments, none));
-        findings.push(report(Part::Comments, Severity::Note, say!("write `{Lines=0}` into it")).fix(fix));
+        findings.push(report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` into it")).fix(fix));
     }
     check_lists(device, light, findings);
 }
@@ -66,7 +66,7 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         if objects == 0 {
             // where the mandatory objects are missing too, that is the finding
             if list != ObjectList::Mandatory {
-                let finding = report(Part::List(list), light, say!("write `{SupportedObjects=0}` into it"));
+                let finding = report(&Part::List(list), light, say!("write `{SupportedObjects=0}` into it"));
                 findings.push(finding.fix(fix));
             }
             continue;
@@ -94,10 +94,10 @@ fn is_blank(device: &Device) -> bool {
         && device.extra.is_empty()
 }
 
-fn missing(section: Part) -> Text {
+fn missing(section: &Part) -> Text {
     say!("{section} `{}` is missing", section)
 }
 
-fn report(section: Part, severity: Severity, help: impl Into<Text>) -> Diagnostic {
+fn report(section: &Part, severity: Severity, help: impl Into<Text>) -> Diagnostic {
     Diagnostic::new(&RULE.info, Place::device(), missing(section)).severity(severity).help(help)
 }

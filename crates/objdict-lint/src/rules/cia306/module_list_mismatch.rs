@@ -35,7 +35,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.fixed_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.fixed_list) {
         if !module.fixed.contains_key(index) {
-            listed_only(&list, item, Part::Module(number, ModulePart::Fixed(*index)), findings);
+            listed_only(&list, item, &Part::Module(number, ModulePart::Fixed(*index)), findings);
         }
     }
     for (&index, object) in &module.fixed {
@@ -59,7 +59,7 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.extension_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.extension_list) {
         if !module.extensions.contains_key(index) {
-            listed_only(&list, item, Part::Module(number, ModulePart::SubExt(*index)), findings);
+            listed_only(&list, item, &Part::Module(number, ModulePart::SubExt(*index)), findings);
         }
     }
     for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
@@ -68,7 +68,7 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     }
 }
 
-fn listed_only(list: &Part, item: u32, section: Part, findings: &mut Findings) {
+fn listed_only(list: &Part, item: u32, section: &Part, findings: &mut Findings) {
     let place = Place::of(list.clone()).field(Field::Item(item));
     let fix = Fix::risky("take it off the list").remove(place.clone());
     let message = say!("listed, but there is no {section} `{}`", section);

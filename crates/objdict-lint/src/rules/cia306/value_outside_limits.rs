@@ -33,19 +33,19 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if let Some(value) = &entry.default
         && let Some(exceeded) = exceeded(entry, value, node_ids)
     {
-        report(at, at.field(Field::DefaultValue), say!("`{DefaultValue}`"), value, exceeded, findings);
+        report(at, at.field(Field::DefaultValue), &say!("`{DefaultValue}`"), value, exceeded, findings);
     }
     if let Some(value) = entry.configured_value()
         && let Some(exceeded) = exceeded(entry, value, node_ids)
     {
-        report(at, at.field(Field::ParameterValue), say!("`{ParameterValue}`"), value, exceeded, findings);
+        report(at, at.field(Field::ParameterValue), &say!("`{ParameterValue}`"), value, exceeded, findings);
     }
     let compact = at.object.compact.as_ref().filter(|_| at.sub.is_none());
     for (sub, value) in compact.iter().flat_map(|compact| &compact.values) {
         if let Some(exceeded) = exceeded(entry, value, node_ids) {
             let place = Place::of(Part::CompactValues(at.index)).field(Field::Item(u32::from(*sub)));
             let what = say!("the value of sub-index {}", sub_index(*sub));
-            report(at, place, what, value, exceeded, findings);
+            report(at, place, &what, value, exceeded, findings);
         }
     }
 }
@@ -84,7 +84,7 @@ fn is_explained(at: &EntryAt<'_>) -> bool {
 fn report(
     at: &EntryAt<'_>,
     place: Place,
-    what: Text,
+    what: &Text,
     value: &Value,
     exceeded: Exceeded<'_>,
     findings: &mut Findings,
