@@ -1,7 +1,7 @@
 //! Findings as plain data: a rule, a severity, a message, places or spans, and what to do.
 //!
 //! Rules speak of [`Place`]s of the model; the reader of the file answers which [`Span`] of the text a place has, and
-//! only for what is reported. Reports ([`crate::report`]) render findings; nothing here knows how.
+//! only for what is reported. Reports render findings; nothing here knows how.
 
 mod findings;
 mod fix;
