@@ -15,7 +15,7 @@ rule! {
     /// `ObjectType=0x7` in `[2000]`, and `[2000sub1]`
     ///
     /// ## How to mend
-    /// Write `ObjectType=0x9` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes.
+    /// Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.
     ///
     /// ## Source
     /// CiA 301 §7.4.3
