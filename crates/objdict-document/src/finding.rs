@@ -23,7 +23,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// What a page tells of a finding. The line is that of the file, see [`Location::line_of`](crate::report::Location::line_of);
+    /// What a page tells of a finding. The line is that of the file, see `report::Location::line_of`;
     /// `None` where there is no text.
     pub fn new(finding: &Diagnostic, line: Option<u32>) -> Self {
         let place = finding.labels.iter().find_map(|label| match &label.at {

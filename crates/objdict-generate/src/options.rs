@@ -171,7 +171,7 @@ macro_rules! declare {
             pub renamed: BTreeMap<Address, String>,
             /// The stem of the output's name, for targets whose files have no fixed names (`rust` and `c` have: `od`).
             pub file_stem: String,
-            /// The hash of what the description was read from, for the head of each file; see [`crate::source::hash`].
+            /// The hash of what the description was read from, for the head of each file; see `source::hash`.
             pub source_hash: Option<u64>,
         }
 

@@ -1,5 +1,5 @@
 //! The canonical XDD and XDC of a device that has no source text: both profiles, complete as the schema of CiA 311 demands,
-//! and in its order. What the standard demands and the model does not have is in [`defaults`](super::defaults).
+//! and in its order. What the standard demands and the model does not have is in `defaults`.
 
 mod device;
 mod network;
