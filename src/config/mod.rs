@@ -11,7 +11,7 @@
 //! let text = "node-id = 5\n[rules]\n\"cia306/file-nam\" = \"off\"\ncia301 = \"note\"\n";
 //! let config = Config::read(SourceFile::from_text("objdict.toml", text), "/project");
 //! let finding = config.findings().iter().next().expect("there is no such rule");
-//! assert_eq!(finding.help.as_deref(), Some("did you mean `cia306/file-name`?"));
+//! assert_eq!(finding.help.as_ref().map(|help| help.to_string()).as_deref(), Some("did you mean `cia306/file-name`?"));
 //!
 //! let options = config.options("/project/devices/door.eds", &Severities::default());
 //! assert_eq!(options.node_id, Some(5));
