@@ -51,19 +51,12 @@ text_rule! {
     STALE_CARRIED_DATA = "objdict/stale-carried-data", Note
 }
 
-/// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is told.
-pub(super) fn restored(mut device: Device, mut findings: Findings) -> (Device, Findings) {
-    restore(&mut device, &mut findings);
-    (device, findings)
-}
-
-/// As [`restored`].
-pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
-    let changes = extract(device);
-    if changes.is_empty() {
-        return;
-    }
-    let refused = apply(device, changes);
+/// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is reported.
+pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Findings) {
+    let refused = match extract(&mut device) {
+        changes if changes.is_empty() => changes,
+        changes => apply(&mut device, changes),
+    };
     for change in &refused {
         let message = say!("the carried `{}` is of a part that was changed since", change.path);
         let finding =
@@ -71,8 +64,9 @@ pub(super) fn restore(device: &mut Device, findings: &mut Findings) {
         findings.push(finding.help("remove the item, or convert the file again"));
     }
     if !refused.is_empty() {
-        embed(device, &refused, Room::Section);
+        embed(&mut device, &refused, Room::Section);
     }
+    (device, findings)
 }
 
 /// Puts changes into a device, in the places that the format has.

@@ -51,9 +51,7 @@ impl Description {
                 (Text::Ini(document, OnceLock::new()), device, findings)
             }
         };
-        #[cfg(all(feature = "json", feature = "xdd"))]
-        let (device, findings) = carried::restored(device, findings);
-        let mut findings = findings;
+        let (device, mut findings) = restored(device, findings);
         let read = Self { format, text, number: 0, device, findings: Findings::new() };
         if read.device_count() == 1 {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
@@ -79,8 +77,7 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if number < xdd::containers(&tree).len() => {
                 let (device, findings) = xdd::read(&tree, number, self.format.kind());
-                #[cfg(all(feature = "json", feature = "xdd"))]
-                let (device, findings) = carried::restored(device, findings);
+                let (device, findings) = restored(device, findings);
                 Some(Self { text: Text::Xml(tree, OnceLock::new()), number, device, findings, ..self })
             }
             _ => None,
@@ -315,4 +312,11 @@ fn says_the_same(one: &Device, other: &Device) -> bool {
         device
     };
     one == other || sorted(one) == sorted(other)
+}
+
+/// A device with what a conversion carried in it at its place again; without JSON and XDD nothing is carried.
+fn restored(device: Device, findings: Findings) -> (Device, Findings) {
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    let (device, findings) = carried::restore(device, findings);
+    (device, findings)
 }

@@ -161,8 +161,7 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     if options.carry && !lost.is_empty() {
         let plain = lost;
         bytes = encode_with(&wanted, format, options, &plain);
-        let mut read = decode(&bytes, format, options.eds.encoding);
-        carried::restore(&mut read, &mut Findings::new());
+        let (read, _) = carried::restore(decode(&bytes, format, options.eds.encoding), Findings::new());
         lost = differences(&wanted, &read);
         let carried = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
         losses.append(&mut told(carried, Fate::Carried));
@@ -196,8 +195,7 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let mut read = decode(bytes, format, Some(encoding));
-    carried::restore(&mut read, &mut Findings::new());
+    let (read, _) = carried::restore(decode(bytes, format, Some(encoding)), Findings::new());
     let mut losses = told(differences(&kept, &read), Fate::Lost);
     losses.append(&mut told(differences(device, &kept), Fate::LeftOut));
     losses

@@ -127,6 +127,7 @@ pub(crate) struct Production {
 impl Request {
     /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
     /// to `files`, whatever becomes of it.
+    #[cfg_attr(not(feature = "lint"), expect(clippy::ptr_arg, reason = "configuration and profiles join it"))]
     pub(crate) fn judge(
         &self,
         name: &str,
@@ -142,9 +143,10 @@ impl Request {
             _ => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
         };
         #[cfg(feature = "lint")]
-        let (options, of_config) = self.configured(files)?;
+        let (mut options, of_config) = self.configured(files)?;
         #[cfg(not(feature = "lint"))]
-        let (options, of_config) = (self.check_options(lint::Options::default(), files)?, Vec::new());
+        let (mut options, of_config) = (lint::Options::default(), Vec::new());
+        options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
         let findings = match &described {
             Described::Text(description) => crate::check_with(description, &options),
             #[cfg(feature = "json")]
@@ -159,11 +161,11 @@ impl Request {
         let severities = &self.judging.severities;
         let Some(project) = self.project(files)? else {
             let options = lint::Options { severities: severities.clone(), ..lint::Options::default() };
-            return Ok((self.check_options(options, files)?, Vec::new()));
+            return Ok((self.with_profiles(options, files)?, Vec::new()));
         };
         let mut options = project.config.options(&self.file, severities);
         options.profiles.extend(project.profiles.iter().cloned());
-        let options = self.check_options(options, files)?;
+        let options = self.with_profiles(options, files)?;
         let findings = config_findings(&project, &options)?;
         Ok((options, findings))
     }
@@ -188,13 +190,12 @@ impl Request {
         Ok(Some(project))
     }
 
-    fn check_options(
+    #[cfg(feature = "lint")]
+    fn with_profiles(
         &self,
         mut options: lint::Options,
         files: &mut Vec<PathBuf>,
     ) -> Result<lint::Options, Error> {
-        options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
-        #[cfg(feature = "lint")]
         for name in &self.judging.profiles {
             options.profiles.push(self.profile(name, files)?);
         }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::diagnostic;
 use crate::model::{ModulePart, ObjectList, Part};
 
 /// A section name, understood.
@@ -71,22 +72,7 @@ impl SectionName {
 
 /// The name of a part's section in the standard's spelling; `None` for [`Part::Device`].
 pub(crate) fn section_name(part: &Part) -> Option<String> {
-    let name = match part {
-        Part::Device => return None,
-        Part::Object(index) => format!("{index:X}"),
-        Part::Entry(index, sub) => format!("{index:X}sub{sub:X}"),
-        Part::CompactNames(index) => format!("{index:X}Name"),
-        Part::CompactValues(index) => format!("{index:X}Value"),
-        Part::CompactDenotations(index) => format!("{index:X}Denotation"),
-        Part::Links(index) => format!("{index:X}ObjectLinks"),
-        Part::Module(number, ModulePart::Fixed(index)) => format!("M{number}Fixed{index:X}"),
-        Part::Module(number, ModulePart::FixedEntry(index, sub)) => {
-            format!("M{number}Fixed{index:X}sub{sub:X}")
-        }
-        Part::Module(number, ModulePart::SubExt(index)) => format!("M{number}SubExt{index:X}"),
-        other => other.to_string(),
-    };
-    Some(name)
+    (*part != Part::Device).then(|| diagnostic::section_name(part))
 }
 
 /// An object of four digits, or a sub-index of it: what nearly all sections are, by the shortest way.

@@ -21,7 +21,7 @@ pub use crate::{fix_of, say, text_rule};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, Tidy};
-pub use notion::{Notion, Vocabulary, WORDS, assert_template};
+pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
 pub use rule::{HEADINGS, RuleInfo};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};

@@ -55,8 +55,8 @@ impl<'a> Notion<'a> {
     }
 }
 
-/// The name of the section that describes a part.
-pub(super) fn section(part: &Part) -> String {
+/// The name of the section that describes a part (CiA 306-1 §4.6), in as few digits as it takes.
+pub fn section_name(part: &Part) -> String {
     match part {
         Part::Object(index) => format!("{index:X}"),
         Part::Entry(index, sub) => format!("{index:X}sub{sub:X}"),

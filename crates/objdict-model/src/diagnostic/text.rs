@@ -4,7 +4,7 @@
 use std::borrow::{Borrow, Cow};
 use std::fmt;
 
-use super::notion::{Notion, Vocabulary, section};
+use super::notion::{Notion, Vocabulary, section_name};
 use super::{Selection, Tool};
 use crate::model::{
     Access, ClockTime, CobId, DataType, Date, Field, MappedObject, ObjectList, ObjectType, Part, Pdo,
@@ -163,7 +163,7 @@ impl Argument {
             Self::Key(field) => out.write_str(&Notion::Key(&field.name()).shown(words)),
             Self::Setting(field, value) => out.write_str(&Notion::Setting(&field.name(), value).shown(words)),
             Self::Worth(field, value) => out.write_str(&Notion::Worth(&field.name(), value).shown(words)),
-            Self::Section(part) => out.write_str(&Notion::Section(&section(part)).shown(words)),
+            Self::Section(part) => out.write_str(&Notion::Section(&section_name(part)).shown(words)),
             Self::Text(text) => text.write(words, out),
             Self::OfLists(text) => match words {
                 None => text.write(words, out),
