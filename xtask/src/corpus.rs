@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{fs, io};
 
-use objdict::diagnostic::Severity;
+use objdict::diagnostic::{Severity, Tool};
 use objdict::format::{self, Format, ReadError};
+use objdict::lint::Options;
 use objdict::source::SourceOptions;
 
 /// What one file gave.
@@ -19,7 +20,7 @@ struct Outcome {
     errors: usize,
     /// What does not come back of a conversion there and back.
     lost: Vec<String>,
-    /// Findings per rule.
+    /// Findings per rule, with those about every tool.
     rules: BTreeMap<&'static str, usize>,
     time: Duration,
 }
@@ -99,7 +100,9 @@ fn read(file: &Path) -> Result<Option<Outcome>, String> {
     let findings = objdict::check(&description);
     let time = start.elapsed();
     let mut rules = BTreeMap::new();
-    for finding in &findings {
+    // what is bound to a tool is found only when the tool is asked about
+    let options = Options { tools: Tool::ALL.to_vec(), ..Options::default() };
+    for finding in &objdict::check_with(&description, &options) {
         *rules.entry(finding.rule.id).or_default() += 1;
     }
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();

@@ -1,6 +1,6 @@
-//! docs/rules.md, out of the pages of the rules, and docs/portability.md, out of what is known of other tools.
+//! docs/rules, a page for each group of rules, and docs/portability.md, out of what is known of other tools.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -11,30 +11,80 @@ use objdict::registry;
 
 use crate::shares::{self, Shares};
 
-/// The columns of the tables of rules.
-const HEADINGS: &str = "| rule | severity | fix | share | defect |\n";
+/// What the rules of each group are about.
+const GROUPS: [(&str, &str); 15] = [
+    ("cia301", "communication objects (CiA 301)"),
+    ("cia302", "network managers (CiA 302)"),
+    ("cia304", "safety-relevant data objects (CiA 304)"),
+    ("cia305", "layer setting services (CiA 305)"),
+    ("cia306", "EDS and DCF files (CiA 306)"),
+    ("cia311", "XDD and XDC files (CiA 311)"),
+    ("cia401", "I/O modules (CiA 401)"),
+    ("cia402", "drives (CiA 402)"),
+    ("cia404", "measuring devices and controllers (CiA 404)"),
+    ("cia406", "encoders (CiA 406)"),
+    ("house", "custom profiles"),
+    ("naming", "names"),
+    ("objdict", "the configuration of objdict"),
+    ("portability", "what other tools reject or misread"),
+    ("xml", "well-formed XML"),
+];
 
 /// Writes the generated pages, or with `check` fails when one is not what it would write.
 pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
-    let rules = rules_page(&shares::read(&folder.join("rules-shares.tsv"))?);
-    for (name, text) in [("rules.md", rules), ("portability.md", portability_page())] {
+    let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
+    pages.insert("portability.md".to_owned(), portability_page());
+    for (name, text) in &pages {
         let (path, shown) = (folder.join(name), format!("docs/{name}"));
         if check {
             let current =
                 fs::read_to_string(&path).map_err(|error| format!("cannot read {shown}: {error}"))?;
-            if current != text {
+            if current != *text {
                 return Err(format!("{shown} is stale: run `cargo xtask docs`"));
             }
         } else {
             fs::write(&path, text).map_err(|error| format!("cannot write {shown}: {error}"))?;
         }
     }
+    remove_leftovers(&folder.join("rules"), &pages, check)
+}
+
+/// Removes the pages of groups that are gone, or with `check` fails when there is one.
+fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool) -> Result<(), String> {
+    let files = fs::read_dir(folder).map_err(|error| format!("cannot read docs/rules: {error}"))?;
+    for file in files {
+        let file = file.map_err(|error| error.to_string())?;
+        let name = format!("rules/{}", file.file_name().to_string_lossy());
+        if pages.contains_key(&name) {
+            continue;
+        }
+        if check {
+            return Err(format!("docs/{name} belongs to no group: run `cargo xtask docs`"));
+        }
+        fs::remove_file(file.path()).map_err(|error| format!("cannot remove docs/{name}: {error}"))?;
+    }
     Ok(())
 }
 
-/// What stands above the table of docs/portability.md.
+/// The address of a rule's page in the documentation, from `docs` on.
+fn address(rule: &str) -> String {
+    let (group, name) = rule.split_once('/').unwrap_or((rule, ""));
+    format!("rules/{group}.md#{name}")
+}
+
+/// The text above the table of docs/portability.md.
 const PORTABILITY: &str = include_str!("portability.md");
+
+/// The text above the tables of docs/rules/README.md.
+const INDEX: &str = include_str!("rules.md");
+
+/// The line at the top of the page of a group.
+const GENERATED: &str = "Generated from the sources by `cargo xtask docs`; `objdict explain RULE` prints the same text. \
+                         [All rules](README.md)";
+
+/// The columns of the tables of rules.
+const HEADINGS: &str = "| rule | severity | fix | share | problem |\n|---|---|---|---|---|";
 
 fn portability_page() -> String {
     let mut page = String::from(PORTABILITY);
@@ -47,9 +97,9 @@ fn portability_page() -> String {
         let when = reaction.when.map_or(String::new(), |when| format!(" ({})", when.text));
         let _ = writeln!(
             page,
-            "| [`{}`](rules.md#{}) | {summary}{when} | {} | {} | {} |",
+            "| [`{}`]({}) | {summary}{when} | {} | {} | {} |",
             reaction.rule,
-            reaction.rule.replace('/', ""),
+            address(reaction.rule),
             tools.join(", "),
             reaction.effect.name(),
             reaction.what
@@ -58,45 +108,50 @@ fn portability_page() -> String {
     page
 }
 
-fn rules_page(shares: &Shares) -> String {
+/// The index of the rules and the page of each group, by their paths in `docs`.
+fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
     let rules = registry::rules();
-    let mut page = String::from(
-        "# Rules\n\nGenerated from the sources by `cargo xtask docs`; `objdict explain RULE` shows the same pages.\n\n",
-    );
+    let mut index = String::from(INDEX);
     let fixes = rules.iter().filter(|rule| rule.fix.is_some()).count();
-    let _ = writeln!(
-        page,
-        "{} rules, {fixes} of them with a fix. A safe fix keeps the meaning for every tool; an unsafe one is the most likely \
-         intention, and somebody should look at it. The share is that of the files of a corpus of published descriptions in \
-         which a rule finds something; it was not counted for those with a dash.\n",
-        rules.len()
-    );
+    let _ = writeln!(index, "{} rules, {fixes} of them with a fix.\n", rules.len());
+    index.push_str("| group | rules | about |\n|---|---|---|\n");
+    let mut pages = BTreeMap::new();
+    let mut tables = String::new();
     for group in rules.chunk_by(|a, b| a.group() == b.group()) {
         let name = group[0].group();
-        let _ = writeln!(page, "* [{name}](#{name}): {}", group.len());
+        let about = GROUPS.iter().find(|(group, _)| *group == name).map(|(_, about)| about);
+        let about = about.ok_or_else(|| format!("xtask/src/docs.rs: `GROUPS` lacks `{name}`"))?;
+        let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} |", group.len());
+        let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");
+        group.iter().for_each(|rule| list(rule, shares, &mut tables));
+        let mut page = format!("# {name}: {about}\n\n{}\n", GENERATED);
+        group.iter().for_each(|rule| describe(rule, &mut page));
+        pages.insert(format!("rules/{name}.md"), page);
     }
-    for group in rules.chunk_by(|a, b| a.group() == b.group()) {
-        let _ = writeln!(page, "\n## {}\n\n{}|---|---|---|---|---|", group[0].group(), HEADINGS);
-        for rule in group {
-            let anchor = rule.id.replace('/', "");
-            let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
-            let share = shares::shown(shares.get(rule.id));
-            let _ = writeln!(
-                page,
-                "| [`{}`](#{anchor}) | {} | {fix} | {share} | {} |",
-                rule.id,
-                rule.severity,
-                rule.summary()
-            );
-        }
-    }
-    rules.iter().for_each(|rule| describe(rule, &mut page));
-    page
+    pages.insert("rules/README.md".to_owned(), index + &tables);
+    Ok(pages)
+}
+
+/// A row in the table of a group.
+fn list(rule: &RuleInfo, shares: &Shares, tables: &mut String) {
+    let address = address(rule.id);
+    let address = address.trim_start_matches("rules/");
+    let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
+    let share = shares::shown(shares.get(rule.id));
+    let (name, severity, summary) = (rule.name(), rule.severity, rule.summary());
+    let _ = writeln!(tables, "| [`{name}`]({address}) | {severity} | {fix} | {share} | {summary} |");
 }
 
 fn describe(rule: &RuleInfo, page: &mut String) {
     let fix = rule.fix.map_or_else(String::new, |safety| format!(", {safety} fix"));
-    let _ = writeln!(page, "\n## {}\n\n**{}**{fix}: {}.", rule.id, rule.severity, rule.summary());
+    let _ = writeln!(
+        page,
+        "\n## {}\n\n`{}` · **{}**{fix}: {}.",
+        rule.name(),
+        rule.id,
+        rule.severity,
+        rule.summary()
+    );
     let text = rule.page();
     let body = text.split_once('\n').map_or("", |(_, body)| body);
     for line in body.trim_end().lines() {

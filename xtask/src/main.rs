@@ -33,7 +33,7 @@ usage:
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
   cargo xtask docs [--check]
-      write docs/rules.md (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
+      write docs/rules (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
   cargo xtask profiles [--check]
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
       --check only compare";
