@@ -131,8 +131,12 @@ fn line<T: Debug>(text: &mut String, head: &str, items: &[T]) {
 /// The texts, some a line.
 fn texts(text: &mut String, profile: &Profile) {
     let tables = &profile.tables;
-    let objects = tables.objects.iter().flat_map(|row| [row.name, row.source]);
-    let others = tables.entries.iter().map(|row| row.name).chain(tables.bits.iter().map(|row| row.name));
+    let objects = tables.objects.iter().flat_map(|row| [row.name, row.source, row.about]);
+    let others = tables
+        .entries
+        .iter()
+        .flat_map(|row| [row.name, row.unit])
+        .chain(tables.bits.iter().map(|row| row.name));
     let parts = objects.chain(others).chain(tables.meanings.iter().map(|row| row.text));
     let parts: BTreeMap<u32, Part> = parts.filter(|part| part.1 > 0).map(|part| (part.0, part)).collect();
     text.push_str("\nstatic TEXTS: &str = concat!(");

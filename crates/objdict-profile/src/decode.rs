@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{BitField, EntryFacts, Profile, for_all, of_number};
+use super::{BitField, EntryFacts, ObjectFacts, Profile, for_all, of_number};
 use crate::model::{Device, Value};
 
 impl EntryFacts<'_> {
@@ -34,22 +34,82 @@ fn part(field: BitField<'_>, value: u64) -> Option<String> {
 /// The area of a dictionary that is the manufacturer's (CiA 301 §7.4.1).
 const MANUFACTURER: Range<u16> = 0x2000..0x6000;
 
-/// What the bits of an entry's value say, after the documents that the device follows.
-pub fn meaning(device: &Device, index: u16, sub: u8, value: &Value) -> Option<String> {
+/// What the documents that a device follows say of an object: its device profile, then those for all devices. Each is
+/// what it says of the object in the logical device that `index` lies in.
+pub fn of_object(
+    device: &Device,
+    index: u16,
+) -> impl Iterator<Item = (&'static Profile, ObjectFacts<'static>)> {
     // no document of CiA describes what is the manufacturer's
-    let number = value.as_integer().filter(|_| !MANUFACTURER.contains(&index))?;
-    let of = |profile: &Profile, block| profile.object_in(block, index)?.entry(sub)?.meaning(number);
-    let own = (0..super::MAX_BLOCKS).find_map(|block| {
+    let blocks = if MANUFACTURER.contains(&index) { 0..0 } else { 0..super::MAX_BLOCKS };
+    let own = blocks.clone().filter_map(move |block| {
         let number = super::number_of(device, if device.profile() == Some(0xFFFF) { block } else { 0 })?;
-        let profile = of_number(number)?;
-        of(profile, if block == 0 || profile.repeats { block } else { return None })
+        let profile = of_number(number).filter(|profile| block == 0 || profile.repeats)?;
+        Some((profile, profile.object_in(block, index)?))
     });
-    own.or_else(|| for_all(device).find_map(|profile| of(profile, 0)))
+    let for_it = for_all(device).filter(move |_| !blocks.is_empty());
+    own.chain(for_it.filter_map(move |profile| Some((profile, profile.object(index)?))))
+}
+
+/// What documents say of the bits of an entry, the lowest first: all that the first one of them says, and of the others
+/// what is about bits that no document before speaks of.
+pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -> Vec<BitField<'a>> {
+    let mut fields: Vec<BitField<'a>> = Vec::new();
+    for entry in documents.into_iter().filter_map(|facts| facts.entry(sub)) {
+        let is_new = |field: &BitField<'_>| {
+            fields.iter().all(|known| field.last < known.first || known.last < field.first)
+        };
+        let new: Vec<_> = entry.bits().filter(is_new).collect();
+        fields.extend(new);
+    }
+    fields.sort_by_key(|field| field.first);
+    fields
+}
+
+/// What the bits of an entry's value say, after the documents that the device follows. Of CiA 301, `Decoder` of
+/// `objdict-document` says it, in sentences.
+pub fn meaning(device: &Device, index: u16, sub: u8, value: &Value) -> Option<String> {
+    let number = value.as_integer()?;
+    let documents = of_object(device, index).filter(|(profile, _)| profile.group != "cia301");
+    documents.filter_map(|(_, facts)| facts.entry(sub)?.meaning(number)).next()
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::named;
+    use super::*;
+    use crate::model::{DataType, Entry, Object};
+    use crate::{named, standard};
+
+    #[test]
+    fn every_object_of_a_document_has_a_sentence() {
+        for profile in standard() {
+            for facts in profile.objects() {
+                let about = facts.about.unwrap_or_default();
+                assert!(about.ends_with('.') && about.len() < 160, "{} {:04X}", profile.group, facts.first);
+            }
+        }
+    }
+
+    #[test]
+    fn bits_of_the_profile_come_before_those_for_all_devices() {
+        let entry = Entry {
+            data_type: Some(DataType::UNSIGNED32),
+            default: Some(Value::Unsigned(402)),
+            ..Entry::default()
+        };
+        let mut drive = Device::default();
+        drive.objects.insert(0x1000, Object { main: entry, ..Object::default() });
+        let names = |device: &Device, index, sub| {
+            let documents = of_object(device, index).map(|(_, facts)| facts);
+            bits(documents, sub).iter().map(|field| (field.first, field.name)).collect::<Vec<_>>()
+        };
+        let shown = names(&drive, 0x1000, 0);
+        assert_eq!(shown[..2], [(0, "device profile number"), (16, "frequency converter")]);
+        assert_eq!(names(&Device::default(), 0x1000, 0)[1], (16, "additional information"));
+        assert_eq!(names(&drive, 0x6840, 0)[0], (0, "switch on"));
+        assert_eq!(names(&drive, 0x1802, 1)[3], (31, "validity"));
+        assert_eq!(of_object(&drive, 0x2040).count(), 0);
+    }
 
     #[test]
     fn words_of_a_drive() {

@@ -26,6 +26,8 @@ pub struct ObjectFacts<'a> {
     pub as_many_as: &'a [u16],
     /// Where the document says so, or who else does.
     pub source: Option<&'a str>,
+    /// What it is for, in one English sentence of our own.
+    pub about: Option<&'a str>,
     entries: &'a [EntryRow],
     tables: &'a Tables,
 }
@@ -51,6 +53,8 @@ pub struct EntryFacts<'a> {
     pub values: &'a [RangeInclusive<i128>],
     /// The value that it has when the device comes from its maker.
     pub default: Option<&'a Value>,
+    /// The unit of its value, such as `ms`; `None` where it has none or the device chooses it.
+    pub unit: Option<&'a str>,
     bits: &'a [BitRow],
     tables: &'a Tables,
 }
@@ -121,7 +125,8 @@ impl<'a> ObjectFacts<'a> {
             need: Need::of(row.need, tables),
             only: row.only.and_then(|at| tables.conditions.get(at as usize)),
             as_many_as: row.as_many_as.of(&tables.indexes),
-            source: Some(row.source.of_text(&tables.texts)).filter(|source| !source.is_empty()),
+            source: tables.stated(row.source),
+            about: tables.stated(row.about),
             entries: row.entries.of(&tables.entries),
             tables,
         }
@@ -179,6 +184,7 @@ impl<'a> EntryFacts<'a> {
             mapping: row.mapping,
             values: row.values.of(&tables.values),
             default: row.default.and_then(|at| tables.defaults.get(at as usize)),
+            unit: tables.stated(row.unit),
             bits: row.bits.of(&tables.bits),
             tables,
         }

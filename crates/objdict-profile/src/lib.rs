@@ -20,7 +20,7 @@ pub mod tables;
 use std::borrow::Cow;
 
 pub use condition::{Condition, ConditionError};
-pub use decode::meaning;
+pub use decode::{bits, meaning, of_object};
 pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;

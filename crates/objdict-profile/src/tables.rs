@@ -63,6 +63,8 @@ pub struct ObjectRow {
     pub entries: Part,
     /// In the texts; empty where nothing is said.
     pub source: Part,
+    /// In the texts; empty where nothing is said.
+    pub about: Part,
 }
 
 /// An entry, or a range of alike ones; see [`EntryFacts`](super::EntryFacts).
@@ -86,6 +88,8 @@ pub struct EntryRow {
     pub values: Part,
     /// The position of a default.
     pub default: Option<u32>,
+    /// In the texts; empty where the value has none.
+    pub unit: Part,
     /// In the bits.
     pub bits: Part,
 }
@@ -123,6 +127,13 @@ pub struct MeaningRow {
     pub last: u64,
     /// In the texts.
     pub text: Part,
+}
+
+impl Tables {
+    /// A text that may be missing.
+    pub(super) fn stated(&self, text: Part) -> Option<&str> {
+        Some(text.of_text(&self.texts)).filter(|text| !text.is_empty())
+    }
 }
 
 impl Part {

@@ -111,6 +111,7 @@ struct ObjectTable {
     need: Option<NeedText>,
     only: Option<ConditionText>,
     source: Option<String>,
+    about: Option<String>,
     #[serde(default)]
     as_many_as: Vec<u16>,
     entries: Option<Vec<EntryTable>>,
@@ -125,6 +126,7 @@ struct ObjectTable {
     #[serde(default)]
     values: Ranges,
     default: Option<toml::Value>,
+    unit: Option<String>,
     #[serde(default)]
     bits: Vec<BitTable>,
 }
@@ -146,6 +148,7 @@ struct EntryTable {
     #[serde(default)]
     values: Ranges,
     default: Option<toml::Value>,
+    unit: Option<String>,
     #[serde(default)]
     bits: Vec<BitTable>,
 }
@@ -167,8 +170,8 @@ impl ObjectTable {
         }
         let mut object_types = self.object_type;
         let has_value = !self.data_type.is_empty() || !self.access.is_empty() || self.mapping.is_some();
-        let has_value =
-            has_value || !self.values.0.is_empty() || self.default.is_some() || !self.bits.is_empty();
+        let has_value = has_value || !self.values.0.is_empty() || self.default.is_some();
+        let has_value = has_value || self.unit.is_some() || !self.bits.is_empty();
         let value = EntryTable {
             sub: 0,
             last: None,
@@ -179,6 +182,7 @@ impl ObjectTable {
             mapping: self.mapping,
             values: self.values,
             default: self.default,
+            unit: self.unit,
             bits: self.bits,
         };
         let entries = match (self.entries, self.elements) {
@@ -217,6 +221,7 @@ impl ObjectTable {
             as_many_as: packer.indexes.part(&self.as_many_as),
             entries: packer.entries.part(&entries),
             source: packer.text(self.source.as_deref().unwrap_or_default()),
+            about: packer.text(self.about.as_deref().unwrap_or_default()),
         })
     }
 }
@@ -246,6 +251,7 @@ impl EntryTable {
             mapping: self.mapping,
             values: packer.values.part(&self.values.0),
             default: default.map(|default| packer.default_value(default)),
+            unit: packer.text(self.unit.as_deref().unwrap_or_default()),
             bits: packer.bits.part(&bits),
         })
     }
@@ -272,6 +278,7 @@ fn elements(
         mapping: Some(Mapping::No),
         values: packer.values.part(&[number]),
         default: None,
+        unit: packer.text(""),
         bits: packer.bits.part(&[]),
     };
     let first = EntryRow { first: 1, last: 1, ..element };
