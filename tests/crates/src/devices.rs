@@ -6,7 +6,7 @@ use objdict::format;
 use objdict::model::Device;
 use objdict::source::SourceOptions;
 
-#[path = "../../generate/odd.rs"]
+#[path = "odd.rs"] // a link: also the build script has this module
 pub(crate) mod odd;
 
 /// Fixtures, by the stems of their names, which are identifiers of Rust when `-` becomes `_`.
@@ -26,7 +26,7 @@ const FIXTURES: [&str; 11] = [
 
 /// The folder of the fixtures.
 pub(crate) fn fixtures() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
 }
 
 /// Names, which are identifiers, and devices.
