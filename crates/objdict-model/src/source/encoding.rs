@@ -57,10 +57,10 @@ impl Encoding {
                 let body = bytes.strip_prefix(UTF8_BOM).unwrap_or(&bytes);
                 String::from_utf8_lossy(body).into_owned()
             }
-            Self::Windows1252 => encoding_rs::WINDOWS_1252.decode_without_bom_handling(&bytes).0.into_owned(),
-            Self::Cp850 => bytes.iter().map(|&byte| cp850_char(byte)).collect(),
-            Self::Utf16Le => encoding_rs::UTF_16LE.decode_with_bom_removal(&bytes).0.into_owned(),
-            Self::Utf16Be => encoding_rs::UTF_16BE.decode_with_bom_removal(&bytes).0.into_owned(),
+            Self::Windows1252 => decode_bytes(&bytes, windows_1252_char),
+            Self::Cp850 => decode_bytes(&bytes, cp850_char),
+            Self::Utf16Le => decode_utf16(&bytes, UTF16LE_BOM, u16::from_le_bytes),
+            Self::Utf16Be => decode_utf16(&bytes, UTF16BE_BOM, u16::from_be_bytes),
         }
     }
 
@@ -72,11 +72,7 @@ impl Encoding {
         match self {
             Self::Utf8 => Ok(text.as_bytes().to_vec()),
             Self::Utf8Bom => Ok([UTF8_BOM, text.as_bytes()].concat()),
-            Self::Windows1252 => self.encode_bytes(text, |c| {
-                let mut buffer = [0; 4];
-                let (bytes, _, unmappable) = encoding_rs::WINDOWS_1252.encode(c.encode_utf8(&mut buffer));
-                if unmappable { None } else { bytes.first().copied() }
-            }),
+            Self::Windows1252 => self.encode_bytes(text, windows_1252_byte),
             Self::Cp850 => self.encode_bytes(text, cp850_byte),
             Self::Utf16Le => Ok(encode_utf16(text, UTF16LE_BOM, u16::to_le_bytes)),
             Self::Utf16Be => Ok(encode_utf16(text, UTF16BE_BOM, u16::to_be_bytes)),
@@ -141,10 +137,52 @@ pub struct Unencodable {
     pub encoding: Encoding,
 }
 
+/// Most of a text is ISO 646, which is taken in runs.
+fn decode_bytes(bytes: &[u8], char_of: fn(u8) -> char) -> String {
+    let mut text = String::with_capacity(bytes.len());
+    for run in bytes.chunk_by(|one, next| one.is_ascii() == next.is_ascii()) {
+        match std::str::from_utf8(run) {
+            Ok(run) if run.is_ascii() => text.push_str(run),
+            _ => text.extend(run.iter().map(|&byte| char_of(byte))),
+        }
+    }
+    text
+}
+
+fn decode_utf16(bytes: &[u8], bom: &[u8], from_bytes: fn([u8; 2]) -> u16) -> String {
+    let (units, rest) = bytes.strip_prefix(bom).unwrap_or(bytes).as_chunks();
+    let mut units: Vec<u16> = units.iter().map(|&unit| from_bytes(unit)).collect();
+    // half a unit at the end is one character that is none, together with the half of a pair before it
+    if !rest.is_empty() && !matches!(units.last(), Some(0xD800..=0xDBFF)) {
+        units.push(0xDC00);
+    }
+    String::from_utf16_lossy(&units)
+}
+
 fn encode_utf16(text: &str, bom: &[u8], to_bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
     let mut bytes = bom.to_vec();
     bytes.extend(text.encode_utf16().flat_map(to_bytes));
     bytes
+}
+
+/// Where Windows-1252 differs from Latin-1: the bytes from 80h; those that it leaves open are control characters.
+const WINDOWS_1252: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8D}', 'Ž', '\u{8F}', '\u{90}',
+    '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9D}', 'ž', 'Ÿ',
+];
+
+fn windows_1252_char(byte: u8) -> char {
+    match byte {
+        0x80..=0x9F => WINDOWS_1252[usize::from(byte - 0x80)],
+        _ => char::from(byte),
+    }
+}
+
+fn windows_1252_byte(character: char) -> Option<u8> {
+    match u8::try_from(character) {
+        Ok(byte) if windows_1252_char(byte) == character => Some(byte),
+        _ => position_behind_80(&WINDOWS_1252, character),
+    }
 }
 
 /// The upper half of code page 850; its lower half is ISO 646.
@@ -166,7 +204,11 @@ fn cp850_char(byte: u8) -> char {
 }
 
 fn cp850_byte(character: char) -> Option<u8> {
-    let position = CP850.iter().position(|&c| c == character)?;
+    position_behind_80(&CP850, character)
+}
+
+fn position_behind_80(characters: &[char], character: char) -> Option<u8> {
+    let position = characters.iter().position(|&c| c == character)?;
     u8::try_from(position + 0x80).ok()
 }
 
