@@ -202,6 +202,7 @@ pub mod compat;
 #[cfg(feature = "lint")]
 pub mod config;
 pub mod format;
+#[cfg(feature = "lint")]
 mod mend;
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 mod production;
@@ -211,6 +212,7 @@ pub mod report;
 pub mod skeleton;
 
 pub use check::{check, check_with};
+#[cfg(feature = "lint")]
 pub use mend::{Mended, Repair, mend};
 #[cfg(feature = "document")]
 pub use objdict_document::{self as document, decoded};

@@ -220,6 +220,7 @@ impl Description {
     ///
     /// # Errors
     /// When the text cannot be written in the encoding of the file, or something else would be read of it.
+    #[cfg(feature = "json")]
     pub fn arranged(&self) -> Option<Result<Vec<u8>, EditError>> {
         let document = self.document()?;
         if self.source().is_read_only() {
@@ -305,6 +306,7 @@ impl Description {
 }
 
 /// Whether two devices are the same, but for the order of the sections that the model does not know.
+#[cfg(feature = "json")]
 fn says_the_same(one: &Device, other: &Device) -> bool {
     let sorted = |device: &Device| {
         let mut device = device.clone();

@@ -30,6 +30,7 @@ pub use crate::source::EditError;
 use crate::source::Encoding;
 use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
+#[cfg(feature = "json")]
 pub use objdict_eds::eds::Style;
 pub use objdict_eds::ini;
 pub use objdict_model::{Format, Syntax, literal};
