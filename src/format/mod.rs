@@ -77,6 +77,6 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(carried::RULES.iter().copied());
     #[cfg(feature = "xdd")]
-    let rules = rules.chain(xml::findings::RULES.iter().copied()).chain(xdd::findings::rules());
+    let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     rules
 }

@@ -17,7 +17,7 @@ use std::fmt;
 use crate::model::Place;
 pub use crate::source::Span;
 
-pub use crate::{fix_of, say, text_rule};
+pub use crate::{fix_of, say, text_rule, text_rules};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, Tidy};

@@ -70,6 +70,17 @@ macro_rules! text_rule {
     };
 }
 
+/// Declares the rules of a module as [`text_rule!`](crate::text_rule) does, each with `;` behind it, and `RULES`, the list of them.
+#[macro_export]
+macro_rules! text_rules {
+    ($($(#[doc = $doc:literal])+ $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?;)+) => {
+        /// Every rule of this module.
+        pub(crate) static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
+
+        $($crate::text_rule! { $(#[doc = $doc])+ $NAME = $id, $severity $(, fix $safety)? })+
+    };
+}
+
 /// What a rule says of its fixes: nothing, `Safe` or `Unsafe`.
 #[macro_export]
 macro_rules! fix_of {

@@ -96,7 +96,7 @@ impl Name {
 macro_rules! names {
     ($($name:ident $($text:literal)?)+) => {
         /// Each name by itself.
-        #[allow(non_upper_case_globals, missing_docs)]
+        #[allow(non_upper_case_globals, missing_docs, reason = "each constant is the name that CiA 311 spells so")]
         pub mod n {
             use super::Name;
 

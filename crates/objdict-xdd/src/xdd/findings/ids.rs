@@ -3,28 +3,13 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rules};
 use crate::xdd::schema::Target;
 use crate::xml::{Attribute, Element, ElementId, Name, n};
 
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[
-    &DUPLICATE_UNIQUE_ID,
-    &DANGLING_UNIQUE_ID_REF,
-    &DANGLING_PARAMETER_REF,
-    &DANGLING_DATA_TYPE_REF,
-    &DANGLING_TEMPLATE_REF,
-    &DANGLING_LED_STATE_REF,
-    &DANGLING_FUNCTION_REF,
-    &DANGLING_INTERFACE_REF,
-    &REFERENCE_TO_WRONG_KIND,
-    &RECURSIVE_DATA_TYPE,
-    &RECURSIVE_TEMPLATE,
-];
-
-text_rule! {
+text_rules! {
     /// two elements have the same id
     ///
     /// ## What it checks
@@ -41,10 +26,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A, XML Schema (ID)
-    DUPLICATE_UNIQUE_ID = "cia311/duplicate-unique-id", Error
-}
+    DUPLICATE_UNIQUE_ID = "cia311/duplicate-unique-id", Error;
 
-text_rule! {
     /// an object refers to a parameter that does not exist
     ///
     /// ## What it checks
@@ -61,10 +44,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error
-}
+    DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error;
 
-text_rule! {
     /// a group or a condition names a parameter that does not exist
     ///
     /// ## What it checks
@@ -81,10 +62,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_PARAMETER_REF = "cia311/dangling-parameter-ref", Error
-}
+    DANGLING_PARAMETER_REF = "cia311/dangling-parameter-ref", Error;
 
-text_rule! {
     /// a data type is used that is not defined
     ///
     /// ## What it checks
@@ -101,10 +80,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_DATA_TYPE_REF = "cia311/dangling-data-type-id-ref", Error
-}
+    DANGLING_DATA_TYPE_REF = "cia311/dangling-data-type-id-ref", Error;
 
-text_rule! {
     /// a template is used that is not defined
     ///
     /// ## What it checks
@@ -121,10 +98,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_TEMPLATE_REF = "cia311/dangling-template-id-ref", Error
-}
+    DANGLING_TEMPLATE_REF = "cia311/dangling-template-id-ref", Error;
 
-text_rule! {
     /// a combined LED state names a state that does not exist
     ///
     /// ## What it checks
@@ -141,10 +116,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_LED_STATE_REF = "cia311/dangling-led-state-ref", Warning
-}
+    DANGLING_LED_STATE_REF = "cia311/dangling-led-state-ref", Warning;
 
-text_rule! {
     /// a function or a variable is used that does not exist
     ///
     /// ## What it checks
@@ -161,10 +134,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_FUNCTION_REF = "cia311/dangling-function-ref", Error
-}
+    DANGLING_FUNCTION_REF = "cia311/dangling-function-ref", Error;
 
-text_rule! {
     /// ranges are given to a module interface that does not exist
     ///
     /// ## What it checks
@@ -181,10 +152,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_INTERFACE_REF = "cia311/dangling-interface-ref", Error
-}
+    DANGLING_INTERFACE_REF = "cia311/dangling-interface-ref", Error;
 
-text_rule! {
     /// a reference leads to an element of another kind
     ///
     /// ## What it checks
@@ -201,10 +170,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    REFERENCE_TO_WRONG_KIND = "cia311/reference-to-wrong-kind", Error
-}
+    REFERENCE_TO_WRONG_KIND = "cia311/reference-to-wrong-kind", Error;
 
-text_rule! {
     /// a data type contains itself
     ///
     /// ## What it checks
@@ -221,10 +188,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    RECURSIVE_DATA_TYPE = "cia311/recursive-data-type", Error
-}
+    RECURSIVE_DATA_TYPE = "cia311/recursive-data-type", Error;
 
-text_rule! {
     /// a parameter template is built on itself
     ///
     /// ## What it checks
@@ -241,7 +206,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    RECURSIVE_TEMPLATE = "cia311/recursive-template", Error
+    RECURSIVE_TEMPLATE = "cia311/recursive-template", Error;
 }
 
 /// The ids of a container with their elements.

@@ -1,14 +1,11 @@
 //! The rules about namespaces: which version a file is of, and which elements are in its namespace.
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, counted, text_rules};
 use crate::xdd::schema;
 use crate::xdd::version::XddVersion;
 use crate::xml::Element;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[&UNKNOWN_NAMESPACE, &ELEMENT_FORM, &MIXED_NAMESPACES];
-
-text_rule! {
+text_rules! {
     /// the file is in no namespace of CiA 311
     ///
     /// ## What it checks
@@ -25,10 +22,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    UNKNOWN_NAMESPACE = "cia311/unknown-namespace", Warning
-}
+    UNKNOWN_NAMESPACE = "cia311/unknown-namespace", Warning;
 
-text_rule! {
     /// elements are in the namespace that belong outside, or the other way round
     ///
     /// ## What it checks
@@ -45,10 +40,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A (`elementFormDefault`)
-    ELEMENT_FORM = "cia311/element-form", Warning
-}
+    ELEMENT_FORM = "cia311/element-form", Warning;
 
-text_rule! {
     /// an element is in another namespace than its container
     ///
     /// ## What it checks
@@ -65,7 +58,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MIXED_NAMESPACES = "cia311/mixed-namespaces", Warning
+    MIXED_NAMESPACES = "cia311/mixed-namespaces", Warning;
 }
 
 /// What the namespaces of a container's elements are like.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rules};
 use crate::model::{DataType, SimpleType};
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -10,18 +10,7 @@ use super::ids::Ids;
 use super::number::Number;
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[
-    &DUPLICATE_OBJECT,
-    &DUPLICATE_SUB_OBJECT,
-    &CONTRADICTING_DATA_TYPE,
-    &CONTRADICTING_ACCESS,
-    &CONTRADICTING_VALUE,
-    &WRONG_OBJECT_COUNT,
-    &DEFAULT_BAUD_RATE_NOT_SUPPORTED,
-];
-
-text_rule! {
+text_rules! {
     /// an object stands twice
     ///
     /// ## What it checks
@@ -38,10 +27,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DUPLICATE_OBJECT = "cia311/duplicate-object", Error
-}
+    DUPLICATE_OBJECT = "cia311/duplicate-object", Error;
 
-text_rule! {
     /// a sub-object stands twice
     ///
     /// ## What it checks
@@ -58,10 +45,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DUPLICATE_SUB_OBJECT = "cia311/duplicate-sub-object", Error
-}
+    DUPLICATE_SUB_OBJECT = "cia311/duplicate-sub-object", Error;
 
-text_rule! {
     /// an object has another data type than its parameter
     ///
     /// ## What it checks
@@ -78,10 +63,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    CONTRADICTING_DATA_TYPE = "cia311/contradicting-data-type", Error
-}
+    CONTRADICTING_DATA_TYPE = "cia311/contradicting-data-type", Error;
 
-text_rule! {
     /// an object has another access type than its parameter
     ///
     /// ## What it checks
@@ -98,10 +81,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    CONTRADICTING_ACCESS = "cia311/contradicting-access", Warning
-}
+    CONTRADICTING_ACCESS = "cia311/contradicting-access", Warning;
 
-text_rule! {
     /// an object has another default, limit or value than its parameter
     ///
     /// ## What it checks
@@ -118,10 +99,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    CONTRADICTING_VALUE = "cia311/contradicting-value", Warning
-}
+    CONTRADICTING_VALUE = "cia311/contradicting-value", Warning;
 
-text_rule! {
     /// the number of objects is wrong
     ///
     /// ## What it checks
@@ -138,10 +117,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    WRONG_OBJECT_COUNT = "cia311/wrong-object-count", Warning
-}
+    WRONG_OBJECT_COUNT = "cia311/wrong-object-count", Warning;
 
-text_rule! {
     /// the default bit rate is not among the supported ones
     ///
     /// ## What it checks
@@ -158,7 +135,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DEFAULT_BAUD_RATE_NOT_SUPPORTED = "cia311/default-baud-rate-not-supported", Warning
+    DEFAULT_BAUD_RATE_NOT_SUPPORTED = "cia311/default-baud-rate-not-supported", Warning;
 }
 
 /// All rules of this module.

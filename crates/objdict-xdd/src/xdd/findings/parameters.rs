@@ -3,17 +3,13 @@
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, text_rules};
 use crate::xml::{Attribute, Element, n};
 
 use super::number::Number;
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] =
-    &[&VALUE_NOT_ALLOWED, &MIN_ABOVE_MAX, &DUPLICATE_PROPERTY, &MISSING_CONDITION, &AMBIGUOUS_MEMBER];
-
-text_rule! {
+text_rules! {
     /// a parameter has a value that it does not allow
     ///
     /// ## What it checks
@@ -30,10 +26,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    VALUE_NOT_ALLOWED = "cia311/value-not-allowed", Warning
-}
+    VALUE_NOT_ALLOWED = "cia311/value-not-allowed", Warning;
 
-text_rule! {
     /// the lower end of a range lies above the upper end
     ///
     /// ## What it checks
@@ -50,10 +44,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MIN_ABOVE_MAX = "cia311/min-above-max", Error
-}
+    MIN_ABOVE_MAX = "cia311/min-above-max", Error;
 
-text_rule! {
     /// a property stands twice
     ///
     /// ## What it checks
@@ -70,10 +62,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DUPLICATE_PROPERTY = "cia311/duplicate-property", Warning
-}
+    DUPLICATE_PROPERTY = "cia311/duplicate-property", Warning;
 
-text_rule! {
     /// a parameter is supported under a condition that is not given
     ///
     /// ## What it checks
@@ -90,10 +80,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MISSING_CONDITION = "cia311/missing-condition", Note
-}
+    MISSING_CONDITION = "cia311/missing-condition", Note;
 
-text_rule! {
     /// a member of a variable is named by neither id nor index, or by both
     ///
     /// ## What it checks
@@ -110,7 +98,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    AMBIGUOUS_MEMBER = "cia311/ambiguous-member", Warning
+    AMBIGUOUS_MEMBER = "cia311/ambiguous-member", Warning;
 }
 
 /// All rules of this module.

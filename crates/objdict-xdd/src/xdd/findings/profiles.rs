@@ -1,24 +1,12 @@
 //! The rules about the profiles of a container: a device profile and a communication network profile.
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, Severity, text_rules};
 use crate::xdd::schema::{self, DEVICE_BODY, EXTERNAL_NETWORK_BODY, NETWORK_BODY};
 use crate::xml::{Element, Name, n};
 
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[
-    &MISSING_BODY_TYPE,
-    &UNKNOWN_BODY_TYPE,
-    &MISSING_PROFILE,
-    &DUPLICATE_PROFILE,
-    &PROFILE_CLASS_MISMATCH,
-    &CONTRADICTING_FILE_ATTRIBUTE,
-    &FILE_NAME_WITH_PATH,
-    &CONTRADICTING_IDENTITY,
-];
-
-text_rule! {
+text_rules! {
     /// a profile body does not say which one it is
     ///
     /// ## What it checks
@@ -35,10 +23,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MISSING_BODY_TYPE = "cia311/missing-body-type", Error
-}
+    MISSING_BODY_TYPE = "cia311/missing-body-type", Error;
 
-text_rule! {
     /// a profile body is of a type that CiA 311 does not have
     ///
     /// ## What it checks
@@ -55,10 +41,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    UNKNOWN_BODY_TYPE = "cia311/unknown-body-type", Error
-}
+    UNKNOWN_BODY_TYPE = "cia311/unknown-body-type", Error;
 
-text_rule! {
     /// one of the two profiles is missing
     ///
     /// ## What it checks
@@ -75,10 +59,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 §5
-    MISSING_PROFILE = "cia311/missing-profile", Warning
-}
+    MISSING_PROFILE = "cia311/missing-profile", Warning;
 
-text_rule! {
     /// a profile stands twice
     ///
     /// ## What it checks
@@ -95,10 +77,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 §5
-    DUPLICATE_PROFILE = "cia311/duplicate-profile", Error
-}
+    DUPLICATE_PROFILE = "cia311/duplicate-profile", Error;
 
-text_rule! {
     /// the header of a profile says another class than its body
     ///
     /// ## What it checks
@@ -115,10 +95,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    PROFILE_CLASS_MISMATCH = "cia311/profile-class-mismatch", Warning
-}
+    PROFILE_CLASS_MISMATCH = "cia311/profile-class-mismatch", Warning;
 
-text_rule! {
     /// the two profiles do not agree about the file
     ///
     /// ## What it checks
@@ -135,10 +113,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    CONTRADICTING_FILE_ATTRIBUTE = "cia311/contradicting-file-attribute", Warning
-}
+    CONTRADICTING_FILE_ATTRIBUTE = "cia311/contradicting-file-attribute", Warning;
 
-text_rule! {
     /// the name of the file has a path before it
     ///
     /// ## What it checks
@@ -155,10 +131,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    FILE_NAME_WITH_PATH = "cia311/file-name-with-path", Note
-}
+    FILE_NAME_WITH_PATH = "cia311/file-name-with-path", Note;
 
-text_rule! {
     /// the two profiles name different vendors or products
     ///
     /// ## What it checks
@@ -175,7 +149,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    CONTRADICTING_IDENTITY = "cia311/contradicting-identity", Warning
+    CONTRADICTING_IDENTITY = "cia311/contradicting-identity", Warning;
 }
 
 /// A body with what it says it is, and what it is.

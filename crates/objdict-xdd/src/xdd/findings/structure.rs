@@ -1,24 +1,11 @@
 //! The rules about which elements and attributes there are, and in which order.
 
-use crate::diagnostic::{Diagnostic, RuleInfo, Severity, listing, text_rule};
+use crate::diagnostic::{Diagnostic, Severity, listing, text_rules};
 use crate::source::Span;
 use crate::xdd::schema::{self, Need, Slot};
 use crate::xml::{Attribute, Element, n};
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[
-    &MISSING_ELEMENT,
-    &MISSING_ATTRIBUTE,
-    &UNKNOWN_ELEMENT,
-    &UNKNOWN_ATTRIBUTE,
-    &MISSPELT_NAME,
-    &WRONG_ORDER,
-    &REPEATED_ELEMENT,
-    &STRAY_TEXT,
-    &NEWER_VERSION,
-];
-
-text_rule! {
+text_rules! {
     /// an element is missing
     ///
     /// ## What it checks
@@ -35,10 +22,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MISSING_ELEMENT = "cia311/missing-element", Warning
-}
+    MISSING_ELEMENT = "cia311/missing-element", Warning;
 
-text_rule! {
     /// an attribute is missing
     ///
     /// ## What it checks
@@ -55,10 +40,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning
-}
+    MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning;
 
-text_rule! {
     /// an element that the standard does not have there
     ///
     /// ## What it checks
@@ -75,10 +58,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    UNKNOWN_ELEMENT = "cia311/unknown-element", Warning
-}
+    UNKNOWN_ELEMENT = "cia311/unknown-element", Warning;
 
-text_rule! {
     /// an attribute that its element does not have
     ///
     /// ## What it checks
@@ -95,10 +76,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    UNKNOWN_ATTRIBUTE = "cia311/unknown-attribute", Warning
-}
+    UNKNOWN_ATTRIBUTE = "cia311/unknown-attribute", Warning;
 
-text_rule! {
     /// a name differs from that of the standard in capital letters
     ///
     /// ## What it checks
@@ -115,10 +94,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    MISSPELT_NAME = "cia311/misspelt-name", Warning
-}
+    MISSPELT_NAME = "cia311/misspelt-name", Warning;
 
-text_rule! {
     /// elements stand in another order than the standard has
     ///
     /// ## What it checks
@@ -135,10 +112,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    WRONG_ORDER = "cia311/wrong-order", Warning
-}
+    WRONG_ORDER = "cia311/wrong-order", Warning;
 
-text_rule! {
     /// an element stands twice
     ///
     /// ## What it checks
@@ -155,10 +130,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    REPEATED_ELEMENT = "cia311/repeated-element", Error
-}
+    REPEATED_ELEMENT = "cia311/repeated-element", Error;
 
-text_rule! {
     /// text stands where only elements belong
     ///
     /// ## What it checks
@@ -175,10 +148,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    STRAY_TEXT = "cia311/stray-text", Warning
-}
+    STRAY_TEXT = "cia311/stray-text", Warning;
 
-text_rule! {
     /// version 1.0 does not have this
     ///
     /// ## What it checks
@@ -195,7 +166,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    NEWER_VERSION = "cia311/newer-version", Warning
+    NEWER_VERSION = "cia311/newer-version", Warning;
 }
 
 /// The attribute whose name someone wrote in other letters.

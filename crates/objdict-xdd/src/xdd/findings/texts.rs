@@ -2,15 +2,12 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, text_rules};
 use crate::xml::{Attribute, Element, n};
 
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[&DUPLICATE_LABEL, &UNLISTED_LANGUAGE, &DANGLING_DICTIONARY_REF];
-
-text_rule! {
+text_rules! {
     /// a name stands twice in one language
     ///
     /// ## What it checks
@@ -27,10 +24,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DUPLICATE_LABEL = "cia311/duplicate-label", Warning
-}
+    DUPLICATE_LABEL = "cia311/duplicate-label", Warning;
 
-text_rule! {
     /// a text is in a language that the file does not list
     ///
     /// ## What it checks
@@ -47,10 +42,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    UNLISTED_LANGUAGE = "cia311/unlisted-language", Note
-}
+    UNLISTED_LANGUAGE = "cia311/unlisted-language", Note;
 
-text_rule! {
     /// a text is taken from a dictionary that the file does not have
     ///
     /// ## What it checks
@@ -67,7 +60,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DANGLING_DICTIONARY_REF = "cia311/dangling-dictionary-ref", Warning
+    DANGLING_DICTIONARY_REF = "cia311/dangling-dictionary-ref", Warning;
 }
 
 /// The languages that a container's bodies do not list, as far as they were found.

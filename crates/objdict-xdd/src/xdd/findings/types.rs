@@ -1,15 +1,12 @@
 //! The rules about the data types that a description defines.
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, counted, text_rules};
 use crate::xml::{Attribute, Element, Name, n};
 
 use super::number::Number;
 use super::walk::Walk;
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[&DUPLICATE_ENUM_VALUE, &WRONG_ENUM_SIZE, &EMPTY_SUBRANGE];
-
-text_rule! {
+text_rules! {
     /// two names of an enumeration have the same value
     ///
     /// ## What it checks
@@ -26,10 +23,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    DUPLICATE_ENUM_VALUE = "cia311/duplicate-enum-value", Warning
-}
+    DUPLICATE_ENUM_VALUE = "cia311/duplicate-enum-value", Warning;
 
-text_rule! {
     /// an enumeration has another number of values than it says
     ///
     /// ## What it checks
@@ -46,10 +41,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    WRONG_ENUM_SIZE = "cia311/wrong-enum-size", Warning
-}
+    WRONG_ENUM_SIZE = "cia311/wrong-enum-size", Warning;
 
-text_rule! {
     /// an array has no elements
     ///
     /// ## What it checks
@@ -66,7 +59,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    EMPTY_SUBRANGE = "cia311/empty-subrange", Error
+    EMPTY_SUBRANGE = "cia311/empty-subrange", Error;
 }
 
 /// All rules of this module.

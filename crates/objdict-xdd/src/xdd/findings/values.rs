@@ -1,25 +1,10 @@
 //! The rules about what attributes and texts take.
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, listing, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, listing, text_rules};
 use crate::source::Span;
 use crate::xdd::schema::{BAUD_RATES, Kind};
 
-/// Every rule of this module.
-pub(crate) static RULES: &[&RuleInfo] = &[
-    &INVALID_NUMBER,
-    &INVALID_SCALING,
-    &INVALID_BOOLEAN,
-    &INVALID_HEX,
-    &INVALID_DATE,
-    &INVALID_TIME,
-    &INVALID_WORD,
-    &INVALID_BAUD_RATE,
-    &INVALID_DUMMY,
-    &INVALID_ID,
-    &INVALID_LANGUAGE,
-];
-
-text_rule! {
+text_rules! {
     /// a number is none, or too large
     ///
     /// ## What it checks
@@ -36,10 +21,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_NUMBER = "cia311/invalid-number", Error
-}
+    INVALID_NUMBER = "cia311/invalid-number", Error;
 
-text_rule! {
     /// an offset or multiplier is no number
     ///
     /// ## What it checks
@@ -56,10 +39,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_SCALING = "cia311/invalid-scaling", Warning
-}
+    INVALID_SCALING = "cia311/invalid-scaling", Warning;
 
-text_rule! {
     /// a flag is neither `true` nor `false`
     ///
     /// ## What it checks
@@ -76,10 +57,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_BOOLEAN = "cia311/invalid-boolean", Error
-}
+    INVALID_BOOLEAN = "cia311/invalid-boolean", Error;
 
-text_rule! {
     /// a hex number is not written with so many hex digits and nothing else
     ///
     /// ## What it checks
@@ -96,10 +75,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_HEX = "cia311/invalid-hex", Error
-}
+    INVALID_HEX = "cia311/invalid-hex", Error;
 
-text_rule! {
     /// a date is not written `yyyy-mm-dd`
     ///
     /// ## What it checks
@@ -116,10 +93,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_DATE = "cia311/invalid-date", Warning
-}
+    INVALID_DATE = "cia311/invalid-date", Warning;
 
-text_rule! {
     /// a time of day is not written `hh:mm:ss`
     ///
     /// ## What it checks
@@ -136,10 +111,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_TIME = "cia311/invalid-time", Warning
-}
+    INVALID_TIME = "cia311/invalid-time", Warning;
 
-text_rule! {
     /// a word is none of those that the standard has for it
     ///
     /// ## What it checks
@@ -156,10 +129,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_WORD = "cia311/invalid-word", Error
-}
+    INVALID_WORD = "cia311/invalid-word", Error;
 
-text_rule! {
     /// a bit rate is none of those that the standard has
     ///
     /// ## What it checks
@@ -176,10 +147,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_BAUD_RATE = "cia311/invalid-baud-rate", Error
-}
+    INVALID_BAUD_RATE = "cia311/invalid-baud-rate", Error;
 
-text_rule! {
     /// a dummy entry is not of the form `Dummy0001=0`
     ///
     /// ## What it checks
@@ -196,10 +165,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A
-    INVALID_DUMMY = "cia311/invalid-dummy", Error
-}
+    INVALID_DUMMY = "cia311/invalid-dummy", Error;
 
-text_rule! {
     /// an id is no name
     ///
     /// ## What it checks
@@ -216,10 +183,8 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A, XML Schema (NCName)
-    INVALID_ID = "cia311/invalid-id", Warning
-}
+    INVALID_ID = "cia311/invalid-id", Warning;
 
-text_rule! {
     /// a language is not written as `en` or `en-us`
     ///
     /// ## What it checks
@@ -236,7 +201,7 @@ text_rule! {
     ///
     /// ## Source
     /// CiA 311 annex A, XML Schema (language)
-    INVALID_LANGUAGE = "cia311/invalid-language", Warning
+    INVALID_LANGUAGE = "cia311/invalid-language", Warning;
 }
 
 /// Whether `text`, which stands at `at` and is called `name`, is what its kind takes; if not, a finding says so.

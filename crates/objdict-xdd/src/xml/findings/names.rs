@@ -1,8 +1,8 @@
 //! The rules about characters, references, names and attributes.
 
-use crate::diagnostic::text_rule;
+use crate::diagnostic::text_rules;
 
-text_rule! {
+text_rules! {
     /// the file has a character that XML forbids
     ///
     /// ## What it checks
@@ -19,10 +19,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.2
-    FORBIDDEN_CHARACTER = "xml/forbidden-character", Error
-}
+    FORBIDDEN_CHARACTER = "xml/forbidden-character", Error;
 
-text_rule! {
     /// a `&` starts no reference
     ///
     /// ## What it checks
@@ -39,10 +37,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §4.1
-    BAD_REFERENCE = "xml/bad-reference", Error
-}
+    BAD_REFERENCE = "xml/bad-reference", Error;
 
-text_rule! {
     /// a reference names an entity that is not known
     ///
     /// ## What it checks
@@ -59,10 +55,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §4.1, WFC: Entity Declared
-    UNKNOWN_ENTITY = "xml/unknown-entity", Error
-}
+    UNKNOWN_ENTITY = "xml/unknown-entity", Error;
 
-text_rule! {
     /// the name of an element or attribute is no name of XML
     ///
     /// ## What it checks
@@ -79,10 +73,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.3; Namespaces in XML 1.0 §4
-    BAD_NAME = "xml/bad-name", Error
-}
+    BAD_NAME = "xml/bad-name", Error;
 
-text_rule! {
     /// a prefix is not declared
     ///
     /// ## What it checks
@@ -99,10 +91,8 @@ text_rule! {
     ///
     /// ## Source
     /// Namespaces in XML 1.0 §5, NSC: Prefix Declared
-    UNBOUND_PREFIX = "xml/unbound-prefix", Error
-}
+    UNBOUND_PREFIX = "xml/unbound-prefix", Error;
 
-text_rule! {
     /// a declaration of a namespace is not allowed
     ///
     /// ## What it checks
@@ -119,10 +109,8 @@ text_rule! {
     ///
     /// ## Source
     /// Namespaces in XML 1.0 §3, §5
-    BAD_NAMESPACE = "xml/bad-namespace", Error
-}
+    BAD_NAMESPACE = "xml/bad-namespace", Error;
 
-text_rule! {
     /// an element has an attribute twice
     ///
     /// ## What it checks
@@ -139,10 +127,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1, WFC: Unique Att Spec; Namespaces in XML 1.0 §6.3
-    DUPLICATE_ATTRIBUTE = "xml/duplicate-attribute", Error
-}
+    DUPLICATE_ATTRIBUTE = "xml/duplicate-attribute", Error;
 
-text_rule! {
     /// no blank stands before an attribute
     ///
     /// ## What it checks
@@ -159,10 +145,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    MISSING_BLANK = "xml/missing-blank", Error
-}
+    MISSING_BLANK = "xml/missing-blank", Error;
 
-text_rule! {
     /// an attribute has no value
     ///
     /// ## What it checks
@@ -179,10 +163,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    MISSING_VALUE = "xml/missing-value", Error
-}
+    MISSING_VALUE = "xml/missing-value", Error;
 
-text_rule! {
     /// the value of an attribute has no quotes
     ///
     /// ## What it checks
@@ -199,10 +181,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    UNQUOTED_VALUE = "xml/unquoted-value", Error
-}
+    UNQUOTED_VALUE = "xml/unquoted-value", Error;
 
-text_rule! {
     /// the value of an attribute has no closing quote
     ///
     /// ## What it checks
@@ -219,10 +199,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    UNCLOSED_VALUE = "xml/unclosed-value", Error
-}
+    UNCLOSED_VALUE = "xml/unclosed-value", Error;
 
-text_rule! {
     /// the value of an attribute has a `<` in it
     ///
     /// ## What it checks
@@ -239,10 +217,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1, WFC: No < in Attribute Values
-    LESS_THAN_IN_VALUE = "xml/less-than-in-value", Error
-}
+    LESS_THAN_IN_VALUE = "xml/less-than-in-value", Error;
 
-text_rule! {
     /// a tag has something in it that is no attribute
     ///
     /// ## What it checks
@@ -259,5 +235,5 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    JUNK_IN_TAG = "xml/junk-in-tag", Error
+    JUNK_IN_TAG = "xml/junk-in-tag", Error;
 }

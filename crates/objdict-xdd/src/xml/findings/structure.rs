@@ -1,8 +1,8 @@
 //! The rules about the structure of a document: elements, markup, encoding and limits.
 
-use crate::diagnostic::text_rule;
+use crate::diagnostic::text_rules;
 
-text_rule! {
+text_rules! {
     /// an element has no end tag
     ///
     /// ## What it checks
@@ -19,10 +19,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    UNCLOSED_ELEMENT = "xml/unclosed-element", Error
-}
+    UNCLOSED_ELEMENT = "xml/unclosed-element", Error;
 
-text_rule! {
     /// an end tag ends no element
     ///
     /// ## What it checks
@@ -39,10 +37,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3, WFC: Element Type Match
-    STRAY_END_TAG = "xml/stray-end-tag", Error
-}
+    STRAY_END_TAG = "xml/stray-end-tag", Error;
 
-text_rule! {
     /// the file has no element
     ///
     /// ## What it checks
@@ -59,10 +55,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.1
-    NO_ROOT = "xml/no-root", Error
-}
+    NO_ROOT = "xml/no-root", Error;
 
-text_rule! {
     /// a second element stands behind the root
     ///
     /// ## What it checks
@@ -79,10 +73,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.1
-    SECOND_ROOT = "xml/second-root", Error
-}
+    SECOND_ROOT = "xml/second-root", Error;
 
-text_rule! {
     /// text stands before or behind the root
     ///
     /// ## What it checks
@@ -99,10 +91,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.1
-    TEXT_OUTSIDE_ROOT = "xml/text-outside-root", Error
-}
+    TEXT_OUTSIDE_ROOT = "xml/text-outside-root", Error;
 
-text_rule! {
     /// a tag has no `>`
     ///
     /// ## What it checks
@@ -119,10 +109,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §3.1
-    UNCLOSED_TAG = "xml/unclosed-tag", Error
-}
+    UNCLOSED_TAG = "xml/unclosed-tag", Error;
 
-text_rule! {
     /// a comment, a CDATA section or a processing instruction has no end
     ///
     /// ## What it checks
@@ -139,10 +127,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.5, §2.6, §2.7
-    UNCLOSED_MARKUP = "xml/unclosed-markup", Error
-}
+    UNCLOSED_MARKUP = "xml/unclosed-markup", Error;
 
-text_rule! {
     /// markup that starts with `<!` is none that XML has
     ///
     /// ## What it checks
@@ -159,10 +145,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.1, §3.1
-    UNKNOWN_MARKUP = "xml/unknown-markup", Error
-}
+    UNKNOWN_MARKUP = "xml/unknown-markup", Error;
 
-text_rule! {
     /// a `<` starts no tag
     ///
     /// ## What it checks
@@ -179,10 +163,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.4
-    LONE_LESS_THAN = "xml/lone-less-than", Error
-}
+    LONE_LESS_THAN = "xml/lone-less-than", Error;
 
-text_rule! {
     /// a comment has `--` in it
     ///
     /// ## What it checks
@@ -199,10 +181,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.5
-    DOUBLE_HYPHEN = "xml/double-hyphen", Error
-}
+    DOUBLE_HYPHEN = "xml/double-hyphen", Error;
 
-text_rule! {
     /// a text has `]]>` in it
     ///
     /// ## What it checks
@@ -219,10 +199,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.4
-    CDATA_END_IN_TEXT = "xml/cdata-end-in-text", Error
-}
+    CDATA_END_IN_TEXT = "xml/cdata-end-in-text", Error;
 
-text_rule! {
     /// the XML declaration is not the first thing in the file
     ///
     /// ## What it checks
@@ -239,10 +217,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.8
-    MISPLACED_DECLARATION = "xml/misplaced-declaration", Error
-}
+    MISPLACED_DECLARATION = "xml/misplaced-declaration", Error;
 
-text_rule! {
     /// the XML declaration is malformed
     ///
     /// ## What it checks
@@ -259,10 +235,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.8
-    BAD_DECLARATION = "xml/bad-declaration", Error
-}
+    BAD_DECLARATION = "xml/bad-declaration", Error;
 
-text_rule! {
     /// a processing instruction has no good target
     ///
     /// ## What it checks
@@ -279,10 +253,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.6
-    BAD_TARGET = "xml/bad-target", Error
-}
+    BAD_TARGET = "xml/bad-target", Error;
 
-text_rule! {
     /// the file has a document type
     ///
     /// ## What it checks
@@ -299,10 +271,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §2.8; CiA 311
-    DOCUMENT_TYPE = "xml/document-type", Warning
-}
+    DOCUMENT_TYPE = "xml/document-type", Warning;
 
-text_rule! {
     /// the file is not in the encoding that it names
     ///
     /// ## What it checks
@@ -319,10 +289,8 @@ text_rule! {
     ///
     /// ## Source
     /// XML 1.0 §4.3.3
-    ENCODING = "xml/encoding", Error
-}
+    ENCODING = "xml/encoding", Error;
 
-text_rule! {
     /// the file is beyond a limit of this reader
     ///
     /// ## What it checks
@@ -339,5 +307,5 @@ text_rule! {
     ///
     /// ## Source
     /// none; XML has no limits
-    LIMIT = "xml/limit", Error
+    LIMIT = "xml/limit", Error;
 }
