@@ -1,6 +1,6 @@
 //! Where the parts of a description stand in a tree: containers, profiles, bodies.
 
-use super::schema::{self, DEVICE_HEADER, NETWORK_HEADER};
+use super::schema::{self, DEVICE_BODY, DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER};
 use crate::xml::{Element, Name, Tree, n};
 
 /// What a profile is about (`ProfileClassID`).
@@ -13,6 +13,33 @@ pub(crate) enum ProfileClass {
 }
 
 impl ProfileClass {
+    /// Both of them.
+    pub(crate) const ALL: [Self; 2] = [Self::Device, Self::Network];
+
+    /// `ProfileClassID`.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Device => "Device",
+            Self::Network => "CommunicationNetwork",
+        }
+    }
+
+    /// `xsi:type` of the `ProfileBody`, without a prefix.
+    pub(crate) const fn type_name(self) -> &'static str {
+        match self {
+            Self::Device => "ProfileBody_Device_CANopen",
+            Self::Network => "ProfileBody_CommunicationNetwork_CANopen",
+        }
+    }
+
+    /// `ProfileBody` of such a profile.
+    pub(crate) const fn body(self) -> &'static schema::Element {
+        match self {
+            Self::Device => &DEVICE_BODY,
+            Self::Network => &NETWORK_BODY,
+        }
+    }
+
     /// `ProfileHeader` of such a profile.
     pub(crate) fn header(self) -> &'static schema::Element {
         match self {
@@ -117,17 +144,15 @@ fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
 
 /// What a profile is about: what the type of its body says, else the class in its header, else what is in it.
 fn class_of(header: Option<Element<'_>>, body: Element<'_>) -> ProfileClass {
-    let of_word = |word: &str| match () {
-        () if word.contains("CommunicationNetwork") => Some(ProfileClass::Network),
-        () if word.contains("Device") => Some(ProfileClass::Device),
-        () => None,
+    let of_word = |word: &str| {
+        let classes = [ProfileClass::Network, ProfileClass::Device];
+        classes.into_iter().find(|class| word.contains(class.name()))
     };
     let by_type = body.attribute(n::r#type).and_then(|name| of_word(&name.value()));
     let class = header.and_then(|header| header.child(n::ProfileClassID));
     let by_class = || class.and_then(|class| of_word(&class.text()));
     let by_content = || {
-        let parts = [n::ApplicationLayers, n::TransportLayers, n::NetworkManagement];
-        let is_network = body.children().any(|child| parts.contains(&child.tag()));
+        let is_network = body.children().any(|child| NETWORK_BODY.slot(child.tag(), 0).is_some());
         if is_network { ProfileClass::Network } else { ProfileClass::Device }
     };
     by_type.or_else(by_class).unwrap_or_else(by_content)

@@ -2,18 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::schema::{CONTAINER, DEVICE_BODY, Element, NETWORK_BODY};
+use super::layout::ProfileClass;
+use super::schema::{CONTAINER, Element};
 use super::version::XddVersion;
 use crate::xml::{Name, XmlWriter, n};
-
-/// Whose `ProfileBody` it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Body {
-    /// That of the device profile.
-    Device,
-    /// That of the communication network profile.
-    Network,
-}
 
 /// Writes an XML document of CiA 311: names without prefixes go in, and come out as the version demands.
 ///
@@ -24,7 +16,7 @@ pub(crate) enum Body {
 pub(crate) struct Markup {
     writer: XmlWriter,
     version: XddVersion,
-    body: Option<Body>,
+    body: Option<ProfileClass>,
     /// The start tags that are not written yet, each inside the one before.
     pending: Vec<Start>,
     /// The open elements whose start tags are written.
@@ -42,27 +34,11 @@ struct Start {
     needs_content: bool,
 }
 
-impl Body {
-    const fn type_name(self) -> &'static str {
-        match self {
-            Self::Device => "ProfileBody_Device_CANopen",
-            Self::Network => "ProfileBody_CommunicationNetwork_CANopen",
-        }
-    }
-
-    /// The element in the table.
-    pub(crate) const fn element(self) -> &'static Element {
-        match self {
-            Self::Device => &DEVICE_BODY,
-            Self::Network => &NETWORK_BODY,
-        }
-    }
-
-    const fn prefix(self) -> &'static str {
-        match self {
-            Self::Device => "q1",
-            Self::Network => "q2",
-        }
+/// The prefix of global elements in a body of version 1.1.
+const fn prefix(body: ProfileClass) -> &'static str {
+    match body {
+        ProfileClass::Device => "q1",
+        ProfileClass::Network => "q2",
     }
 }
 
@@ -92,13 +68,13 @@ impl Markup {
     }
 
     /// Begins a `ProfileBody`; its own attributes follow. It ends by [`close_body`](Self::close_body).
-    pub(crate) fn open_body(&mut self, body: Body) {
-        self.open(body.element());
+    pub(crate) fn open_body(&mut self, body: ProfileClass) {
+        self.open(body.body());
         match self.version {
             XddVersion::V1_0 => self.declare("xsi:type", body.type_name()),
             XddVersion::V1_1 => {
-                self.declare(format!("xmlns:{}", body.prefix()), self.version.namespace());
-                self.declare("xsi:type", &format!("{}:{}", body.prefix(), body.type_name()));
+                self.declare(format!("xmlns:{}", prefix(body)), self.version.namespace());
+                self.declare("xsi:type", &format!("{}:{}", prefix(body), body.type_name()));
                 self.declare("xmlns", "");
             }
         }
@@ -118,7 +94,7 @@ impl Markup {
 
     /// Begins an element where the standard does not have it: in no namespace.
     pub(crate) fn open_local(&mut self, element: &'static Element) {
-        self.start(element, element.is_global && self.body == Some(Body::Device), false);
+        self.start(element, element.is_global && self.body == Some(ProfileClass::Device), false);
     }
 
     /// Begins an element that is written only if it gets attributes, a text or elements.
@@ -191,7 +167,7 @@ impl Markup {
         let name = element.name.text();
         let name = match self.body {
             Some(body) if self.version == XddVersion::V1_1 && is_global => {
-                Cow::Owned(format!("{}:{name}", body.prefix()))
+                Cow::Owned(format!("{}:{name}", prefix(body)))
             }
             _ => Cow::Borrowed(name),
         };

@@ -1,7 +1,9 @@
 //! The rules about the profiles of a container: a device profile and a communication network profile.
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, text_rules};
-use crate::xdd::schema::{self, DEVICE_BODY, EXTERNAL_NETWORK_BODY, NETWORK_BODY};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rules};
+use crate::source::Span;
+use crate::xdd::layout::ProfileClass;
+use crate::xdd::schema::{self, EXTERNAL_NETWORK_BODY};
 use crate::xml::{Element, Name, n};
 
 use super::walk::Walk;
@@ -155,8 +157,10 @@ text_rules! {
 /// A body with what it says it is, and what it is.
 #[derive(Clone, Copy)]
 pub(super) struct Body {
-    stated: Option<&'static schema::Element>,
+    stated: Option<ProfileClass>,
     /// What it is, by its type, else by what is in it.
+    class: Option<ProfileClass>,
+    /// The same in the table.
     pub(super) schema: Option<&'static schema::Element>,
 }
 
@@ -168,29 +172,22 @@ pub(super) fn body(element: Element<'_>) -> Option<Body> {
     let stated = element.attribute(n::r#type).and_then(|attribute| {
         let value = attribute.value();
         let name = value.trim_ascii();
-        match name.rsplit_once(':').map_or(name, |(_, local)| local) {
-            "ProfileBody_Device_CANopen" => Some(&DEVICE_BODY),
-            "ProfileBody_CommunicationNetwork_CANopen" => Some(&NETWORK_BODY),
-            _ => None,
-        }
+        let local = name.rsplit_once(':').map_or(name, |(_, local)| local);
+        ProfileClass::ALL.into_iter().find(|class| class.type_name() == local)
     });
-    let has = |names: &[Name]| element.children().any(|child| names.contains(&child.tag()));
-    let is_network = match stated {
-        Some(schema) => std::ptr::eq(schema, &NETWORK_BODY),
-        None => has(&[n::ApplicationLayers, n::TransportLayers, n::NetworkManagement]),
+    let has = |class: &ProfileClass| {
+        let is_part = |name: Name| class.body().slot(name, 0).is_some() && name != n::ExternalProfileHandle;
+        element.children().any(|child| is_part(child.tag()))
     };
-    let schema = if is_network && has(&[n::ExternalProfileHandle]) && !has(&[n::ApplicationLayers]) {
-        Some(&EXTERNAL_NETWORK_BODY)
-    } else if is_network {
-        Some(&NETWORK_BODY)
-    } else if stated.is_some()
-        || has(&[n::DeviceIdentity, n::DeviceManager, n::DeviceFunction, n::ApplicationProcess])
-    {
-        Some(&DEVICE_BODY)
-    } else {
-        None
+    let class = stated.or_else(|| [ProfileClass::Network, ProfileClass::Device].into_iter().find(has));
+    let names_file = element.child(n::ExternalProfileHandle).is_some();
+    let schema = match class {
+        Some(ProfileClass::Network) if names_file && element.child(n::ApplicationLayers).is_none() => {
+            Some(&EXTERNAL_NETWORK_BODY)
+        }
+        class => class.map(ProfileClass::body),
     };
-    Some(Body { stated, schema })
+    Some(Body { stated, class, schema })
 }
 
 /// Whether a body says which one it is.
@@ -198,12 +195,10 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
     if body.stated.is_some() {
         return;
     }
-    let help = match body.schema {
-        Some(schema) if std::ptr::eq(schema, &DEVICE_BODY) => {
-            "write `xsi:type=\"ProfileBody_Device_CANopen\"`"
-        }
-        Some(_) => "write `xsi:type=\"ProfileBody_CommunicationNetwork_CANopen\"`",
-        None => "the types are `ProfileBody_Device_CANopen` and `ProfileBody_CommunicationNetwork_CANopen`",
+    let [device, network] = ProfileClass::ALL.map(ProfileClass::type_name);
+    let help = match body.class {
+        Some(class) => format!("write `xsi:type=\"{}\"`", class.type_name()),
+        None => format!("the types are `{device}` and `{network}`"),
     };
     let finding = match element.attribute(n::r#type) {
         Some(attribute) => {
@@ -220,20 +215,18 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
 
 /// What the profiles say together.
 pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
-    let bodies: Vec<_> =
-        walk.seen.bodies.iter().filter_map(|&element| Some((element, body(element)?.schema?))).collect();
-    let is_device = |schema: &schema::Element| std::ptr::eq(schema, &DEVICE_BODY);
-    let device = bodies.iter().find(|(_, schema)| is_device(schema)).map(|(element, _)| *element);
-    let network = bodies.iter().find(|(_, schema)| !is_device(schema)).map(|(element, _)| *element);
+    let found = walk.seen.bodies.iter();
+    let bodies: Vec<_> = found.filter_map(|&element| Some((element, body(element)?.class?))).collect();
+    let first = |class| bodies.iter().find(|(_, other)| *other == class).map(|(element, _)| *element);
+    let [device, network] = ProfileClass::ALL.map(first);
     let findings = &mut *walk.findings;
-    for &(element, schema) in &bodies {
-        let first = if is_device(schema) { device } else { network };
-        if let Some(first) = first.filter(|first| first.id() != element.id()) {
-            findings.push(duplicate(element, first, is_device(schema)));
+    for &(element, class) in &bodies {
+        if let Some(first) = first(class).filter(|first| first.id() != element.id()) {
+            findings.push(duplicate(element, first, class));
         }
-        check_class(element, is_device(schema), findings);
+        check_class(element, class, findings);
     }
-    // a body that nobody can tell may be the other one
+    // a body of neither class may be the other one
     if bodies.len() == walk.seen.bodies.len() && !bodies.is_empty() {
         check_missing(container, device, network, findings);
     }
@@ -243,37 +236,33 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
     if let Some(attribute) = device.or(network).and_then(|body| body.attribute(n::fileName)) {
         let value = attribute.value();
         if let Some((_, name)) = value.rsplit_once(['/', '\\']).filter(|(_, name)| !name.is_empty()) {
-            let finding = Diagnostic::new(
-                &FILE_NAME_WITH_PATH,
-                attribute.value_span(),
-                format!("`{value}` has a path before the name of the file"),
-            );
+            let message = format!("`{value}` has a path before the name of the file");
+            let finding = Diagnostic::new(&FILE_NAME_WITH_PATH, attribute.value_span(), message);
             findings.push(finding.help(format!("write `{name}`")));
         }
     }
 }
 
-fn duplicate(element: Element<'_>, first: Element<'_>, is_device: bool) -> Diagnostic {
-    let what = if is_device { "device profile" } else { "communication network profile" };
-    Diagnostic::new(
-        &DUPLICATE_PROFILE,
-        element.name_span(),
-        format!("there is a second {what}; the first one is read"),
-    )
-    .label(first.name_span(), "first here")
-    .help("keep one of the two; another device needs a file of its own")
+fn duplicate(element: Element<'_>, first: Element<'_>, class: ProfileClass) -> Diagnostic {
+    let what = match class {
+        ProfileClass::Device => "device profile",
+        ProfileClass::Network => "communication network profile",
+    };
+    let message = format!("there is a second {what}; the first one is read");
+    Diagnostic::new(&DUPLICATE_PROFILE, element.name_span(), message)
+        .label(first.name_span(), "first here")
+        .help("keep one of the two; another device needs a file of its own")
 }
 
-fn check_class(body: Element<'_>, is_device: bool, findings: &mut Findings) {
-    let class = body.parent().and_then(|profile| profile.child(n::ProfileHeader)?.child(n::ProfileClassID));
-    let Some(class) = class else { return };
-    let text = class.text();
-    let right = if is_device { "Device" } else { "CommunicationNetwork" };
-    let stated = text.trim_ascii();
+fn check_class(body: Element<'_>, class: ProfileClass, findings: &mut Findings) {
+    let id = body.parent().and_then(|profile| profile.child(n::ProfileHeader)?.child(n::ProfileClassID));
+    let Some(id) = id else { return };
+    let text = id.text();
+    let (stated, right) = (text.trim_ascii(), class.name());
     // any other word is no class of a body of CiA 311, or no class at all
-    if stated != right && matches!(stated, "Device" | "CommunicationNetwork") {
+    if stated != right && ProfileClass::ALL.iter().any(|class| class.name() == stated) {
         let message = format!("the header says class `{stated}`, the body is one of class `{right}`");
-        let finding = Diagnostic::new(&PROFILE_CLASS_MISMATCH, class.text_span(), message);
+        let finding = Diagnostic::new(&PROFILE_CLASS_MISMATCH, id.text_span(), message);
         findings.push(finding.label(body.name_span(), "the body").help(format!("write `{right}`")));
     }
 }
@@ -303,17 +292,24 @@ fn check_missing(
 
 fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &mut Findings) {
     for name in [n::fileName, n::fileVersion, n::fileCreator, n::fileCreationDate, n::fileCreationTime] {
-        let (Some(first), Some(second)) = (device.attribute(name), network.attribute(name)) else { continue };
-        let (first_value, second_value) = (first.value(), second.value());
-        if first_value.trim_ascii() != second_value.trim_ascii() {
-            let message = format!(
-                "`{}` is `{second_value}` here and `{first_value}` in the device profile",
-                name.text()
-            );
-            let finding = Diagnostic::new(&CONTRADICTING_FILE_ATTRIBUTE, second.value_span(), message);
-            findings.push(finding.label(first.value_span(), "there").help("write the same into both"));
+        let (Some(there), Some(here)) = (device.attribute(name), network.attribute(name)) else { continue };
+        let (said_there, said_here) = (there.value(), here.value());
+        if said_there.trim_ascii() != said_here.trim_ascii() {
+            let places = [(there.value_span(), &*said_there), (here.value_span(), &*said_here)];
+            let finding = contradiction(&CONTRADICTING_FILE_ATTRIBUTE, name, places);
+            findings.push(finding.help("write the same into both"));
         }
     }
+}
+
+/// What the device profile says of `name`, and what the communication network profile says instead.
+fn contradiction(
+    rule: &'static RuleInfo,
+    name: Name,
+    [(there, said_there), (here, said_here)]: [(Span, &str); 2],
+) -> Diagnostic {
+    let message = format!("`{}` is `{said_here}` here and `{said_there}` in the device profile", name.text());
+    Diagnostic::new(rule, here, message).label(there, "there")
 }
 
 /// Whether both identities are of one device.
@@ -321,16 +317,14 @@ pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
     let find = |name: Name| walk.seen.identities.iter().copied().find(|element| element.tag() == name);
     let (Some(device), Some(network)) = (find(n::DeviceIdentity), find(n::identity)) else { return };
     for name in [n::vendorID, n::productID] {
-        let (Some(first), Some(second)) = (device.child(name), network.child(name)) else { continue };
-        let (first_text, second_text) = (first.text(), second.text());
-        let (Some(a), Some(b)) = (id_number(&first_text), id_number(&second_text)) else { continue };
+        let (Some(there), Some(here)) = (device.child(name), network.child(name)) else { continue };
+        let (said_there, said_here) = (there.text(), here.text());
+        let (Some(a), Some(b)) = (id_number(&said_there), id_number(&said_here)) else { continue };
         if a != b {
-            let (first_text, second_text) = (first_text.trim_ascii(), second_text.trim_ascii());
-            let message =
-                format!("`{}` is `{second_text}` here and `{first_text}` in the device profile", name.text());
-            let finding = Diagnostic::new(&CONTRADICTING_IDENTITY, second.text_span(), message);
-            walk.findings
-                .push(finding.label(first.text_span(), "there").help("write the same number into both"));
+            let places =
+                [(there.text_span(), said_there.trim_ascii()), (here.text_span(), said_here.trim_ascii())];
+            let finding = contradiction(&CONTRADICTING_IDENTITY, name, places);
+            walk.findings.push(finding.help("write the same number into both"));
         }
     }
 }

@@ -9,7 +9,7 @@ mod types;
 
 use self::parameters::EntryParameters;
 use super::layout::ProfileClass;
-use super::markup::{Body, Markup};
+use super::markup::Markup;
 use super::schema::PROFILE;
 use super::version::XddVersion;
 use super::{defaults, fact, shape};
@@ -39,17 +39,17 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn profile(&self, class: ProfileClass, out: &mut Markup) {
         let headers = &self.device.headers;
-        let (header, body) = match class {
-            ProfileClass::Device => (&headers.device, Body::Device),
-            ProfileClass::Network => (&headers.network, Body::Network),
+        let header = match class {
+            ProfileClass::Device => &headers.device,
+            ProfileClass::Network => &headers.network,
         };
         out.open(&PROFILE);
         shape::write(&header.clone().unwrap_or_else(|| defaults::header(class)), class.header(), out);
-        out.open_body(body);
+        out.open_body(class);
         out.attribute(n::formatName, "CANopen");
         out.attribute(n::formatVersion, "1.0");
         let file = self.file(class);
-        fact::texts(&file, body.element(), true).iter().for_each(|(name, text)| out.attribute(*name, text));
+        fact::texts(&file, class.body(), true).iter().for_each(|(name, text)| out.attribute(*name, text));
         match class {
             ProfileClass::Device => self.device_body(out),
             ProfileClass::Network => self.network_body(out),

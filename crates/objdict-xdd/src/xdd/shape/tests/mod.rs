@@ -11,7 +11,7 @@ use crate::model::{
     SimpleType, Subrange, Unit, ValueRange, VarDeclaration, VariableRef, VersionInfo,
 };
 use crate::source::SourceFile;
-use crate::xdd::markup::Body;
+use crate::xdd::layout::ProfileClass::{self, Device, Network};
 use crate::xdd::schema::{
     APPLICATION_PROCESS, DEVICE_BODY, DEVICE_FUNCTION, DEVICE_HEADER, DEVICE_IDENTITY, DEVICE_MANAGER,
     Element, Kind, MODULE_MANAGEMENT, NETWORK_HEADER, PARAMETER,
@@ -33,12 +33,12 @@ fn in_body<T: Default + 'static>(body: &str, schema: &'static Element) -> (T, Ve
 }
 
 /// What is written in a `ProfileBody`, as if it were not indented there. Texts must not have line ends with two blanks.
-fn unindented(version: XddVersion, body: Body, put: impl FnOnce(&mut Markup)) -> String {
+fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut Markup)) -> String {
     format!("\n{}", written(version, body, put)).replace("\n  ", "\n").trim_start_matches('\n').to_owned()
 }
 
 /// What is written in a `ProfileBody`, without what surrounds it.
-fn written(version: XddVersion, body: Body, put: impl FnOnce(&mut Markup)) -> String {
+fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut Markup)) -> String {
     let mut out = Markup::new(version);
     out.open_body(body);
     put(&mut out);
@@ -66,7 +66,7 @@ fn left_over<T: Default + 'static>(text: &str, schema: &'static Element) -> Stri
 }
 
 /// A snippet in the style of version 1.1 is read without a rest, and written again as it stands.
-fn stays_as_it_is<T: Default + 'static>(snippet: &str, schema: &'static Element, body: Body) -> T {
+fn stays_as_it_is<T: Default + 'static>(snippet: &str, schema: &'static Element, body: ProfileClass) -> T {
     let part: T = read_whole(snippet, schema);
     let text = unindented(XddVersion::V1_1, body, |out| write(&part, schema, out));
     let mut pairs = text.lines().zip(snippet.lines());
@@ -78,38 +78,37 @@ fn stays_as_it_is<T: Default + 'static>(snippet: &str, schema: &'static Element,
 #[test]
 fn application_process() {
     let snippet = include_str!("application.xml");
-    let process: ApplicationProcess = stays_as_it_is(snippet, &APPLICATION_PROCESS, Body::Device);
+    let process: ApplicationProcess = stays_as_it_is(snippet, &APPLICATION_PROCESS, Device);
     insta::assert_json_snapshot!(process);
 }
 
 #[test]
 fn device_manager() {
-    let manager: DeviceManager = stays_as_it_is(include_str!("manager.xml"), &DEVICE_MANAGER, Body::Device);
+    let manager: DeviceManager = stays_as_it_is(include_str!("manager.xml"), &DEVICE_MANAGER, Device);
     insta::assert_json_snapshot!(manager);
-    let module: DeviceManager = stays_as_it_is(include_str!("module.xml"), &DEVICE_MANAGER, Body::Device);
+    let module: DeviceManager = stays_as_it_is(include_str!("module.xml"), &DEVICE_MANAGER, Device);
     insta::assert_json_snapshot!("module", module);
 }
 
 #[test]
 fn device_function() {
-    let function: DeviceFunction =
-        stays_as_it_is(include_str!("function.xml"), &DEVICE_FUNCTION, Body::Device);
+    let function: DeviceFunction = stays_as_it_is(include_str!("function.xml"), &DEVICE_FUNCTION, Device);
     insta::assert_json_snapshot!(function);
 }
 
 #[test]
 fn objects_of_modules() {
     let snippet = include_str!("module_objects.xml");
-    let objects: ModuleObjects = stays_as_it_is(snippet, &MODULE_MANAGEMENT, Body::Network);
+    let objects: ModuleObjects = stays_as_it_is(snippet, &MODULE_MANAGEMENT, Network);
     insta::assert_json_snapshot!(objects);
     let snippet = include_str!("own_addressing.xml");
-    let objects: ModuleObjects = stays_as_it_is(snippet, &MODULE_MANAGEMENT, Body::Network);
+    let objects: ModuleObjects = stays_as_it_is(snippet, &MODULE_MANAGEMENT, Network);
     insta::assert_json_snapshot!("own_addressing", objects);
 }
 
 #[test]
 fn identity() {
-    let mut identity: Identity = stays_as_it_is(include_str!("identity.xml"), &DEVICE_IDENTITY, Body::Device);
+    let mut identity: Identity = stays_as_it_is(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
     let marks = identity.read_only();
     assert!(marks.iter().any(|(name, _)| &**name == "orderNumber[2]"), "{marks:?}");
     let mut unmarked = Identity { vendor_text: None, ..identity.clone() };
@@ -121,12 +120,16 @@ fn identity() {
 
 #[test]
 fn header() {
-    let header: ProfileHeader = stays_as_it_is(include_str!("header.xml"), &NETWORK_HEADER, Body::Network);
+    let header: ProfileHeader = stays_as_it_is(include_str!("header.xml"), &NETWORK_HEADER, Network);
     insta::assert_json_snapshot!(header);
 }
 
 /// The lines of a snippet that version 1.0 has no place for, prefixes aside.
-fn missing_in_1_0<T: Default + 'static>(snippet: &str, schema: &'static Element, body: Body) -> String {
+fn missing_in_1_0<T: Default + 'static>(
+    snippet: &str,
+    schema: &'static Element,
+    body: ProfileClass,
+) -> String {
     let part: T = read_whole(snippet, schema);
     let text = unindented(XddVersion::V1_0, body, |out| write(&part, schema, out));
     let mut lines = text.lines().peekable();
@@ -144,15 +147,15 @@ fn missing_in_1_0<T: Default + 'static>(snippet: &str, schema: &'static Element,
 
 #[test]
 fn version_1_0_has_less() {
-    let missing = missing_in_1_0::<DeviceManager>(include_str!("manager.xml"), &DEVICE_MANAGER, Body::Device);
+    let missing = missing_in_1_0::<DeviceManager>(include_str!("manager.xml"), &DEVICE_MANAGER, Device);
     insta::assert_snapshot!("manager_1_0", missing);
-    let missing = missing_in_1_0::<DeviceManager>(include_str!("module.xml"), &DEVICE_MANAGER, Body::Device);
+    let missing = missing_in_1_0::<DeviceManager>(include_str!("module.xml"), &DEVICE_MANAGER, Device);
     assert_eq!(missing.lines().count(), 6, "{missing}");
-    let missing = missing_in_1_0::<Identity>(include_str!("identity.xml"), &DEVICE_IDENTITY, Body::Device);
+    let missing = missing_in_1_0::<Identity>(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
     assert_eq!(missing, "");
 
     let process: ApplicationProcess = read_whole(include_str!("application.xml"), &APPLICATION_PROCESS);
-    let text = unindented(XddVersion::V1_0, Body::Device, |out| write(&process, &APPLICATION_PROCESS, out));
+    let text = unindented(XddVersion::V1_0, Device, |out| write(&process, &APPLICATION_PROCESS, out));
     let variable = text.split("<varDeclaration").nth(1).unwrap_or_default();
     insta::assert_snapshot!("variable_1_0", variable.split("</varDeclaration>").next().unwrap_or_default());
 }
@@ -227,7 +230,10 @@ fn fields(part: &impl std::fmt::Debug) -> Vec<String> {
 
 /// Whatever the table allows has a place in the model, and comes back when it is written. Version 1.0 may lose something,
 /// once. Every field is one that the table names.
-fn survives<T: Default + PartialEq + std::fmt::Debug + 'static>(schema: &'static Element, body: Body) {
+fn survives<T: Default + PartialEq + std::fmt::Debug + 'static>(
+    schema: &'static Element,
+    body: ProfileClass,
+) {
     let again = |version: XddVersion, part: &T| -> T {
         read_whole(&written(version, body, |out| write(part, schema, out)), schema)
     };
@@ -255,45 +261,45 @@ fn find(element: &'static Element, name: Name) -> Option<&'static Element> {
 #[test]
 fn whatever_the_table_allows_survives() {
     let element = |name| find(&DEVICE_BODY, name).unwrap_or_else(|| panic!("no `{}`", name.text()));
-    survives::<Led>(element(n::LED), Body::Device);
-    survives::<LedState>(element(n::LEDstate), Body::Device);
-    survives::<CombinedState>(element(n::combinedState), Body::Device);
-    survives::<ModuleInterface>(element(n::interface), Body::Device);
-    survives::<ModuleType>(element(n::moduleType), Body::Device);
-    survives::<ConnectedModule>(element(n::connectedModule), Body::Device);
-    survives::<OwnInterface>(element(n::moduleInterface), Body::Device);
-    survives::<CharacteristicsList>(element(n::characteristicsList), Body::Device);
-    survives::<Characteristic>(element(n::characteristic), Body::Device);
-    survives::<Compliance>(element(n::compliantWith), Body::Device);
-    survives::<Picture>(element(n::picture), Body::Device);
-    survives::<Dictionary>(element(n::dictionary), Body::Device);
-    survives::<Subrange>(element(n::subrange), Body::Device);
-    survives::<EnumValue>(element(n::enumValue), Body::Device);
-    survives::<Count>(element(n::count), Body::Device);
-    survives::<VarDeclaration>(element(n::varDeclaration), Body::Device);
-    survives::<FunctionType>(element(n::functionType), Body::Device);
-    survives::<VersionInfo>(element(n::versionInfo), Body::Device);
-    survives::<FunctionInstances>(element(n::functionInstanceList), Body::Device);
-    survives::<FunctionInstance>(element(n::functionInstance), Body::Device);
-    survives::<Connection>(element(n::connection), Body::Device);
-    survives::<AllowedValuesTemplate>(element(n::allowedValuesTemplate), Body::Device);
-    survives::<AllowedValues>(element(n::allowedValues), Body::Device);
-    survives::<ScaledValue>(element(n::value), Body::Device);
-    survives::<ValueRange>(element(n::range), Body::Device);
-    survives::<Parameter>(&PARAMETER, Body::Device);
-    survives::<VariableRef>(element(n::variableRef), Body::Device);
-    survives::<MemberRef>(element(n::memberRef), Body::Device);
-    survives::<Unit>(element(n::unit), Body::Device);
-    survives::<Property>(element(n::property), Body::Device);
-    survives::<ParameterGroup>(element(n::parameterGroup), Body::Device);
-    survives::<ModuleRanges>(MODULE_MANAGEMENT.content[0].of[0].content[0].of[0], Body::Network);
-    survives::<OwnAddressing>(MODULE_MANAGEMENT.content[0].of[1], Body::Network);
-    survives::<ApplicationProcess>(&APPLICATION_PROCESS, Body::Device);
-    survives::<DeviceManager>(&DEVICE_MANAGER, Body::Device);
-    survives::<DeviceFunction>(&DEVICE_FUNCTION, Body::Device);
-    survives::<ModuleObjects>(&MODULE_MANAGEMENT, Body::Network);
-    survives::<Identity>(&DEVICE_IDENTITY, Body::Device);
-    survives::<ProfileHeader>(&DEVICE_HEADER, Body::Device);
+    survives::<Led>(element(n::LED), Device);
+    survives::<LedState>(element(n::LEDstate), Device);
+    survives::<CombinedState>(element(n::combinedState), Device);
+    survives::<ModuleInterface>(element(n::interface), Device);
+    survives::<ModuleType>(element(n::moduleType), Device);
+    survives::<ConnectedModule>(element(n::connectedModule), Device);
+    survives::<OwnInterface>(element(n::moduleInterface), Device);
+    survives::<CharacteristicsList>(element(n::characteristicsList), Device);
+    survives::<Characteristic>(element(n::characteristic), Device);
+    survives::<Compliance>(element(n::compliantWith), Device);
+    survives::<Picture>(element(n::picture), Device);
+    survives::<Dictionary>(element(n::dictionary), Device);
+    survives::<Subrange>(element(n::subrange), Device);
+    survives::<EnumValue>(element(n::enumValue), Device);
+    survives::<Count>(element(n::count), Device);
+    survives::<VarDeclaration>(element(n::varDeclaration), Device);
+    survives::<FunctionType>(element(n::functionType), Device);
+    survives::<VersionInfo>(element(n::versionInfo), Device);
+    survives::<FunctionInstances>(element(n::functionInstanceList), Device);
+    survives::<FunctionInstance>(element(n::functionInstance), Device);
+    survives::<Connection>(element(n::connection), Device);
+    survives::<AllowedValuesTemplate>(element(n::allowedValuesTemplate), Device);
+    survives::<AllowedValues>(element(n::allowedValues), Device);
+    survives::<ScaledValue>(element(n::value), Device);
+    survives::<ValueRange>(element(n::range), Device);
+    survives::<Parameter>(&PARAMETER, Device);
+    survives::<VariableRef>(element(n::variableRef), Device);
+    survives::<MemberRef>(element(n::memberRef), Device);
+    survives::<Unit>(element(n::unit), Device);
+    survives::<Property>(element(n::property), Device);
+    survives::<ParameterGroup>(element(n::parameterGroup), Device);
+    survives::<ModuleRanges>(MODULE_MANAGEMENT.content[0].of[0].content[0].of[0], Network);
+    survives::<OwnAddressing>(MODULE_MANAGEMENT.content[0].of[1], Network);
+    survives::<ApplicationProcess>(&APPLICATION_PROCESS, Device);
+    survives::<DeviceManager>(&DEVICE_MANAGER, Device);
+    survives::<DeviceFunction>(&DEVICE_FUNCTION, Device);
+    survives::<ModuleObjects>(&MODULE_MANAGEMENT, Network);
+    survives::<Identity>(&DEVICE_IDENTITY, Device);
+    survives::<ProfileHeader>(&DEVICE_HEADER, Device);
 }
 
 #[test]
