@@ -54,6 +54,8 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
         references: Vec::new(),
         languages: Languages::default(),
         seen: Seen::default(),
+        bodies: Vec::new(),
+        object_lists: Vec::new(),
     };
     walk.element(container, &CONTAINER);
     walk.forms.report(walk.findings);

@@ -7,8 +7,8 @@ mod facts;
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 
-pub(super) use self::entry::attribute_of;
 use super::layout::Layout;
+use super::schema;
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 use crate::xml::{Attribute, Element, ElementId, Tree, n};
@@ -77,6 +77,18 @@ impl Locator {
 
     fn hash(&self, id: &str) -> u32 {
         self.state.hash_one(id) as u32
+    }
+}
+
+/// The attribute of an element that a field is, by the table; else the one that is called like the field.
+pub(super) fn attribute_of<'a>(
+    element: Element<'a>,
+    schema: &schema::Element,
+    field: &Field,
+) -> Option<Attribute<'a>> {
+    match schema.attribute_of(field) {
+        Some(known) => element.attribute(known.name),
+        None => element.attribute(&*field.name()),
     }
 }
 

@@ -92,7 +92,7 @@ impl<'a> Rewriter<'a> {
 
     fn remove_field(&mut self, part: &Part, field: &Field) -> Option<()> {
         let element = self.entry(part)?;
-        let attribute = attribute_of(element, field)?;
+        let attribute = attribute_of(element, &OBJECT, field)?;
         // what CiA 311 demands stays
         if matches!(field, Field::ParameterName | Field::ObjectType) {
             return None;

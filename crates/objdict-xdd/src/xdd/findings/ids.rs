@@ -364,11 +364,11 @@ fn listing_or(names: &[Name]) -> String {
 
 fn check_cycles(walk: &mut Walk<'_, '_>) {
     let mut found = Vec::new();
-    for attribute in cycles(&walk.seen.data_types, &walk.ids, type_references) {
+    for attribute in cycles(walk.seen.data_types().collect(), &walk.ids, type_references) {
         let message = format!("the data type `{}` contains itself", attribute.value().trim_ascii());
         found.push((&RECURSIVE_DATA_TYPE, attribute, message, "name another type"));
     }
-    for attribute in cycles(&walk.seen.templates, &walk.ids, template_references) {
+    for attribute in cycles(walk.seen.of([n::parameterTemplate]).collect(), &walk.ids, template_references) {
         let message = format!("the template `{}` is built on itself", attribute.value().trim_ascii());
         found.push((&RECURSIVE_TEMPLATE, attribute, message, "remove one of the references"));
     }
@@ -400,7 +400,7 @@ fn type_reference(element: Element<'_>) -> Option<Attribute<'_>> {
 /// The references that lead back to where they came from, one of each cycle. Without recursion: a hostile file may have
 /// a chain of any length.
 fn cycles<'a>(
-    elements: &[Element<'a>],
+    elements: Vec<Element<'a>>,
     ids: &Ids<'a>,
     references: impl Fn(Element<'a>) -> Vec<Attribute<'a>>,
 ) -> Vec<Attribute<'a>> {
@@ -408,7 +408,7 @@ fn cycles<'a>(
         elements.iter().map(|element| (element.id(), *element)).collect();
     let mut is_done: HashMap<ElementId, bool> = HashMap::new();
     let mut found = Vec::new();
-    for &element in elements {
+    for element in elements {
         if is_done.contains_key(&element.id()) {
             continue;
         }

@@ -140,7 +140,7 @@ text_rules! {
 
 /// All rules of this module.
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
-    let lists = std::mem::take(&mut walk.seen.object_lists);
+    let lists = std::mem::take(&mut walk.object_lists);
     for list in lists {
         let mut first = HashMap::new();
         for object in list.children_named(n::CANopenObject) {
@@ -154,8 +154,8 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         }
         counts(list, walk.findings);
     }
-    for baud_rate in &walk.seen.baud_rates {
-        default_baud_rate(*baud_rate, walk.findings);
+    for baud_rate in walk.seen.of([n::baudRate]) {
+        default_baud_rate(baud_rate, walk.findings);
     }
 }
 

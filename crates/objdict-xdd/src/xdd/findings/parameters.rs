@@ -103,7 +103,7 @@ text_rules! {
 
 /// All rules of this module.
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
-    for &parameter in &walk.seen.parameters {
+    for parameter in walk.seen.of([n::parameter]) {
         condition(parameter, walk.findings);
         let allowed = parameter.child(n::allowedValues);
         if let Some(allowed) = allowed {
@@ -115,17 +115,17 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         }
         properties(parameter, walk.findings);
     }
-    for &element in walk.seen.templates.iter().chain(&walk.seen.variables) {
+    for element in walk.seen.of([n::parameterTemplate]).chain(walk.seen.of([n::varDeclaration])) {
         if let Some(allowed) = element.child(n::allowedValues) {
             ranges(allowed, walk.findings);
             values(element, allowed, walk.findings);
         }
         properties(element, walk.findings);
     }
-    for &template in &walk.seen.values_templates {
+    for template in walk.seen.of([n::allowedValuesTemplate]) {
         ranges(template, walk.findings);
     }
-    for &member in &walk.seen.member_refs {
+    for member in walk.seen.of([n::memberRef]) {
         member_ref(member, walk.findings);
     }
 }

@@ -215,7 +215,7 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
 
 /// What the profiles say together.
 pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
-    let found = walk.seen.bodies.iter();
+    let found = walk.bodies.iter();
     let bodies: Vec<_> = found.filter_map(|&element| Some((element, body(element)?.class?))).collect();
     let first = |class| bodies.iter().find(|(_, other)| *other == class).map(|(element, _)| *element);
     let [device, network] = ProfileClass::ALL.map(first);
@@ -227,7 +227,7 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
         check_class(element, class, findings);
     }
     // a body of neither class may be the other one
-    if bodies.len() == walk.seen.bodies.len() && !bodies.is_empty() {
+    if bodies.len() == walk.bodies.len() && !bodies.is_empty() {
         check_missing(container, device, network, findings);
     }
     if let (Some(device), Some(network)) = (device, network) {
@@ -314,7 +314,7 @@ fn contradiction(
 
 /// Whether both identities are of one device.
 pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
-    let find = |name: Name| walk.seen.identities.iter().copied().find(|element| element.tag() == name);
+    let find = |name: Name| walk.seen.of([name]).next();
     let (Some(device), Some(network)) = (find(n::DeviceIdentity), find(n::identity)) else { return };
     for name in [n::vendorID, n::productID] {
         let (Some(there), Some(here)) = (device.child(name), network.child(name)) else { continue };

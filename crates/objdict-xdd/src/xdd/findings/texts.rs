@@ -131,10 +131,10 @@ fn check_language<'a>(
 
 /// Whether all dictionaries are there that texts are taken from.
 pub(super) fn check_dictionaries(walk: &mut Walk<'_, '_>) {
-    let dictionaries = walk.seen.dictionaries.iter();
+    let dictionaries = walk.seen.of([n::dictionary]);
     let ids: HashSet<_> =
         dictionaries.filter_map(|dictionary| Some(dictionary.attribute(n::dictID)?.value())).collect();
-    for text in &walk.seen.text_refs {
+    for text in walk.seen.of([n::labelRef, n::descriptionRef]) {
         let Some(id) = text.attribute(n::dictID) else { continue };
         let value = id.value();
         if !ids.contains(&value) {

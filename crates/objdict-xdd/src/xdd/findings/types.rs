@@ -64,7 +64,7 @@ text_rules! {
 
 /// All rules of this module.
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
-    for &data_type in &walk.seen.data_types {
+    for data_type in walk.seen.data_types() {
         match data_type.tag() {
             n::r#enum => enumeration(data_type, walk.findings),
             n::array => array(data_type, walk.findings),

@@ -6,7 +6,7 @@ use super::texts::Languages;
 use super::{profiles, structure, texts, values};
 use crate::diagnostic::Findings;
 use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
-use crate::xml::{Attribute, Element, n};
+use crate::xml::{Attribute, Element, Name, n};
 
 /// What the walk finds and what it remembers for the rules that look at several elements at once.
 pub(super) struct Walk<'a, 'f> {
@@ -16,43 +16,42 @@ pub(super) struct Walk<'a, 'f> {
     pub(super) references: Vec<Reference<'a>>,
     pub(super) languages: Languages<'a>,
     pub(super) seen: Seen<'a>,
-}
-
-/// Elements that further rules look at, each kind in the order of the file.
-#[derive(Default)]
-pub(super) struct Seen<'a> {
     pub(super) bodies: Vec<Element<'a>>,
     pub(super) object_lists: Vec<Element<'a>>,
-    pub(super) parameters: Vec<Element<'a>>,
-    pub(super) templates: Vec<Element<'a>>,
-    pub(super) data_types: Vec<Element<'a>>,
-    pub(super) variables: Vec<Element<'a>>,
-    pub(super) values_templates: Vec<Element<'a>>,
-    pub(super) identities: Vec<Element<'a>>,
-    pub(super) baud_rates: Vec<Element<'a>>,
-    pub(super) member_refs: Vec<Element<'a>>,
-    pub(super) dictionaries: Vec<Element<'a>>,
-    pub(super) text_refs: Vec<Element<'a>>,
 }
 
+/// Elements that further rules look at, in the order of the file.
+#[derive(Default)]
+pub(super) struct Seen<'a>(Vec<Element<'a>>);
+
+/// What [`Seen`] has.
+const LOOKED_AT: [Name; 15] = [
+    n::parameter,
+    n::varDeclaration,
+    n::array,
+    n::r#struct,
+    n::r#enum,
+    n::derived,
+    n::parameterTemplate,
+    n::allowedValuesTemplate,
+    n::labelRef,
+    n::descriptionRef,
+    n::memberRef,
+    n::dictionary,
+    n::DeviceIdentity,
+    n::identity,
+    n::baudRate,
+];
+
 impl<'a> Seen<'a> {
-    fn remember(&mut self, element: Element<'a>) {
-        let list = match element.tag() {
-            n::parameter => &mut self.parameters,
-            n::varDeclaration => &mut self.variables,
-            n::array | n::r#struct | n::r#enum | n::derived => &mut self.data_types,
-            n::parameterTemplate => &mut self.templates,
-            n::allowedValuesTemplate => &mut self.values_templates,
-            n::labelRef | n::descriptionRef => &mut self.text_refs,
-            n::memberRef => &mut self.member_refs,
-            n::dictionary => &mut self.dictionaries,
-            n::CANopenObjectList => &mut self.object_lists,
-            n::DeviceIdentity | n::identity => &mut self.identities,
-            n::baudRate => &mut self.baud_rates,
-            n::ProfileBody => &mut self.bodies,
-            _ => return,
-        };
-        list.push(element);
+    /// Those of some names.
+    pub(super) fn of<const N: usize>(&self, names: [Name; N]) -> impl Iterator<Item = Element<'a>> {
+        self.0.iter().copied().filter(move |element| names.contains(&element.tag()))
+    }
+
+    /// The definitions of data types.
+    pub(super) fn data_types(&self) -> impl Iterator<Item = Element<'a>> {
+        self.of([n::array, n::r#struct, n::r#enum, n::derived])
     }
 }
 
@@ -60,7 +59,12 @@ impl<'a> Walk<'a, '_> {
     /// An element, whose place in the schema is known, with everything in it.
     pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::Element) {
         self.forms.look_at(element, schema);
-        self.seen.remember(element);
+        match element.tag() {
+            n::ProfileBody => self.bodies.push(element),
+            n::CANopenObjectList => self.object_lists.push(element),
+            name if LOOKED_AT.contains(&name) => self.seen.0.push(element),
+            _ => {}
+        }
         if schema.is_opaque() {
             return;
         }
@@ -182,7 +186,7 @@ impl<'a> Walk<'a, '_> {
             }
         }
         if schema.has_labels() {
-            let body = self.seen.bodies.last().copied();
+            let body = self.bodies.last().copied();
             texts::check(element, body, &mut self.languages, self.findings);
         }
     }
@@ -190,7 +194,7 @@ impl<'a> Walk<'a, '_> {
     fn body(&mut self, element: Element<'a>, body: profiles::Body) {
         match body.schema {
             Some(schema) => self.element(element, schema),
-            None => self.seen.bodies.push(element),
+            None => self.bodies.push(element),
         }
         profiles::check_type(element, body, self.findings);
     }

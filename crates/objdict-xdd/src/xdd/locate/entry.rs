@@ -1,12 +1,12 @@
 //! Places of objects and sub-objects: an attribute of theirs, or what their parameter says instead.
 
-use super::{Locator, text_of, value_of};
+use super::{Locator, attribute_of, text_of, value_of};
 use crate::model::{Field, SimpleType};
 use crate::source::Span;
 use crate::xdd::layout::below;
 use crate::xdd::read::EntryAttributes;
 use crate::xdd::schema::OBJECT;
-use crate::xml::{Attribute, Element, Name, Tree, n};
+use crate::xml::{Element, Name, Tree, n};
 
 impl Locator {
     /// The span of a field of an object or sub-object; a sub-object that is not there stands in its object.
@@ -21,7 +21,7 @@ impl Locator {
             return self.element(tree, index, None).map(Element::tag_span);
         };
         let Some(field) = field else { return Some(element.tag_span()) };
-        let attribute = attribute_of(element, field).map(value_of);
+        let attribute = attribute_of(element, &OBJECT, field).map(value_of);
         let parameter = || self.in_parameter(tree, element, field);
         attribute.or_else(parameter).or(Some(element.tag_span()))
     }
@@ -64,12 +64,4 @@ impl Locator {
 
 fn is_type(element: &Element<'_>) -> bool {
     SimpleType::from_name(element.tag().text()).is_some() || element.tag() == n::dataTypeIDRef
-}
-
-/// The attribute of an element that a field is, by the table; else the one that is called like the field.
-pub(in crate::xdd) fn attribute_of<'a>(element: Element<'a>, field: &Field) -> Option<Attribute<'a>> {
-    match OBJECT.attribute_of(field) {
-        Some(known) => element.attribute(known.name),
-        None => element.attribute(&*field.name()),
-    }
 }

@@ -1,63 +1,61 @@
 //! Places of everything but objects.
 
-use super::{text_of, value_of};
-use crate::model::{Field, ObjectList, Part};
+use super::{attribute_of, text_of, value_of};
+use crate::model::{BaudRates, Field, ObjectList, Part};
 use crate::source::Span;
 use crate::xdd::fact::bit_rate;
 use crate::xdd::layout::{Layout, Profile, below};
-use crate::xdd::read::{EntryAttributes, channel_attribute, count_attribute};
-use crate::xdd::schema::{self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
-use crate::xml::{Attribute, Element, n};
+use crate::xdd::read::{
+    EntryAttributes, channel_attribute, count_attribute, default_rate_field, supported_field,
+};
+use crate::xdd::schema::{
+    self, BAUD_RATES, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES,
+};
+use crate::xml::{Element, n};
 
 /// The span of a field of a part, else the tag of the part.
 pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) -> Option<Span> {
-    let tag = |element: Option<Element<'_>>| element.map(Element::tag_span);
+    let element = match part {
+        Part::FileInfo => return file_info(layout, field),
+        Part::DeviceInfo => return device_info(layout, field),
+        part => element(layout, part)?,
+    };
+    let value = match (part, field) {
+        (Part::List(list), field) => {
+            item(layout, *list, field).or_else(|| element.attribute(count_attribute(*list)).map(value_of))
+        }
+        (Part::Commissioning, Some(field)) => commissioning(element, field),
+        (Part::DummyUsage, Some(field)) => dummy(element, &field.name()),
+        (Part::DynamicChannels, Some(field)) => channel(element, &field.name()),
+        _ => None,
+    };
+    Some(value.unwrap_or(element.tag_span()))
+}
+
+/// The element that a part stands in.
+fn element<'a>(layout: &Layout<'a>, part: &Part) -> Option<Element<'a>> {
     match part {
-        Part::FileInfo => file_info(layout, field),
-        Part::DeviceInfo => device_info(layout, field),
-        Part::Commissioning => {
-            let node = layout.in_network(&[n::NetworkManagement, n::deviceCommissioning])?;
-            let value = field.and_then(|field| commissioning(node, field));
-            Some(value.unwrap_or(node.tag_span()))
-        }
-        Part::DummyUsage => {
-            let usage = layout.in_network(&[n::ApplicationLayers, n::dummyUsage])?;
-            let value = field.and_then(|field| dummy(usage, &field.name()));
-            Some(value.unwrap_or(usage.tag_span()))
-        }
-        Part::List(list) => {
-            let element = layout.in_network(&[n::ApplicationLayers, n::CANopenObjectList])?;
-            let count = element.attribute(count_attribute(*list)).map(value_of);
-            let item = || match field? {
-                Field::Item(number) => {
-                    let of_list = |object: &Element<'_>| {
-                        let index = EntryAttributes::of(*object).index();
-                        index.and_then(ObjectList::of) == Some(*list)
-                    };
-                    let position = usize::try_from(*number).ok()?.checked_sub(1)?;
-                    layout.objects().filter(of_list).nth(position).map(Element::tag_span)
-                }
-                _ => None,
-            };
-            item().or(count).or(Some(element.tag_span()))
-        }
-        Part::DynamicChannels => {
-            let channels = layout.in_network(&[n::ApplicationLayers, n::dynamicChannels])?;
-            let value = field.and_then(|field| channel(channels, &field.name()));
-            Some(value.unwrap_or(channels.tag_span()))
-        }
-        Part::Headers => {
-            let profile = layout.device.or(layout.network)?;
-            tag(profile.header)
-        }
-        Part::Identity => tag(layout.in_device(&[n::DeviceIdentity])),
-        Part::NetworkIdentity => tag(layout.in_network(&[n::ApplicationLayers, n::identity])),
-        Part::Manager => tag(layout.in_device(&[n::DeviceManager])),
-        Part::Functions => tag(layout.in_device(&[n::DeviceFunction])),
-        Part::Application => tag(layout.in_device(&[n::ApplicationProcess])),
-        Part::ModuleObjects => tag(layout.in_network(&[n::ApplicationLayers, n::moduleManagement])),
+        Part::Commissioning => layout.in_network(&[n::NetworkManagement, n::deviceCommissioning]),
+        Part::DummyUsage => layout.in_network(&[n::ApplicationLayers, n::dummyUsage]),
+        Part::List(_) => layout.in_network(&[n::ApplicationLayers, n::CANopenObjectList]),
+        Part::DynamicChannels => layout.in_network(&[n::ApplicationLayers, n::dynamicChannels]),
+        Part::NetworkIdentity => layout.in_network(&[n::ApplicationLayers, n::identity]),
+        Part::ModuleObjects => layout.in_network(&[n::ApplicationLayers, n::moduleManagement]),
+        Part::Headers => layout.device.or(layout.network)?.header,
+        Part::Identity => layout.in_device(&[n::DeviceIdentity]),
+        Part::Manager => layout.in_device(&[n::DeviceManager]),
+        Part::Functions => layout.in_device(&[n::DeviceFunction]),
+        Part::Application => layout.in_device(&[n::ApplicationProcess]),
         _ => None,
     }
+}
+
+/// The object that an item of a list names.
+fn item(layout: &Layout<'_>, list: ObjectList, field: Option<&Field>) -> Option<Span> {
+    let Some(Field::Item(number)) = field else { return None };
+    let index = |object: &Element<'_>| EntryAttributes::of(*object).index();
+    let mut objects = layout.objects().filter(|object| index(object).and_then(ObjectList::of) == Some(list));
+    objects.nth(usize::try_from(*number).ok()?.checked_sub(1)?).map(Element::tag_span)
 }
 
 /// The characteristics that carry what CiA 311 has no place for, by their category.
@@ -70,14 +68,6 @@ pub(super) fn carried(layout: &Layout<'_>, name: &str) -> Option<Span> {
     capabilities.children_named(n::characteristicsList).find(is_it).map(Element::tag_span)
 }
 
-/// The attribute that a field is by the table, else the one that is called like the field.
-fn named<'a>(element: Element<'a>, schema: &schema::Element, field: &Field) -> Option<Attribute<'a>> {
-    match schema.attribute_of(field) {
-        Some(known) => element.attribute(known.name),
-        None => element.attribute(&*field.name()),
-    }
-}
-
 fn file_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
     let Profile { body, .. } = layout.device.or(layout.network)?;
     let found = match field? {
@@ -85,7 +75,7 @@ fn file_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
             layout.in_device(&[n::DeviceIdentity, n::productText, n::description]).map(text_of)
         }
         Field::FileRevision => body.attribute(n::fileVersion).map(value_of),
-        field => named(body, &DEVICE_BODY, field).map(value_of),
+        field => attribute_of(body, &DEVICE_BODY, field).map(value_of),
     };
     found.or(Some(body.tag_span()))
 }
@@ -132,20 +122,15 @@ enum Rate {
 }
 
 fn rate_of(field: &Field) -> Option<Rate> {
-    Some(match field {
-        Field::BaudRate10 => Rate::Kbit(10),
-        Field::BaudRate20 => Rate::Kbit(20),
-        Field::BaudRate50 => Rate::Kbit(50),
-        Field::BaudRate125 => Rate::Kbit(125),
-        Field::BaudRate250 => Rate::Kbit(250),
-        Field::BaudRate500 => Rate::Kbit(500),
-        Field::BaudRate800 => Rate::Kbit(800),
-        Field::BaudRate1000 => Rate::Kbit(1000),
-        Field::BaudRateAuto => Rate::Auto,
-        Field::Named(name) if &**name == "defaultBaudRate" => Rate::Default,
-        Field::Named(name) if &**name == "supportedBaudRate" => Rate::Wrong,
-        _ => return None,
-    })
+    if let Some((kbit, ..)) = BaudRates::default().iter().find(|(_, known, _)| known == field) {
+        return Some(Rate::Kbit(kbit));
+    }
+    match field {
+        Field::BaudRateAuto => Some(Rate::Auto),
+        field if *field == default_rate_field() => Some(Rate::Default),
+        field if *field == supported_field() => Some(Rate::Wrong),
+        _ => None,
+    }
 }
 
 /// The element of a bit rate, else that around all of them.
@@ -159,18 +144,16 @@ fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
         Rate::Auto => values.find(|value| value.value().to_ascii_lowercase().contains("auto")),
         Rate::Wrong => values.find(|value| {
             let text = value.value();
-            let is_known = bit_rate(text.trim_ascii()).is_some_and(|kbit| KNOWN.contains(&kbit));
+            let kbit = bit_rate(text.trim_ascii());
+            let is_known = kbit.is_some() && BAUD_RATES.iter().any(|known| bit_rate(known) == kbit);
             !is_known && !text.to_ascii_lowercase().contains("auto")
         }),
     };
     Some(found.map_or(list.tag_span(), value_of))
 }
 
-/// The bit rates of CiA 311 in kbit/s.
-const KNOWN: [u16; 9] = [10, 20, 50, 100, 125, 250, 500, 800, 1000];
-
 fn commissioning(node: Element<'_>, field: &Field) -> Option<Span> {
-    let found = named(node, &DEVICE_COMMISSIONING, field);
+    let found = attribute_of(node, &DEVICE_COMMISSIONING, field);
     // CANopenEditor writes the second
     let other = || node.attribute(n::NodeID).filter(|_| *field == Field::NodeId);
     found.or_else(other).map(value_of)

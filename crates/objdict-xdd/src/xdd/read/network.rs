@@ -138,33 +138,21 @@ impl<'a> Reader<'a> {
         let (mut first, mut last) = (None, None);
         for attribute in child.attributes() {
             let text = Text::of(attribute);
-            let index = |to: &mut Option<u16>| {
-                *to = text.hex(4)?.and_then(|number| u16::try_from(number).ok());
-                Ok(())
-            };
+            let index = || Ok(text.hex(4)?.and_then(|number| u16::try_from(number).ok()));
+            let word = |to_eds: fn(&str) -> Box<str>| Ok(value_text(&text.text, None).map(to_eds));
+            let findings = &mut self.findings;
             let is_read = match attribute.tag() {
-                n::dataType => {
-                    let mut data_type = None;
-                    let is_read = index(&mut data_type);
-                    segment.data_type = data_type.map(DataType);
-                    is_read
+                n::dataType => index().map(|index| segment.data_type = index.map(DataType)),
+                n::accessType => word(direction).map(|word| segment.direction = word),
+                n::startIndex => index().map(|index| first = index),
+                n::endIndex => index().map(|index| last = index),
+                n::maxNumber => {
+                    text.integer(u32::MAX.into(), findings).map(|number| segment.max_number = number)
                 }
-                n::accessType => {
-                    segment.direction = value_text(&text.text, None).map(direction);
-                    Ok(())
+                n::addressOffset => word(offset).map(|word| segment.offset = word),
+                n::bitAlignment => {
+                    text.integer(u8::MAX.into(), findings).map(|bits| segment.bit_alignment = bits)
                 }
-                n::startIndex => index(&mut first),
-                n::endIndex => index(&mut last),
-                n::maxNumber => text
-                    .integer(u64::from(u32::MAX), &mut self.findings)
-                    .map(|number| segment.max_number = number),
-                n::addressOffset => {
-                    segment.offset = value_text(&text.text, None).map(offset);
-                    Ok(())
-                }
-                n::bitAlignment => text
-                    .integer(u64::from(u8::MAX), &mut self.findings)
-                    .map(|bits| segment.bit_alignment = bits),
                 _ => {
                     self.leftovers.attribute(child, attribute);
                     Ok(())
@@ -296,40 +284,40 @@ pub(crate) fn range_length(range: Option<(u16, u16)>) -> Option<u32> {
 }
 
 /// What a list of supported bit rates says of those that are not in it. 100 kbit/s and detection are no keys of an EDS.
-const fn none_supported() -> BaudRates {
-    BaudRates {
-        kbit_10: Some(false),
-        kbit_20: Some(false),
-        kbit_50: Some(false),
-        kbit_100: None,
-        kbit_125: Some(false),
-        kbit_250: Some(false),
-        kbit_500: Some(false),
-        kbit_800: Some(false),
-        kbit_1000: Some(false),
-        auto: None,
+fn none_supported() -> BaudRates {
+    let mut rates = BaudRates::default();
+    for (kbit, ..) in BaudRates::default().iter() {
+        rate(&mut rates, kbit).into_iter().for_each(|supported| *supported = Some(false));
     }
+    rates
+}
+
+/// What is said of a bit rate that CiA 311 has.
+fn rate(rates: &mut BaudRates, kbit: u16) -> Option<&mut Option<bool>> {
+    Some(match kbit {
+        10 => &mut rates.kbit_10,
+        20 => &mut rates.kbit_20,
+        50 => &mut rates.kbit_50,
+        100 => &mut rates.kbit_100,
+        125 => &mut rates.kbit_125,
+        250 => &mut rates.kbit_250,
+        500 => &mut rates.kbit_500,
+        800 => &mut rates.kbit_800,
+        1000 => &mut rates.kbit_1000,
+        _ => return None,
+    })
 }
 
 fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
-    let rates = &mut info.baud_rates;
     let place = match default_rate(text.trimmed()) {
-        Some(DefaultBaudRate::Auto) => &mut rates.auto,
-        Some(DefaultBaudRate::Kbit(kbit)) => match kbit {
-            10 => &mut rates.kbit_10,
-            20 => &mut rates.kbit_20,
-            50 => &mut rates.kbit_50,
-            100 => &mut rates.kbit_100,
-            125 => &mut rates.kbit_125,
-            250 => &mut rates.kbit_250,
-            500 => &mut rates.kbit_500,
-            800 => &mut rates.kbit_800,
-            1000 => &mut rates.kbit_1000,
-            _ => return info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
-        },
-        None => return info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
+        Some(DefaultBaudRate::Auto) => Some(&mut info.baud_rates.auto),
+        Some(DefaultBaudRate::Kbit(kbit)) => rate(&mut info.baud_rates, kbit),
+        None => None,
     };
-    *place = Some(true);
+    match place {
+        Some(supported) => *supported = Some(true),
+        None => info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
+    }
 }
 
 /// The field of a bit rate that there is not.

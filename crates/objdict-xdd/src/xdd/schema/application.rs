@@ -20,54 +20,23 @@ const SUPPORT: Kind = Kind::Word(&["mandatory", "optional", "conditional"]);
 
 /// Variables of functions that have a type.
 static VARIABLES: &[&Element] = &[&VARIABLE_REF];
-/// The simple types, a type that the description defines, and [`VARIABLES`].
-static ALL_TYPES: [&Element; 21] = [
-    &USINT,
-    &UINT,
-    &UDINT,
-    &SINT,
-    &INT,
-    &DINT,
-    &BOOL,
-    &STRING,
-    &REAL,
-    &LREAL,
-    &ULINT,
-    &LINT,
-    &BITSTRING,
-    &BYTE,
-    &WORD,
-    &DWORD,
-    &LWORD,
-    &CHAR,
-    &WSTRING,
-    &DATA_TYPE_REF,
-    &VARIABLE_REF,
-];
+/// Declares the simple types, and the list of them with a type that the description defines and [`VARIABLES`] behind them.
+macro_rules! simple_types {
+    ($($NAME:ident)+) => {
+        elements! { $($NAME local $NAME of Nothing;)+ }
+        static ALL_TYPES: [&Element; 21] = [$(&$NAME,)+ &DATA_TYPE_REF, &VARIABLE_REF];
+    };
+}
+
+simple_types! {
+    USINT UINT UDINT SINT INT DINT BOOL STRING REAL LREAL ULINT LINT BITSTRING BYTE WORD DWORD LWORD CHAR WSTRING
+}
+
 static SIMPLE_TYPES: &[&Element] = ALL_TYPES.split_at(19).0;
 static TYPES: &[&Element] = ALL_TYPES.split_at(20).0;
 static PARAMETER_TYPES: &[&Element] = &ALL_TYPES;
 
 elements! {
-    BOOL local BOOL of Nothing;
-    BITSTRING local BITSTRING of Nothing;
-    BYTE local BYTE of Nothing;
-    CHAR local CHAR of Nothing;
-    WORD local WORD of Nothing;
-    DWORD local DWORD of Nothing;
-    LWORD local LWORD of Nothing;
-    SINT local SINT of Nothing;
-    INT local INT of Nothing;
-    DINT local DINT of Nothing;
-    LINT local LINT of Nothing;
-    USINT local USINT of Nothing;
-    UINT local UINT of Nothing;
-    UDINT local UDINT of Nothing;
-    ULINT local ULINT of Nothing;
-    REAL local REAL of Nothing;
-    LREAL local LREAL of Nothing;
-    STRING local STRING of Nothing;
-    WSTRING local WSTRING of Nothing;
     DATA_TYPE_REF global dataTypeIDRef of Id (uniqueIDRef*: Kind::Reference(Target::DataType) => [self]);
 
     APPLICATION_PROCESS global ApplicationProcess of ApplicationProcess, [
