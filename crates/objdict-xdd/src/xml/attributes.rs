@@ -10,7 +10,7 @@ use super::names::Name;
 use super::namespaces::{XML, XMLNS};
 use super::tag::{Flaw, RawAttribute, Step, Steps};
 use super::tree::{AttributeRecord, DECLARES, NONE};
-use crate::diagnostic::{Diagnostic, RuleInfo};
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
 /// So many attributes an element has.
@@ -124,11 +124,6 @@ impl<'a> Builder<'a, '_> {
                 }
             }
         }
-    }
-
-    fn defect(&mut self, rule: &'static RuleInfo, span: Span, message: impl FnOnce(&str) -> String) {
-        let text = self.text;
-        self.report(rule, || Diagnostic::new(rule, span, message(&shown(span.of(text)))));
     }
 
     fn flaw(&mut self, attribute: RawAttribute) {
@@ -272,13 +267,9 @@ impl<'a> Builder<'a, '_> {
         let prefix = &name.of(text)[..prefix_length.saturating_sub(1)];
         let found = self.namespaces.of(prefix);
         if found.is_none() {
-            self.report(&rules::UNBOUND_PREFIX, || {
-                let span = Span::new(name.start, name.start + prefix.len() as u32);
-                Diagnostic::new(
-                    &rules::UNBOUND_PREFIX,
-                    span,
-                    format!("the prefix `{}` is not declared", shown(prefix)),
-                )
+            let span = Span::new(name.start, name.start + prefix.len() as u32);
+            self.defect(&rules::UNBOUND_PREFIX, span, |prefix| {
+                format!("the prefix `{prefix}` is not declared")
             });
         }
         found.unwrap_or(NONE)

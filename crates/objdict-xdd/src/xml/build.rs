@@ -136,6 +136,17 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.findings.push(finding);
     }
 
+    /// Reports a rule at a place, in words about the text there.
+    pub(super) fn defect(
+        &mut self,
+        rule: &'static RuleInfo,
+        span: Span,
+        message: impl FnOnce(&str) -> String,
+    ) {
+        let text = self.text;
+        self.report(rule, || Diagnostic::new(rule, span, message(&shown(span.of(text)))));
+    }
+
     /// Whether what is read goes nowhere.
     pub(super) fn is_skipping(&self) -> bool {
         self.skip.is_some()
@@ -161,9 +172,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
         for (at, character) in self.text.char_indices().filter(|&(_, character)| is_forbidden(character)) {
             let span = Self::span(at, at + character.len_utf8());
-            self.report(&rules::FORBIDDEN_CHARACTER, || {
-                let message = format!("the character U+{:04X} has no place in XML", u32::from(character));
-                Diagnostic::new(&rules::FORBIDDEN_CHARACTER, span, message)
+            self.defect(&rules::FORBIDDEN_CHARACTER, span, |_| {
+                format!("the character U+{:04X} has no place in XML", u32::from(character))
             });
         }
     }
@@ -260,8 +270,7 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     pub(super) fn limit(&mut self, at: usize, message: String) {
         self.is_limited = true;
-        let span = Span::empty(at as u32);
-        self.report(&rules::LIMIT, || Diagnostic::new(&rules::LIMIT, span, message));
+        self.defect(&rules::LIMIT, Span::empty(at as u32), |_| message);
     }
 
     /// Takes what quick-xml found from `start` to `end`, and says where to go on.
@@ -274,13 +283,9 @@ impl<'a, 'f> Builder<'a, 'f> {
             Event::Decl(_) if start == 0 || start == 3 && self.text.starts_with('\u{FEFF}') => {
                 self.declaration(start, end);
             }
-            Event::Decl(_) => {
-                let span = Self::span(start, end);
-                self.report(&rules::MISPLACED_DECLARATION, || {
-                    let message = "the XML declaration is not the first thing in the file";
-                    Diagnostic::new(&rules::MISPLACED_DECLARATION, span, message)
-                });
-            }
+            Event::Decl(_) => self.defect(&rules::MISPLACED_DECLARATION, Self::span(start, end), |_| {
+                "the XML declaration is not the first thing in the file".to_owned()
+            }),
             Event::PI(_) => self.instruction(start),
             Event::DocType(_) => self.document_type(start, end),
             Event::Start(_) | Event::Empty(_) => return self.start_tag(start),
@@ -326,11 +331,8 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     fn unclosed_markup(&mut self, start: usize, end: usize, what: &str, mark: &str) -> usize {
         if !self.is_skipping() {
-            self.report(&rules::UNCLOSED_MARKUP, || {
-                let message = format!("the {what} has no `{mark}`");
-                let length = self.text[start..end].trim_ascii_end().len();
-                Diagnostic::new(&rules::UNCLOSED_MARKUP, Self::span(start, start + length), message)
-            });
+            let span = Self::span(start, start + self.text[start..end].trim_ascii_end().len());
+            self.defect(&rules::UNCLOSED_MARKUP, span, |_| format!("the {what} has no `{mark}`"));
         }
         self.pass_over(start, end)
     }
@@ -340,10 +342,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         let end = if self.text.as_bytes().get(stop) == Some(&b'>') { stop + 1 } else { stop };
         if !self.is_skipping() {
             let span = Self::span(start, end);
-            self.report(&rules::UNKNOWN_MARKUP, || {
-                let message = format!("`{}` is no markup of XML", shown(span.of(self.text)));
-                Diagnostic::new(&rules::UNKNOWN_MARKUP, span, message)
-            });
+            self.defect(&rules::UNKNOWN_MARKUP, span, |text| format!("`{text}` is no markup of XML"));
         }
         self.pass_over(start, end)
     }
@@ -424,13 +423,10 @@ impl<'a, 'f> Builder<'a, 'f> {
         if self.open.is_empty() && !self.parts.elements.is_empty() {
             let first = Self::span(0, 1 + self.parts.elements[0].name_length as usize);
             let first = Span::new(self.parts.elements[0].start, self.parts.elements[0].start + first.end);
+            let second = Self::span(start, start + 1 + name_length);
             self.report(&rules::SECOND_ROOT, || {
-                Diagnostic::new(
-                    &rules::SECOND_ROOT,
-                    Self::span(start, start + 1 + name_length),
-                    "a second element stands behind the root",
-                )
-                .label(first, "the root")
+                Diagnostic::new(&rules::SECOND_ROOT, second, "a second element stands behind the root")
+                    .label(first, "the root")
             });
             return false;
         }
@@ -488,16 +484,12 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
         let text = self.text;
         if !is_closed {
-            self.report(&rules::UNCLOSED_TAG, || {
-                let message = format!("the end tag `</{}` has no `>`", shown(&text[name.clone()]));
-                Diagnostic::new(&rules::UNCLOSED_TAG, Self::span(start, name.end), message)
+            self.defect(&rules::UNCLOSED_TAG, Self::span(start, name.end), |_| {
+                format!("the end tag `</{}` has no `>`", shown(&text[name.clone()]))
             });
         } else if behind < stop {
-            self.report(&rules::JUNK_IN_TAG, || {
-                let junk = Self::span(behind, stop);
-                let message = format!("`{}` has no meaning in an end tag", shown(junk.of(text)));
-                Diagnostic::new(&rules::JUNK_IN_TAG, junk, message)
-            });
+            let junk = Self::span(behind, stop);
+            self.defect(&rules::JUNK_IN_TAG, junk, |junk| format!("`{junk}` has no meaning in an end tag"));
         }
         self.close_by(Self::span(start, end), &text[name]);
         end
@@ -573,14 +565,11 @@ impl<'a, 'f> Builder<'a, 'f> {
 
     fn finish(mut self) -> Parts {
         if self.parts.elements.is_empty() && !self.is_limited {
-            self.report(&rules::NO_ROOT, || {
-                Diagnostic::new(&rules::NO_ROOT, Span::empty(0), "the file has no element")
-            });
+            self.defect(&rules::NO_ROOT, Span::empty(0), |_| "the file has no element".to_owned());
         }
         let declared = self.encoding.map(|span| span.of(self.text));
         if let Some(message) = prolog::encoding_defect(declared, self.source.encoding(), self.text) {
-            let span = self.encoding.unwrap_or_default();
-            self.report(&rules::ENCODING, || Diagnostic::new(&rules::ENCODING, span, message));
+            self.defect(&rules::ENCODING, self.encoding.unwrap_or_default(), |_| message);
         }
         self.parts.namespaces = self.namespaces.into_uris();
         self.parts.elements.shrink_to_fit();

@@ -37,9 +37,8 @@ impl Builder<'_, '_> {
         let first = self.find(start, |byte| !is_blank(byte));
         let span = Self::span(first, start + self.text[start..end].trim_ascii_end().len());
         let side = if self.parts.elements.is_empty() { "before" } else { "behind" };
-        self.report(&rules::TEXT_OUTSIDE_ROOT, || {
-            let message = format!("the text `{}` stands {side} the root", shown(span.of(self.text)));
-            Diagnostic::new(&rules::TEXT_OUTSIDE_ROOT, span, message)
+        self.defect(&rules::TEXT_OUTSIDE_ROOT, span, |text| {
+            format!("the text `{text}` stands {side} the root")
         });
     }
 
@@ -78,9 +77,8 @@ impl Builder<'_, '_> {
         let name = match reference {
             Reference::Character(_) => return,
             Reference::BadNumber => {
-                return self.report(&rules::BAD_REFERENCE, || {
-                    let message = format!("`{}` is no character that XML allows", shown(span.of(text)));
-                    Diagnostic::new(&rules::BAD_REFERENCE, span, message)
+                return self.defect(&rules::BAD_REFERENCE, span, |reference| {
+                    format!("`{reference}` is no character that XML allows")
                 });
             }
             Reference::Lone => {
@@ -106,9 +104,8 @@ impl Builder<'_, '_> {
             Some(Entity::Unread(reason)) => *reason,
             None => "it is not declared",
         };
-        self.report(&rules::UNKNOWN_ENTITY, || {
-            let message = format!("the entity `{}` is not known: {reason}", shown(name));
-            Diagnostic::new(&rules::UNKNOWN_ENTITY, span, message)
+        self.defect(&rules::UNKNOWN_ENTITY, span, |_| {
+            format!("the entity `{}` is not known: {reason}", shown(name))
         });
     }
 
@@ -118,9 +115,7 @@ impl Builder<'_, '_> {
         let found = found.or_else(|| content.ends_with('-').then_some(content.len().saturating_sub(1)));
         if let (Some(length), false) = (found, self.is_skipping()) {
             let span = Self::span(start + 4 + length, start + 6 + length);
-            self.report(&rules::DOUBLE_HYPHEN, || {
-                Diagnostic::new(&rules::DOUBLE_HYPHEN, span, "the comment has `--` in it")
-            });
+            self.defect(&rules::DOUBLE_HYPHEN, span, |_| "the comment has `--` in it".to_owned());
         }
     }
 
@@ -132,12 +127,9 @@ impl Builder<'_, '_> {
         if (!is_reserved && is_name(target)) || self.is_skipping() {
             return;
         }
-        self.report(&rules::BAD_TARGET, || {
-            let message = match is_reserved {
-                true => format!("the target `{target}` is reserved"),
-                false => format!("`{}` is no target of a processing instruction", shown(target)),
-            };
-            Diagnostic::new(&rules::BAD_TARGET, Self::span(behind, end), message)
+        self.defect(&rules::BAD_TARGET, Self::span(behind, end), |target| match is_reserved {
+            true => format!("the target `{target}` is reserved"),
+            false => format!("`{target}` is no target of a processing instruction"),
         });
     }
 
@@ -145,7 +137,7 @@ impl Builder<'_, '_> {
         let declaration = prolog::declaration(self.text, Self::span(start, end));
         self.encoding = declaration.encoding;
         if let Some((span, message)) = declaration.defect {
-            self.report(&rules::BAD_DECLARATION, || Diagnostic::new(&rules::BAD_DECLARATION, span, message));
+            self.defect(&rules::BAD_DECLARATION, span, |_| message);
         }
     }
 

@@ -1,7 +1,7 @@
 //! The application process: data types, functions, templates, parameters and their groups (CiA 311 annex A).
 
 use super::device::LABELS;
-use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, need, slot};
+use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, slot};
 use crate::model::{
     AllowedValues, AllowedValuesTemplate, ApplicationProcess, Connection, Count, EnumValue, FunctionInstance,
     FunctionInstances, FunctionType, Labels, MemberRef, Parameter, ParameterGroup, ParameterTemplate,

@@ -3,7 +3,7 @@
 use super::application::APPLICATION_PROCESS;
 use super::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use super::network::{APPLICATION_LAYERS, NETWORK_MANAGEMENT, TRANSPORT_LAYERS};
-use super::{At, Attribute, Child, Element, FactAt, Kind, Need, Slot, at, child, elements, lens, need, slot};
+use super::{At, Attribute, Child, Element, FactAt, Kind, Need, Slot, at, child, elements, lens, slot};
 use crate::model::{Field, FileInfo, ProfileHeader};
 use crate::xdd::defaults;
 use crate::xml::n;

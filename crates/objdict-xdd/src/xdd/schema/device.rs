@@ -1,6 +1,6 @@
 //! The device profile but for its application process: identity, manager and function (CiA 311 annex A).
 
-use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, need, slot};
+use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, slot};
 use crate::model::{
     Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DeviceFunction,
     DeviceManager, Dictionary, Labels, Led, LedState, ModuleInterface, ModuleType, OwnInterface, Picture,

@@ -356,25 +356,10 @@ macro_rules! slot {
 }
 use slot;
 
-/// The mark behind the name of an attribute: `?` optional, `!` required, `*` without it the element means nothing, `+` it is
-/// a stray one.
-macro_rules! need {
-    (?) => {
-        Need::Optional
-    };
-    (!) => {
-        Need::Required
-    };
-    (*) => {
-        Need::Key
-    };
-    (+) => {
-        Need::Stray
-    };
-}
-use need;
-
 /// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names];`
+///
+/// The mark behind the name of an attribute is `?` (optional), `!` (required), `*` (without it the element means nothing) or
+/// `+` (a stray one).
 ///
 /// A child is `count WHAT`, where the count is `one`, `key` (one, and nothing works without it), `maybe`, `some`, `two` (at
 /// least), `any` or `stray`, and WHAT is an element, a choice `[A | B]` or a list `(LIST)` of elements. Behind `=>` stands
@@ -392,7 +377,7 @@ macro_rules! elements {
             attributes: &[$($(Attribute {
                 name: n::$attribute,
                 kind: $kind,
-                need: need!($need),
+                need: elements!(@ $need),
                 at: at!($Part $($at)?),
             }),+)?],
             text: elements!(@text $Part $($text, $($text_at)?)?),
@@ -402,6 +387,10 @@ macro_rules! elements {
     };
     (@ global) => { true };
     (@ local) => { false };
+    (@ ?) => { Need::Optional };
+    (@ !) => { Need::Required };
+    (@ *) => { Need::Key };
+    (@ +) => { Need::Stray };
     (@text $Part:ident) => { None };
     (@text $Part:ident $text:expr, $($at:tt)?) => {
         Some(Attribute { name: n::text, kind: $text, need: Need::Optional, at: at!($Part $($at)?) })

@@ -5,8 +5,7 @@ use super::device::{
     SPECIFICATION_REVISION, VENDOR_ID, VENDOR_TEXT, VERSION,
 };
 use super::{
-    At, Attribute, Child, Element, FactAt, Kind, Need, Slot, Slots, Target, at, child, elements, lens, need,
-    slot,
+    At, Attribute, Child, Element, FactAt, Kind, Need, Slot, Slots, Target, at, child, elements, lens, slot,
 };
 use crate::model::{
     Commissioning, DeviceInfo, Entry, Field, ModuleObjects, ModuleRange, ModuleRanges, OwnAddressing,
