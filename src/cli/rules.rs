@@ -27,7 +27,7 @@ struct Rule {
     severity: Severity,
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<Applicability>,
-    source: String,
+    source: &'static str,
     summary: &'static str,
     docs: String,
 }
@@ -42,8 +42,8 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
             let mut table = Table::new(["Rule", "Severity", "Fix", "Finds", "Source"], usize::MAX);
             for rule in rules {
                 let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
-                let [id, finds] = [rule.id, rule.summary()].map(str::to_owned);
-                table.row([id, rule.severity.to_string(), fix, finds, source(rule)]);
+                let [id, finds] = [rule.id, rule.summary].map(str::to_owned);
+                table.row([id, rule.severity.to_string(), fix, finds, rule.source.to_owned()]);
             }
             table.write(out)?;
         }
@@ -53,8 +53,8 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 group: rule.group(),
                 severity: rule.severity,
                 fix: rule.fix,
-                source: source(rule),
-                summary: rule.summary(),
+                source: rule.source,
+                summary: rule.summary,
                 docs: rule.page(),
             };
             let document = Document { version: VERSION, rules: rules.map(rule).collect() };
@@ -63,11 +63,6 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
         }
     }
     Ok(Outcome::Clean)
-}
-
-/// The documents that a rule comes from, as one line.
-fn source(rule: &RuleInfo) -> String {
-    rule.source().split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The group of a name, whatever the case of its letters.

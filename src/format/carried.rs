@@ -32,23 +32,13 @@ pub(super) enum Room {
 pub(super) static RULES: &[&RuleInfo] = &[&STALE_CARRIED_DATA];
 
 text_rule! {
-    /// carried data are of a part that was changed since
-    ///
-    /// ## What it checks
-    /// Whether everything that a conversion carried in the section `ObjdictCarried`, or in properties `objdict:…`, still belongs to what stands in the file: each item says what it replaces.
-    ///
-    /// ## Why it matters
-    /// A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.
-    ///
-    /// ## Example
-    /// `/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited
-    ///
-    /// ## How to mend
-    /// Remove the item, or convert the file again.
-    ///
-    /// ## Source
-    /// objdict, docs/formats.md
-    STALE_CARRIED_DATA = "objdict/stale-carried-data", Note
+    STALE_CARRIED_DATA = "objdict/stale-carried-data", Note;
+    summary: "carried data are of a part that was changed since",
+    checks: "Whether everything that a conversion carried in the section `ObjdictCarried`, or in properties `objdict:…`, still belongs to what stands in the file: each item says what it replaces.",
+    why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",
+    example: "`/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited",
+    remedy: "Remove the item, or convert the file again.",
+    source: "objdict, docs/formats.md",
 }
 
 /// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is reported.

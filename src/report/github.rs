@@ -92,13 +92,10 @@ fn property(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::text_rule;
+    use crate::diagnostic::{RuleInfo, Severity};
     use crate::source::{SourceFile, Span};
 
-    text_rule! {
-        /// a test
-        TEST = "test/test", Error
-    }
+    static TEST: RuleInfo = RuleInfo::bare("test/test", Severity::Error);
 
     fn shown(name: &str, finding: Diagnostic) -> String {
         let source = SourceFile::from_text(name, "[A]\nk=1\n");

@@ -129,14 +129,11 @@ impl<W: Write> Report for Junit<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::text_rule;
+    use crate::diagnostic::{RuleInfo, Severity};
     use crate::format::{self, Format};
     use crate::source::{SourceFile, Span};
 
-    text_rule! {
-        /// a test
-        TEST = "test/test", Error
-    }
+    static TEST: RuleInfo = RuleInfo::bare("test/test", Severity::Error);
 
     #[test]
     fn whatever_is_found_is_well_formed() {

@@ -113,17 +113,11 @@ fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{MAX_PER_RULE, text_rule};
+    use crate::diagnostic::{MAX_PER_RULE, RuleInfo, Severity};
     use crate::source::{SourceFile, Span};
 
-    text_rule! {
-        /// a test
-        FEW = "test/few", Error
-    }
-    text_rule! {
-        /// a test
-        MANY = "test/many", Note
-    }
+    static FEW: RuleInfo = RuleInfo::bare("test/few", Severity::Error);
+    static MANY: RuleInfo = RuleInfo::bare("test/many", Severity::Note);
 
     #[test]
     fn rules_are_sorted_by_their_findings() {

@@ -214,14 +214,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::diagnostic::text_rule;
+    use crate::diagnostic::{RuleInfo, Severity};
     use crate::format::{self, Format};
     use crate::source::{SourceFile, Span};
 
-    text_rule! {
-        /// a test
-        TEST = "test/test", Warning
-    }
+    static TEST: RuleInfo = RuleInfo::bare("test/test", Severity::Warning);
 
     fn render(text: &str, spans: &[(u32, u32)], message: &str) -> String {
         let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use objdict::compat::REACTIONS;
 use objdict::config::Config;
-use objdict::diagnostic::{At, Diagnostic, Findings, HEADINGS};
+use objdict::diagnostic::{At, Diagnostic, Findings};
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description};
 use objdict::lint::Options;
@@ -234,20 +234,12 @@ fn ids_are_unique_and_in_kebab_case() {
 }
 
 #[test]
-fn every_rule_has_a_page_with_the_fixed_headings() {
+fn every_rule_has_a_page() {
     for rule in registry::rules() {
-        let id = rule.id;
-        let headings: Vec<&str> =
-            rule.docs.lines().map(str::trim).filter(|line| line.starts_with('#')).collect();
-        assert_eq!(headings, HEADINGS, "{id}");
-        let summary = rule.summary();
-        assert!(!summary.is_empty() && !summary.ends_with('.'), "{id}: `{summary}`");
-        assert!(!summary.starts_with(char::is_uppercase), "{id}: `{summary}`");
-        assert_eq!(rule.docs.lines().nth(1).map(str::trim), Some(""), "{id}: the summary is one line");
-        let paragraphs = rule.docs.split("## ").skip(1);
-        for paragraph in paragraphs {
-            let (heading, text) = paragraph.split_once('\n').unwrap();
-            assert!(!text.trim().is_empty(), "{id}: `{heading}` has no text");
+        let (id, summary) = (rule.id, rule.summary);
+        assert!(!summary.ends_with('.') && !summary.starts_with(char::is_uppercase), "{id}: `{summary}`");
+        for text in [summary, rule.checks, rule.why, rule.example, rule.remedy, rule.source] {
+            assert!(!text.is_empty() && !text.contains('\n') && text == text.trim(), "{id}: `{text}`");
         }
     }
 }

@@ -92,7 +92,7 @@ fn portability_page() -> String {
     let _ = writeln!(page, "{} causes.\n", causes.len());
     page.push_str("| rule | what is found | tools | effect | what happens |\n|---|---|---|---|---|\n");
     for reaction in REACTIONS {
-        let summary = registry::rule(reaction.rule).map_or("", |rule| rule.summary());
+        let summary = registry::rule(reaction.rule).map_or("", |rule| rule.summary);
         let tools: Vec<&str> = reaction.tools.iter().map(|tool| tool.name()).collect();
         let when = reaction.when.map_or(String::new(), |when| format!(" ({})", when.text));
         let _ = writeln!(
@@ -138,7 +138,7 @@ fn list(rule: &RuleInfo, shares: &Shares, tables: &mut String) {
     let address = address.trim_start_matches("rules/");
     let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
     let share = shares::shown(shares.get(rule.id));
-    let (name, severity, summary) = (rule.name(), rule.severity, rule.summary());
+    let (name, severity, summary) = (rule.name(), rule.severity, rule.summary);
     let _ = writeln!(tables, "| [`{name}`]({address}) | {severity} | {fix} | {share} | {summary} |");
 }
 
@@ -150,7 +150,7 @@ fn describe(rule: &RuleInfo, page: &mut String) {
         rule.name(),
         rule.id,
         rule.severity,
-        rule.summary()
+        rule.summary
     );
     let text = rule.page();
     let body = text.split_once('\n').map_or("", |(_, body)| body);

@@ -121,39 +121,37 @@ pub(crate) fn with_others<T: Into<Text>>(
     finding
 }
 
-/// A [`Rule`]: its page as doc comment, `"cia306/name", Error, Entry(check), fix Safe`; without the part `fix` for a rule that
-/// mends nothing.
+/// A [`Rule`]: the words of [`rule_info!`](objdict_model::rule_info), and behind the severity what it looks at.
+/// `one! { "cia306/name", Error, Entry(check), fix Safe; summary: "…", … }`
 macro_rules! one {
-    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
+    (
+        $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
+        $($part:ident: $text:literal,)+
+    ) => {
         $crate::Rule {
-            info: objdict_model::diagnostic::RuleInfo {
-                id: $id,
-                severity: objdict_model::diagnostic::Severity::$severity,
-                fix: objdict_model::fix_of!($($safety)?),
-                docs: concat!($($doc, "\n"),+),
-            },
+            info: objdict_model::rule_info! { $id, $severity $(, fix $safety)?; $($part: $text,)+ },
             check: $crate::Check::$kind($check),
         }
     };
 }
 pub(crate) use one;
 
-/// Declares the rule of a file: a `static RULE`. `rule! { /// page … "cia306/name", Error, Entry(check), fix Safe }`
+/// Declares the rule of a file in the words of [`one!`]: a `static RULE`.
 macro_rules! rule {
-    ($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?) => {
-        $(#[doc = $doc])+
-        pub(crate) static RULE: $crate::Rule =
-            $crate::rule::one! { $(#[doc = $doc])+ $id, $severity, $kind($check) $(, fix $safety)? };
+    ($($rule:tt)+) => {
+        pub(crate) static RULE: $crate::Rule = $crate::rule::one! { $($rule)+ };
     };
 }
 pub(crate) use rule;
 
-/// Declares the rules of a group that are a page each, for a look that groups share: a `static RULES` of rows as in
-/// [`rule!`], each with a `;` behind it.
+/// Declares the rules of a group that are a page each, for a look that groups share: a `static RULES` of what [`one!`] takes.
 macro_rules! demands {
-    ($($(#[doc = $doc:literal])+ $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;)+) => {
+    ($(
+        $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
+        $($part:ident: $text:literal,)+
+    )+) => {
         pub(crate) static RULES: &[&$crate::Rule] =
-            &[$(&$crate::rule::one! { $(#[doc = $doc])+ $id, $severity, $kind($check) $(, fix $safety)? },)+];
+            &[$(&$crate::rule::one! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
     };
 }
 pub(crate) use demands;

@@ -115,17 +115,11 @@ fn group_of(id: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{Diagnostic, MAX_PER_RULE, text_rule};
+    use crate::diagnostic::{Diagnostic, MAX_PER_RULE, RuleInfo, Severity};
     use objdict_model::source::Span;
 
-    text_rule! {
-        /// a test
-        FIRST = "test/first", Note
-    }
-    text_rule! {
-        /// a test
-        SECOND = "test/second", Error
-    }
+    static FIRST: RuleInfo = RuleInfo::bare("test/first", Severity::Note);
+    static SECOND: RuleInfo = RuleInfo::bare("test/second", Severity::Error);
 
     fn applied(severities: &Severities) -> Vec<(&'static str, Severity)> {
         let mut findings = Findings::new();

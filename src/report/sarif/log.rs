@@ -265,8 +265,8 @@ impl Rule {
         Self {
             id: rule.id,
             name: rule.name(),
-            short_description: Message { text: rule.summary().to_owned() },
-            full_description: Message { text: rule.section("## What it checks") },
+            short_description: Message { text: rule.summary.to_owned() },
+            full_description: Message { text: rule.checks.to_owned() },
             help: Help { text: plain(&markdown), markdown },
             default_configuration: Configuration { level: level(rule.severity) },
             properties: RuleProperties { tags: [rule.group()], fix: rule.fix },

@@ -5,23 +5,13 @@ use crate::model::{Device, Field, Part, Place};
 use objdict_model::Format;
 
 text_rule! {
-    /// the file has another name than it says
-    ///
-    /// ## What it checks
-    /// Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name. The share of files is high because whoever collected them gave them other names; before that one in five differed: a copy of another device's file, a title in the place of the name, or a `FileName` of the computer that it was made on.
-    ///
-    /// ## Why it matters
-    /// The file was copied or renamed, and people look for a file that does not exist. Perhaps it is a changed copy that still passes for the original.
-    ///
-    /// ## Example
-    /// `FileName=drive.eds` in `drive_v2.eds`
-    ///
-    /// ## How to mend
-    /// Write the name of the file into `FileName`, or give the file its name back.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4
-    FILE_NAME = "cia306/file-name", Note, fix Safe
+    FILE_NAME = "cia306/file-name", Note, fix Safe;
+    summary: "the file has another name than it says",
+    checks: "Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name. The share of files is high because whoever collected them gave them other names; before that one in five differed: a copy of another device's file, a title in the place of the name, or a `FileName` of the computer that it was made on.",
+    why: "The file was copied or renamed, and people look for a file that does not exist. Perhaps it is a changed copy that still passes for the original.",
+    example: "`FileName=drive.eds` in `drive_v2.eds`",
+    remedy: "Write the name of the file into `FileName`, or give the file its name back.",
+    source: "CiA 306-1 §4.4",
 }
 
 /// Compares `FileName` with the name that a file was opened by. A name without an ending that we know is nobody's file.

@@ -157,13 +157,10 @@ impl<'a> IntoIterator for &'a Findings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::text_rule;
+    use crate::diagnostic::{RuleInfo, Severity};
     use crate::source::Span;
 
-    text_rule! {
-        /// a test
-        TEST = "test/test", Note
-    }
+    static TEST: RuleInfo = RuleInfo::bare("test/test", Severity::Note);
 
     fn findings(count: u32) -> Findings {
         let mut findings = Findings::new();

@@ -17,12 +17,12 @@ use std::fmt;
 use crate::model::Place;
 pub use crate::source::Span;
 
-pub use crate::{fix_of, say, text_rule, text_rules};
+pub use crate::{fix_of, rule_info, say, text_rule, text_rules};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
-pub use rule::{HEADINGS, RuleInfo};
+pub use rule::RuleInfo;
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;

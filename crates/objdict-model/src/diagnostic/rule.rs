@@ -11,15 +11,27 @@ pub struct RuleInfo {
     pub severity: Severity,
     /// Whether its findings can have a [fix](super::Fix), and the least safe that it can be.
     pub fix: Option<Applicability>,
-    /// The rule's page in Markdown: a first line that names the defect, then the headings of [`HEADINGS`].
-    pub docs: &'static str,
+    /// The defect in one sentence: the first line of the page.
+    pub summary: &'static str,
+    /// What it checks.
+    pub checks: &'static str,
+    /// Why it matters.
+    pub why: &'static str,
+    /// An example of the defect.
+    pub example: &'static str,
+    /// What to do about it.
+    pub remedy: &'static str,
+    /// The documents that it comes from.
+    pub source: &'static str,
 }
 
-/// The headings that every rule's page has, in this order.
-pub const HEADINGS: [&str; 5] =
-    ["## What it checks", "## Why it matters", "## Example", "## How to mend", "## Source"];
-
 impl RuleInfo {
+    /// A rule that mends nothing and has no page, for findings of the caller's own.
+    pub const fn bare(id: &'static str, severity: Severity) -> Self {
+        let [summary, checks, why, example, remedy, source] = [""; 6];
+        Self { id, severity, fix: None, summary, checks, why, example, remedy, source }
+    }
+
     /// The group: `cia306` of `cia306/duplicate-section`.
     pub fn group(&self) -> &'static str {
         self.id.split_once('/').map_or("", |(group, _)| group)
@@ -30,43 +42,61 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// The documents that the rule comes from: the text under the heading "Source".
-    pub fn source(&self) -> &'static str {
-        self.docs.split_once("## Source").map_or("", |(_, source)| source).trim()
-    }
-
-    /// The page as Markdown, without the blank that a doc comment puts before each line.
+    /// The page as Markdown: the summary, and a heading with a paragraph for each of the other texts.
     pub fn page(&self) -> String {
-        let lines = self.docs.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
-        lines.fold(String::new(), |page, line| page + line + "\n")
-    }
-
-    /// The text under a heading of the page, such as `## What it checks`; empty where the page has it not.
-    pub fn section(&self, heading: &str) -> String {
-        let page = self.page();
-        let behind = page.split_once(&format!("\n{heading}\n")).map_or("", |(_, behind)| behind);
-        behind.split("\n## ").next().unwrap_or_default().trim().to_owned()
-    }
-
-    /// The first line of the page: the defect in one sentence.
-    pub fn summary(&self) -> &'static str {
-        self.docs.lines().next().unwrap_or_default().trim()
+        let parts = [
+            ("What it checks", self.checks),
+            ("Why it matters", self.why),
+            ("Example", self.example),
+            ("How to mend", self.remedy),
+            ("Source", self.source),
+        ];
+        let page = format!("{}\n", self.summary);
+        parts.iter().fold(page, |page, (heading, text)| page + &format!("\n## {heading}\n{text}\n"))
     }
 }
 
-/// Declares a rule that the reader of a format raises: a `static` [`RuleInfo`] whose page is its doc comment.
-///
-/// `text_rule! { /// page … NAME = "cia306/name", Error, fix Safe }`; without the last part for a rule that mends nothing.
+/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the page; without the
+/// part `fix` for a rule that mends nothing.
+#[macro_export]
+macro_rules! rule_info {
+    ($id:literal, $severity:ident $(, fix $safety:ident)?; $($part:ident: $text:literal,)+) => {
+        $crate::diagnostic::RuleInfo {
+            id: $id,
+            severity: $crate::diagnostic::Severity::$severity,
+            fix: $crate::fix_of!($($safety)?),
+            $($part: $text,)+
+        }
+    };
+}
+
+/// Declares a rule that the reader of a format raises: `text_rule! { NAME = … }` with the words of [`rule_info!`] is a `static`.
 #[macro_export]
 macro_rules! text_rule {
-    ($(#[doc = $doc:literal])+ $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?) => {
-        $(#[doc = $doc])+
+    // the page as a doc comment
+    (
+        #[doc = $summary:literal] #[doc = $_0:literal]
+        #[doc = $_1:literal] #[doc = $checks:literal] #[doc = $_2:literal]
+        #[doc = $_3:literal] #[doc = $why:literal] #[doc = $_4:literal]
+        #[doc = $_5:literal] #[doc = $example:literal] #[doc = $_6:literal]
+        #[doc = $_7:literal] #[doc = $remedy:literal] #[doc = $_8:literal]
+        #[doc = $_9:literal] #[doc = $source:literal]
+        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?
+    ) => {
         pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::diagnostic::RuleInfo {
             id: $id,
             severity: $crate::diagnostic::Severity::$severity,
             fix: $crate::fix_of!($($safety)?),
-            docs: concat!($($doc, "\n"),+),
+            summary: $summary.split_at(1).1,
+            checks: $checks.split_at(1).1,
+            why: $why.split_at(1).1,
+            example: $example.split_at(1).1,
+            remedy: $remedy.split_at(1).1,
+            source: $source.split_at(1).1,
         };
+    };
+    ($NAME:ident = $($info:tt)+) => {
+        pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! { $($info)+ };
     };
 }
 

@@ -129,221 +129,111 @@ fn rule_text(quirk: Quirk) -> &'static str {
 }
 
 text_rule! {
-    /// a number with a leading zero is octal
-    ///
-    /// ## What it checks
-    /// Whether a number starts with `0` and would be another one in decimal. It is read as octal.
-    ///
-    /// ## Why it matters
-    /// The standard says octal, .NET tools and npm's canopen read decimal, python-canopen refuses it.
-    ///
-    /// ## Example
-    /// `DefaultValue=010` is 8
-    ///
-    /// ## How to mend
-    /// Write the number that you mean in decimal or hex.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    OCTAL_NUMBER = "cia306/octal-number", Warning, fix Safe
+    OCTAL_NUMBER = "cia306/octal-number", Warning, fix Safe;
+    summary: "a number with a leading zero is octal",
+    checks: "Whether a number starts with `0` and would be another one in decimal. It is read as octal.",
+    why: "The standard says octal, .NET tools and npm's canopen read decimal, python-canopen refuses it.",
+    example: "`DefaultValue=010` is 8",
+    remedy: "Write the number that you mean in decimal or hex.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// a number has a leading zero
-    ///
-    /// ## What it checks
-    /// Whether a decimal number starts with `0` and is the same in octal.
-    ///
-    /// ## Why it matters
-    /// Python's readers refuse the number.
-    ///
-    /// ## Example
-    /// `FileRevision=07`
-    ///
-    /// ## How to mend
-    /// Write `7`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    LEADING_ZERO = "cia306/leading-zero", Note, fix Safe
+    LEADING_ZERO = "cia306/leading-zero", Note, fix Safe;
+    summary: "a number has a leading zero",
+    checks: "Whether a decimal number starts with `0` and is the same in octal.",
+    why: "Python's readers refuse the number.",
+    example: "`FileRevision=07`",
+    remedy: "Write `7`.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// `$NODEID` does not come first
-    ///
-    /// ## What it checks
-    /// Whether a formula starts with `$NODEID`. The other order is understood.
-    ///
-    /// ## Why it matters
-    /// The standard takes such a text for no formula. dcf-tools refuses the file, the C parser of Lely reads the number alone and forgets the node-ID.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x180+$NODEID`
-    ///
-    /// ## How to mend
-    /// Write `$NODEID+0x180`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    NODE_ID_LAST = "cia306/node-id-last", Warning, fix Safe
+    NODE_ID_LAST = "cia306/node-id-last", Warning, fix Safe;
+    summary: "`$NODEID` does not come first",
+    checks: "Whether a formula starts with `$NODEID`. The other order is understood.",
+    why: "The standard takes such a text for no formula. dcf-tools refuses the file, the C parser of Lely reads the number alone and forgets the node-ID.",
+    example: "`DefaultValue=0x180+$NODEID`",
+    remedy: "Write `$NODEID+0x180`.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// a formula has blanks or lower-case letters
-    ///
-    /// ## What it checks
-    /// Whether formulas are spelt `$NODEID+number`.
-    ///
-    /// ## Why it matters
-    /// Some tools compare letter by letter.
-    ///
-    /// ## Example
-    /// `$NodeId + 0x180`
-    ///
-    /// ## How to mend
-    /// Write `$NODEID+0x180`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    FORMULA_SPELLING = "cia306/formula-spelling", Note, fix Safe
+    FORMULA_SPELLING = "cia306/formula-spelling", Note, fix Safe;
+    summary: "a formula has blanks or lower-case letters",
+    checks: "Whether formulas are spelt `$NODEID+number`.",
+    why: "Some tools compare letter by letter.",
+    example: "`$NodeId + 0x180`",
+    remedy: "Write `$NODEID+0x180`.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// a comment stands behind a number or keyword
-    ///
-    /// ## What it checks
-    /// Whether `;`, `#` or `//` follows a value that cannot hold it. In names and strings they are text.
-    ///
-    /// ## Why it matters
-    /// The standard has no such comments: to other tools the whole text is the value, and it is no number.
-    ///
-    /// ## Example
-    /// `DataType=0x0007 ; UNSIGNED32`
-    ///
-    /// ## How to mend
-    /// Put the comment on a line of its own.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.2
-    TRAILING_COMMENT = "cia306/trailing-comment", Warning, fix Safe
+    TRAILING_COMMENT = "cia306/trailing-comment", Warning, fix Safe;
+    summary: "a comment stands behind a number or keyword",
+    checks: "Whether `;`, `#` or `//` follows a value that cannot hold it. In names and strings they are text.",
+    why: "The standard has no such comments: to other tools the whole text is the value, and it is no number.",
+    example: "`DataType=0x0007 ; UNSIGNED32`",
+    remedy: "Put the comment on a line of its own.",
+    source: "CiA 306-1 §4.2",
 }
 
 text_rule! {
-    /// a number has a suffix of the C language
-    ///
-    /// ## What it checks
-    /// Whether `L`, `LL`, `U` or `f` follows a number. It is read without it.
-    ///
-    /// ## Why it matters
-    /// An EDS knows no suffixes; five of six other tools refuse the file.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x1234567890ABCDEFLL`
-    ///
-    /// ## How to mend
-    /// Remove the suffix.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    NUMBER_SUFFIX = "cia306/number-suffix", Warning, fix Safe
+    NUMBER_SUFFIX = "cia306/number-suffix", Warning, fix Safe;
+    summary: "a number has a suffix of the C language",
+    checks: "Whether `L`, `LL`, `U` or `f` follows a number. It is read without it.",
+    why: "An EDS knows no suffixes; five of six other tools refuse the file.",
+    example: "`DefaultValue=0x1234567890ABCDEFLL`",
+    remedy: "Remove the suffix.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// a REAL is written as the hex digits of its bits
-    ///
-    /// ## What it checks
-    /// Whether a REAL32 or REAL64 is a hex number. It is read as the bits of IEEE 754.
-    ///
-    /// ## Why it matters
-    /// The standard does not say how a REAL is written. Lely reads bits, python-canopen and npm's canopen do not.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x3F800000`
-    ///
-    /// ## How to mend
-    /// Write `1.0`, unless the file is for Lely.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3 is silent
-    REAL_AS_BITS = "cia306/real-as-bits", Note, fix Unsafe
+    REAL_AS_BITS = "cia306/real-as-bits", Note, fix Unsafe;
+    summary: "a REAL is written as the hex digits of its bits",
+    checks: "Whether a REAL32 or REAL64 is a hex number. It is read as the bits of IEEE 754.",
+    why: "The standard does not say how a REAL is written. Lely reads bits, python-canopen and npm's canopen do not.",
+    example: "`DefaultValue=0x3F800000`",
+    remedy: "Write `1.0`, unless the file is for Lely.",
+    source: "CiA 306-1 §4.3 is silent",
 }
 
 text_rule! {
-    /// a negative number is written as two's complement
-    ///
-    /// ## What it checks
-    /// Whether a hex number of a signed type has its sign bit set. It is read as the negative number.
-    ///
-    /// ## Why it matters
-    /// Lely reads the largest positive number instead, dcf-tools and npm's canopen refuse it.
-    ///
-    /// ## Example
-    /// `LowLimit=0x80000000` of an INTEGER32
-    ///
-    /// ## How to mend
-    /// Write `-2147483648`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3 is silent
-    TWOS_COMPLEMENT = "cia306/twos-complement", Note, fix Safe
+    TWOS_COMPLEMENT = "cia306/twos-complement", Note, fix Safe;
+    summary: "a negative number is written as two's complement",
+    checks: "Whether a hex number of a signed type has its sign bit set. It is read as the negative number.",
+    why: "Lely reads the largest positive number instead, dcf-tools and npm's canopen refuse it.",
+    example: "`LowLimit=0x80000000` of an INTEGER32",
+    remedy: "Write `-2147483648`.",
+    source: "CiA 306-1 §4.3 is silent",
 }
 
 text_rule! {
-    /// a string stands in quotes
-    ///
-    /// ## What it checks
-    /// Whether the value of a string type starts and ends with `"`; it is read without them. Names and other texts about the device are reported too, but read with their quotes.
-    ///
-    /// ## Why it matters
-    /// An EDS stores strings without quotes. python-canopen and others make the quotes a part of the text.
-    ///
-    /// ## Example
-    /// `DefaultValue="IO block"`
-    ///
-    /// ## How to mend
-    /// Remove the quotes, unless the file is for Lely's dcfgen.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    QUOTED_STRING = "cia306/quoted-string", Warning, fix Unsafe
+    QUOTED_STRING = "cia306/quoted-string", Warning, fix Unsafe;
+    summary: "a string stands in quotes",
+    checks: r#"Whether the value of a string type starts and ends with `"`; it is read without them. Names and other texts about the device are reported too, but read with their quotes."#,
+    why: "An EDS stores strings without quotes. python-canopen and others make the quotes a part of the text.",
+    example: r#"`DefaultValue="IO block"`"#,
+    remedy: "Remove the quotes, unless the file is for Lely's dcfgen.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// a BOOLEAN is written as a word
-    ///
-    /// ## What it checks
-    /// Whether a BOOLEAN is `true` or `false`.
-    ///
-    /// ## Why it matters
-    /// An EDS has 0 and 1; other tools refuse the words.
-    ///
-    /// ## Example
-    /// `DefaultValue=true`
-    ///
-    /// ## How to mend
-    /// Write `1`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    BOOLEAN_WORD = "cia306/boolean-word", Warning, fix Safe
+    BOOLEAN_WORD = "cia306/boolean-word", Warning, fix Safe;
+    summary: "a BOOLEAN is written as a word",
+    checks: "Whether a BOOLEAN is `true` or `false`.",
+    why: "An EDS has 0 and 1; other tools refuse the words.",
+    example: "`DefaultValue=true`",
+    remedy: "Write `1`.",
+    source: "CiA 306-1 §4.3",
 }
 
 text_rule! {
-    /// bytes are not written as plain hex digits
-    ///
-    /// ## What it checks
-    /// Whether the value of an OCTET_STRING or DOMAIN has a `0x` before or blanks between its hex digits.
-    ///
-    /// ## Why it matters
-    /// The standard has two digits a byte and nothing else; other tools lose the value.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x01 A1 05`
-    ///
-    /// ## How to mend
-    /// Write `01A105`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    DECORATED_BYTES = "cia306/decorated-bytes", Warning, fix Safe
+    DECORATED_BYTES = "cia306/decorated-bytes", Warning, fix Safe;
+    summary: "bytes are not written as plain hex digits",
+    checks: "Whether the value of an OCTET_STRING or DOMAIN has a `0x` before or blanks between its hex digits.",
+    why: "The standard has two digits a byte and nothing else; other tools lose the value.",
+    example: "`DefaultValue=0x01 A1 05`",
+    remedy: "Write `01A105`.",
+    source: "CiA 306-1 §4.3",
 }

@@ -5,23 +5,13 @@ use crate::model::PdoKind;
 use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
-    /// two services of the device use the same CAN-ID
-    ///
-    /// ## What it checks
-    /// Whether any two of SYNC, TIME, EMCY, SDO channels and PDOs that are in use send under the same CAN-ID, or receive under the same CAN-ID. A formula is evaluated for every node-ID in an EDS, for the node in a DCF. Two RPDOs that receive the same frame are a warning, for that can be meant.
-    ///
-    /// ## Why it matters
-    /// A receiver cannot tell the frames apart; a device that gets one does with it what it should do with the other.
-    ///
-    /// ## Example
-    /// `[1400sub1]` and `[1401sub1]`, both with `DefaultValue=$NODEID+0x200`
-    ///
-    /// ## How to mend
-    /// Give each its own CAN-ID: the predefined connection set has one for each of the first four PDOs of a direction.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.3, §7.3.5
-    "cia301/cob-id-collision", Error, Facts(check)
+    "cia301/cob-id-collision", Error, Facts(check);
+    summary: "two services of the device use the same CAN-ID",
+    checks: "Whether any two of SYNC, TIME, EMCY, SDO channels and PDOs that are in use send under the same CAN-ID, or receive under the same CAN-ID. A formula is evaluated for every node-ID in an EDS, for the node in a DCF. Two RPDOs that receive the same frame are a warning, for that can be meant.",
+    why: "A receiver cannot tell the frames apart; a device that gets one does with it what it should do with the other.",
+    example: "`[1400sub1]` and `[1401sub1]`, both with `DefaultValue=$NODEID+0x200`",
+    remedy: "Give each its own CAN-ID: the predefined connection set has one for each of the first four PDOs of a direction.",
+    source: "CiA 301 §7.3.3, §7.3.5",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{CobId, DeviceKind, predefined};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// one of the first four PDOs has another default CAN-ID than the predefined connection set
-    ///
-    /// ## What it checks
-    /// Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that bit 31 switches off, and numbers that only lack the node-ID, are not looked at; nor is a DCF, which says what a node is configured to.
-    ///
-    /// ## Why it matters
-    /// A simple network works without configuration because everybody keeps to these identifiers. A device that does not may use the CAN-ID of another node.
-    ///
-    /// ## Example
-    /// `[1401sub1]` with `DefaultValue=$NODEID+0x200`
-    ///
-    /// ## How to mend
-    /// Write the CAN-ID of the predefined connection set.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.5, §7.5.2.35 table 67, §7.5.2.37 table 71
-    "cia301/cob-id-not-predefined", Warning, Pdo(check)
+    "cia301/cob-id-not-predefined", Warning, Pdo(check);
+    summary: "one of the first four PDOs has another default CAN-ID than the predefined connection set",
+    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that bit 31 switches off, and numbers that only lack the node-ID, are not looked at; nor is a DCF, which says what a node is configured to.",
+    why: "A simple network works without configuration because everybody keeps to these identifiers. A device that does not may use the CAN-ID of another node.",
+    example: "`[1401sub1]` with `DefaultValue=$NODEID+0x200`",
+    remedy: "Write the CAN-ID of the predefined connection set.",
+    source: "CiA 301 §7.3.5, §7.5.2.35 table 67, §7.5.2.37 table 71",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

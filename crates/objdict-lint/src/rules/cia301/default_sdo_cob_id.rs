@@ -3,23 +3,13 @@ use crate::model::predefined;
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// the default SDO has another CAN-ID than CiA 301 gives it
-    ///
-    /// ## What it checks
-    /// Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.
-    ///
-    /// ## Why it matters
-    /// The default SDO is how everybody reaches the device; its CAN-IDs cannot be changed. A tool that believes the description talks to nobody, or to another node.
-    ///
-    /// ## Example
-    /// `[1200sub1]` with `DefaultValue=0x600`
-    ///
-    /// ## How to mend
-    /// Write `$NODEID+0x600` and `$NODEID+0x580`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.3.5
-    "cia301/default-sdo-cob-id", Error, Facts(check), fix Unsafe
+    "cia301/default-sdo-cob-id", Error, Facts(check), fix Unsafe;
+    summary: "the default SDO has another CAN-ID than CiA 301 gives it",
+    checks: "Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.",
+    why: "The default SDO is how everybody reaches the device; its CAN-IDs cannot be changed. A tool that believes the description talks to nobody, or to another node.",
+    example: "`[1200sub1]` with `DefaultValue=0x600`",
+    remedy: "Write `$NODEID+0x600` and `$NODEID+0x580`.",
+    source: "CiA 301 §7.5.2.33, §7.3.5",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Place};
 use crate::rule;
 
 rule! {
-    /// the default SDO names a client
-    ///
-    /// ## What it checks
-    /// Whether 1200h, the default SDO, is without sub-index 3, the node-ID of the client.
-    ///
-    /// ## Why it matters
-    /// The default SDO belongs to whoever manages the network; its identifiers say the rest. CiA 301 gives the entry to additional channels only, and a conformance test refuses it.
-    ///
-    /// ## Example
-    /// `[1200sub3]`
-    ///
-    /// ## How to mend
-    /// Remove the sub-index, and count one less in `SubNumber` and sub-index 0.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33
-    "cia301/default-sdo-node-id", Warning, Device(check), fix Unsafe
+    "cia301/default-sdo-node-id", Warning, Device(check), fix Unsafe;
+    summary: "the default SDO names a client",
+    checks: "Whether 1200h, the default SDO, is without sub-index 3, the node-ID of the client.",
+    why: "The default SDO belongs to whoever manages the network; its identifiers say the rest. CiA 301 gives the entry to additional channels only, and a conformance test refuses it.",
+    example: "`[1200sub3]`",
+    remedy: "Remove the sub-index, and count one less in `SubNumber` and sub-index 0.",
+    source: "CiA 301 §7.5.2.33",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

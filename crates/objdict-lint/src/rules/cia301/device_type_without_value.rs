@@ -3,23 +3,13 @@ use crate::model::Device;
 use crate::{is_unstated, rule};
 
 rule! {
-    /// the device type has no value
-    ///
-    /// ## What it checks
-    /// Whether the value of 1000h is stated.
-    ///
-    /// ## Why it matters
-    /// The low word of 1000h names the device profile. Without it a tool cannot know what the objects from 6000h on mean, and no rule about profiles can be applied.
-    ///
-    /// ## Example
-    /// `[1000]` without `DefaultValue`
-    ///
-    /// ## How to mend
-    /// Write the value that the device answers; 0 when it follows no device profile.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.1
-    "cia301/device-type-without-value", Warning, Device(check)
+    "cia301/device-type-without-value", Warning, Device(check);
+    summary: "the device type has no value",
+    checks: "Whether the value of 1000h is stated.",
+    why: "The low word of 1000h names the device profile. Without it a tool cannot know what the objects from 6000h on mean, and no rule about profiles can be applied.",
+    example: "`[1000]` without `DefaultValue`",
+    remedy: "Write the value that the device answers; 0 when it follows no device profile.",
+    source: "CiA 301 §7.5.2.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// an entry of the EMCY consumer listens to another node
-    ///
-    /// ## What it checks
-    /// Whether each COB-ID of 1028h that is in use and lies in 81h to FFh is 80h plus its sub-index, which is the node-ID of the node that sends it, and whether none of a DCF is that of the node itself.
-    ///
-    /// ## Why it matters
-    /// The device takes the error of one node for that of another.
-    ///
-    /// ## Example
-    /// `[1028sub5]` with `DefaultValue=0x86`
-    ///
-    /// ## How to mend
-    /// Write 80h plus the sub-index, or set bit 31 to listen to nobody.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.31
-    "cia301/emergency-consumer-of-other-node", Warning, Facts(check)
+    "cia301/emergency-consumer-of-other-node", Warning, Facts(check);
+    summary: "an entry of the EMCY consumer listens to another node",
+    checks: "Whether each COB-ID of 1028h that is in use and lies in 81h to FFh is 80h plus its sub-index, which is the node-ID of the node that sends it, and whether none of a DCF is that of the node itself.",
+    why: "The device takes the error of one node for that of another.",
+    example: "`[1028sub5]` with `DefaultValue=0x86`",
+    remedy: "Write 80h plus the sub-index, or set bit 31 to listen to nobody.",
+    source: "CiA 301 §7.5.2.31",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

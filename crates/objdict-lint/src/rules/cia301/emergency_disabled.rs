@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// the emergency object is switched off by default though the device has it
-    ///
-    /// ## What it checks
-    /// Whether bit 31 of 1014h is clear on a device with 1015h, the inhibit time of EMCY, in an EDS.
-    ///
-    /// ## Why it matters
-    /// Bit 31 says that EMCY does not exist. The bit of SYNC and TIME at that place says another thing, so it is easily set by mistake, and then no error of the device reaches the network.
-    ///
-    /// ## Example
-    /// `[1014]` with `DefaultValue=$NODEID+0x80000080`
-    ///
-    /// ## How to mend
-    /// Clear bit 31: `$NODEID+0x80`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.17
-    "cia301/emergency-disabled", Warning, Facts(check), fix Unsafe
+    "cia301/emergency-disabled", Warning, Facts(check), fix Unsafe;
+    summary: "the emergency object is switched off by default though the device has it",
+    checks: "Whether bit 31 of 1014h is clear on a device with 1015h, the inhibit time of EMCY, in an EDS.",
+    why: "Bit 31 says that EMCY does not exist. The bit of SYNC and TIME at that place says another thing, so it is easily set by mistake, and then no error of the device reaches the network.",
+    example: "`[1014]` with `DefaultValue=$NODEID+0x80000080`",
+    remedy: "Clear bit 31: `$NODEID+0x80`.",
+    source: "CiA 301 §7.5.2.17",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// an object about emergencies on a device without EMCY
-    ///
-    /// ## What it checks
-    /// Whether a device with 1015h (inhibit time EMCY) has 1014h, the COB-ID of EMCY. For 1003h (pre-defined error field) it is a note: a device may keep its errors and tell nobody.
-    ///
-    /// ## Why it matters
-    /// The device tells that it sends EMCY and not under which CAN-ID.
-    ///
-    /// ## Example
-    /// `[1015]`, and no `[1014]`
-    ///
-    /// ## How to mend
-    /// Add 1014h with the default `$NODEID+0x80`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.17, §7.5.2.18
-    "cia301/emergency-without-cob-id", Warning, Device(check)
+    "cia301/emergency-without-cob-id", Warning, Device(check);
+    summary: "an object about emergencies on a device without EMCY",
+    checks: "Whether a device with 1015h (inhibit time EMCY) has 1014h, the COB-ID of EMCY. For 1003h (pre-defined error field) it is a note: a device may keep its errors and tell nobody.",
+    why: "The device tells that it sends EMCY and not under which CAN-ID.",
+    example: "`[1015]`, and no `[1014]`",
+    remedy: "Add 1014h with the default `$NODEID+0x80`.",
+    source: "CiA 301 §7.5.2.17, §7.5.2.18",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

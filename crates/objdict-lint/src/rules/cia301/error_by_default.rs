@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind};
 use crate::rule;
 
 rule! {
-    /// a new device has an error
-    ///
-    /// ## What it checks
-    /// Whether the defaults of 1001h, the error register, and of 1003h sub-index 0, the number of errors in the history, are 0 in an EDS.
-    ///
-    /// ## Why it matters
-    /// The default is what the device has after power-on without a fault. A tool that holds the device against its description reports one that is healthy.
-    ///
-    /// ## Example
-    /// `[1001]` with `DefaultValue=1`
-    ///
-    /// ## How to mend
-    /// Write 0.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.2, §7.5.2.4
-    "cia301/error-by-default", Warning, Device(check)
+    "cia301/error-by-default", Warning, Device(check);
+    summary: "a new device has an error",
+    checks: "Whether the defaults of 1001h, the error register, and of 1003h sub-index 0, the number of errors in the history, are 0 in an EDS.",
+    why: "The default is what the device has after power-on without a fault. A tool that holds the device against its description reports one that is healthy.",
+    example: "`[1001]` with `DefaultValue=1`",
+    remedy: "Write 0.",
+    source: "CiA 301 §7.5.2.2, §7.5.2.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// a COB-ID is a number where the node-ID belongs into it
-    ///
-    /// ## What it checks
-    /// Whether the default COB-IDs of EMCY and of PDO 1 to 4 in an EDS are formulas when they lie in the predefined connection set: 81h to FFh for EMCY, 181h to 1FFh for TPDO 1, and so on, or the bare base such as 180h. What is switched off by bit 31 is not looked at. A DCF is for one node and may have numbers.
-    ///
-    /// ## Why it matters
-    /// The description is for a type of device and not for one node: two such devices on a network use the same CAN-ID. Tools do not add the node-ID to a number.
-    ///
-    /// ## Example
-    /// `[1014]` with `DefaultValue=0x81`
-    ///
-    /// ## How to mend
-    /// Write `$NODEID+0x80`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.5, tables 38 and 39; CiA 306-1 §4.3
-    "cia301/fixed-node-id", Warning, Facts(check), fix Unsafe
+    "cia301/fixed-node-id", Warning, Facts(check), fix Unsafe;
+    summary: "a COB-ID is a number where the node-ID belongs into it",
+    checks: "Whether the default COB-IDs of EMCY and of PDO 1 to 4 in an EDS are formulas when they lie in the predefined connection set: 81h to FFh for EMCY, 181h to 1FFh for TPDO 1, and so on, or the bare base such as 180h. What is switched off by bit 31 is not looked at. A DCF is for one node and may have numbers.",
+    why: "The description is for a type of device and not for one node: two such devices on a network use the same CAN-ID. Tools do not add the node-ID to a number.",
+    example: "`[1014]` with `DefaultValue=0x81`",
+    remedy: "Write `$NODEID+0x80`.",
+    source: "CiA 301 §7.3.5, tables 38 and 39; CiA 306-1 §4.3",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// the sub-indexes of a PDO mapping have a gap
-    ///
-    /// ## What it checks
-    /// Whether the described sub-indexes of each PDO mapping beyond those in use follow each other. A gap among those in use is an error of its own.
-    ///
-    /// ## Why it matters
-    /// Objects are mapped in the order of the sub-indexes without gap, so those behind the gap can never be used.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` and `[1A00sub3]`, and no `[1A00sub2]`
-    ///
-    /// ## How to mend
-    /// Describe the missing sub-index, or remove those behind it.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36, table 69
-    "cia301/gap-in-mapping", Note, Pdo(check)
+    "cia301/gap-in-mapping", Note, Pdo(check);
+    summary: "the sub-indexes of a PDO mapping have a gap",
+    checks: "Whether the described sub-indexes of each PDO mapping beyond those in use follow each other. A gap among those in use is an error of its own.",
+    why: "Objects are mapped in the order of the sub-indexes without gap, so those behind the gap can never be used.",
+    example: "`[1A00sub1]` and `[1A00sub3]`, and no `[1A00sub2]`",
+    remedy: "Describe the missing sub-index, or remove those behind it.",
+    source: "CiA 301 §7.5.2.36, table 69",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the SDO channels are not numbered without gaps
-    ///
-    /// ## What it checks
-    /// Whether each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) follows the one before it.
-    ///
-    /// ## Why it matters
-    /// CiA 301 has the channels counted from the first. Managers that assign channels stop at the first index that is not there.
-    ///
-    /// ## Example
-    /// `[1281]`, and no `[1280]`
-    ///
-    /// ## How to mend
-    /// Use the next free index, or describe the channels in between.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/gap-in-sdo-numbers", Warning, Device(check)
+    "cia301/gap-in-sdo-numbers", Warning, Device(check);
+    summary: "the SDO channels are not numbered without gaps",
+    checks: "Whether each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) follows the one before it.",
+    why: "CiA 301 has the channels counted from the first. Managers that assign channels stop at the first index that is not there.",
+    example: "`[1281]`, and no `[1280]`",
+    remedy: "Use the next free index, or describe the channels in between.",
+    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

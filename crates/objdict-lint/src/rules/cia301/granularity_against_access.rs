@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Object, Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// the granularity says one thing about the PDO mapping, its access types another
-    ///
-    /// ## What it checks
-    /// Whether `Granularity` is 0 when no PDO mapping can be written, and not 0 when one can. A mapping that can be written in part only is the matter of another rule.
-    ///
-    /// ## Why it matters
-    /// Tools look at `Granularity` to know whether the mapping can be changed at all: with 0 they do not let the user change what could be changed, else they let him and the device refuses.
-    ///
-    /// ## Example
-    /// `Granularity=0`, and `[1A00sub0]` and `[1A00sub1]` with `AccessType=rw`
-    ///
-    /// ## How to mend
-    /// Write 0 for a fixed mapping, 8 for one of whole bytes, 1 for one of single bits.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia301/granularity-against-access", Warning, Facts(check), fix Unsafe
+    "cia301/granularity-against-access", Warning, Facts(check), fix Unsafe;
+    summary: "the granularity says one thing about the PDO mapping, its access types another",
+    checks: "Whether `Granularity` is 0 when no PDO mapping can be written, and not 0 when one can. A mapping that can be written in part only is the matter of another rule.",
+    why: "Tools look at `Granularity` to know whether the mapping can be changed at all: with 0 they do not let the user change what could be changed, else they let him and the device refuses.",
+    example: "`Granularity=0`, and `[1A00sub0]` and `[1A00sub1]` with `AccessType=rw`",
+    remedy: "Write 0 for a fixed mapping, 8 for one of whole bytes, 1 for one of single bits.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

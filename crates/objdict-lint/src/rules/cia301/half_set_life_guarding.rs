@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// life guarding has one of its two values
-    ///
-    /// ## What it checks
-    /// Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both more. A heartbeat time makes them meaningless.
-    ///
-    /// ## Why it matters
-    /// The node watches its master for the product of the two. With a 0 among them it watches nobody, though the other one looks as if it did.
-    ///
-    /// ## Example
-    /// `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=0`
-    ///
-    /// ## How to mend
-    /// Write both, or 0 into both.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.11, §7.5.2.12
-    "cia301/half-set-life-guarding", Warning, Facts(check)
+    "cia301/half-set-life-guarding", Warning, Facts(check);
+    summary: "life guarding has one of its two values",
+    checks: "Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both more. A heartbeat time makes them meaningless.",
+    why: "The node watches its master for the product of the two. With a 0 among them it watches nobody, though the other one looks as if it did.",
+    example: "`[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=0`",
+    remedy: "Write both, or 0 into both.",
+    source: "CiA 301 §7.5.2.11, §7.5.2.12",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// one direction of an SDO channel is valid and the other is not
-    ///
-    /// ## What it checks
-    /// Whether the two COB-IDs of an SDO server or client (1201h to 12FFh) are both in use or both not. Bit 31 switches one off, and so does 0, which many stacks have in a channel that is not configured.
-    ///
-    /// ## Why it matters
-    /// A channel exists when both are valid. One valid COB-ID takes a CAN-ID away and gives no SDO.
-    ///
-    /// ## Example
-    /// `[1280sub1]` with `DefaultValue=0x605` and `[1280sub2]` with `DefaultValue=0x80000585`
-    ///
-    /// ## How to mend
-    /// Set bit 31 in both, or clear it in both.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/half-valid-sdo", Error, Facts(check)
+    "cia301/half-valid-sdo", Error, Facts(check);
+    summary: "one direction of an SDO channel is valid and the other is not",
+    checks: "Whether the two COB-IDs of an SDO server or client (1201h to 12FFh) are both in use or both not. Bit 31 switches one off, and so does 0, which many stacks have in a channel that is not configured.",
+    why: "A channel exists when both are valid. One valid COB-ID takes a CAN-ID away and gives no SDO.",
+    example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub2]` with `DefaultValue=0x80000585`",
+    remedy: "Set bit 31 in both, or clear it in both.",
+    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings};
 use crate::{Facts, rule};
 
 rule! {
-    /// heartbeat and node guarding are both switched on
-    ///
-    /// ## What it checks
-    /// Whether 1017h, the heartbeat time, is 0 where 100Ch, the guard time, and 100Dh, the life time factor, are not.
-    ///
-    /// ## Why it matters
-    /// A node does one or the other: with a heartbeat time it sends heartbeats and answers no guarding, and life guarding then sees a master that has gone.
-    ///
-    /// ## Example
-    /// `[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`
-    ///
-    /// ## How to mend
-    /// Write 0 into 100Ch and 100Dh.
-    ///
-    /// ## Source
-    /// CiA 301 §7.2.8.2, §7.5.2.20
-    "cia301/heartbeat-beside-guarding", Warning, Facts(check)
+    "cia301/heartbeat-beside-guarding", Warning, Facts(check);
+    summary: "heartbeat and node guarding are both switched on",
+    checks: "Whether 1017h, the heartbeat time, is 0 where 100Ch, the guard time, and 100Dh, the life time factor, are not.",
+    why: "A node does one or the other: with a heartbeat time it sends heartbeats and answers no guarding, and life guarding then sees a master that has gone.",
+    example: "`[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`",
+    remedy: "Write 0 into 100Ch and 100Dh.",
+    source: "CiA 301 §7.2.8.2, §7.5.2.20",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

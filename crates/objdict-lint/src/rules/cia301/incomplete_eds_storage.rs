@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// one of the two objects that hold the EDS is missing
-    ///
-    /// ## What it checks
-    /// Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format.
-    ///
-    /// ## Why it matters
-    /// A tool cannot unpack a file whose format it does not know, and a format alone is of no use.
-    ///
-    /// ## Example
-    /// `[1021]`, and no `[1022]`
-    ///
-    /// ## How to mend
-    /// Add the other object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for a file that is not compressed.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.24, §7.5.2.25
-    "cia301/incomplete-eds-storage", Error, Device(check)
+    "cia301/incomplete-eds-storage", Error, Device(check);
+    summary: "one of the two objects that hold the EDS is missing",
+    checks: "Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format.",
+    why: "A tool cannot unpack a file whose format it does not know, and a format alone is of no use.",
+    example: "`[1021]`, and no `[1022]`",
+    remedy: "Add the other object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for a file that is not compressed.",
+    source: "CiA 301 §7.5.2.24, §7.5.2.25",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// one of the two objects of node guarding is missing
-    ///
-    /// ## What it checks
-    /// Whether 100Ch (guard time) and 100Dh (life time factor) are there together or not at all.
-    ///
-    /// ## Why it matters
-    /// The life time is the product of the two; a device with one of them cannot notice that its master has gone.
-    ///
-    /// ## Example
-    /// `[100C]` without `[100D]`
-    ///
-    /// ## How to mend
-    /// Add the other one, or remove both and use the heartbeat.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.11, §7.5.2.12
-    "cia301/incomplete-node-guarding", Error, Device(check)
+    "cia301/incomplete-node-guarding", Error, Device(check);
+    summary: "one of the two objects of node guarding is missing",
+    checks: "Whether 100Ch (guard time) and 100Dh (life time factor) are there together or not at all.",
+    why: "The life time is the product of the two; a device with one of them cannot notice that its master has gone.",
+    example: "`[100C]` without `[100D]`",
+    remedy: "Add the other one, or remove both and use the heartbeat.",
+    source: "CiA 301 §7.5.2.11, §7.5.2.12",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Part, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO communication parameter lacks the COB-ID or the transmission type
-    ///
-    /// ## What it checks
-    /// Whether each object from 1400h to 15FFh and from 1800h to 19FFh has sub-indexes 1 and 2.
-    ///
-    /// ## Why it matters
-    /// A manager cannot configure the PDO, and a tool cannot say when it is sent.
-    ///
-    /// ## Example
-    /// `[1801]` with `[1801sub0]` and `[1801sub1]` only
-    ///
-    /// ## How to mend
-    /// Describe the missing sub-index.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35, §7.5.2.37
-    "cia301/incomplete-pdo-parameter", Error, Pdo(check)
+    "cia301/incomplete-pdo-parameter", Error, Pdo(check);
+    summary: "a PDO communication parameter lacks the COB-ID or the transmission type",
+    checks: "Whether each object from 1400h to 15FFh and from 1800h to 19FFh has sub-indexes 1 and 2.",
+    why: "A manager cannot configure the PDO, and a tool cannot say when it is sent.",
+    example: "`[1801]` with `[1801sub0]` and `[1801sub1]` only",
+    remedy: "Describe the missing sub-index.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

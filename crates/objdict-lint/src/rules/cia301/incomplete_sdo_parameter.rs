@@ -4,23 +4,13 @@ use crate::model::{Part, Place};
 use crate::rule;
 
 rule! {
-    /// an SDO parameter lacks a sub-index
-    ///
-    /// ## What it checks
-    /// Whether each SDO server (1200h to 127Fh) has the COB-IDs of both directions, sub-indexes 1 and 2, and each SDO client (1280h to 12FFh) the node-ID of its server, sub-index 3, too.
-    ///
-    /// ## Why it matters
-    /// An SDO channel needs both identifiers; a client does not know whom it talks to without the node-ID.
-    ///
-    /// ## Example
-    /// `[1280]` with sub-indexes 0 to 2 only
-    ///
-    /// ## How to mend
-    /// Describe the missing sub-index.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/incomplete-sdo-parameter", Error, Against(check)
+    "cia301/incomplete-sdo-parameter", Error, Against(check);
+    summary: "an SDO parameter lacks a sub-index",
+    checks: "Whether each SDO server (1200h to 127Fh) has the COB-IDs of both directions, sub-indexes 1 and 2, and each SDO client (1280h to 12FFh) the node-ID of its server, sub-index 3, too.",
+    why: "An SDO channel needs both identifiers; a client does not know whom it talks to without the node-ID.",
+    example: "`[1280]` with sub-indexes 0 to 2 only",
+    remedy: "Describe the missing sub-index.",
+    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// the inhibit time of a TPDO is longer than its event timer
-    ///
-    /// ## What it checks
-    /// Whether the inhibit time of each event-driven TPDO (types 254 and 255), which counts in 100 µs, is at most as long as its event timer, which counts in milliseconds. 0 means off.
-    ///
-    /// ## Why it matters
-    /// The event timer wants to send the PDO before the inhibit time allows it. Mostly the inhibit time was written in milliseconds.
-    ///
-    /// ## Example
-    /// `[1800sub3]` with `DefaultValue=5000` (500 ms) and `[1800sub5]` with `DefaultValue=100`
-    ///
-    /// ## How to mend
-    /// Shorten the inhibit time, or lengthen the event timer.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.37
-    "cia301/inhibit-above-event-timer", Warning, Pdo(check)
+    "cia301/inhibit-above-event-timer", Warning, Pdo(check);
+    summary: "the inhibit time of a TPDO is longer than its event timer",
+    checks: "Whether the inhibit time of each event-driven TPDO (types 254 and 255), which counts in 100 µs, is at most as long as its event timer, which counts in milliseconds. 0 means off.",
+    why: "The event timer wants to send the PDO before the inhibit time allows it. Mostly the inhibit time was written in milliseconds.",
+    example: "`[1800sub3]` with `DefaultValue=5000` (500 ms) and `[1800sub5]` with `DefaultValue=100`",
+    remedy: "Shorten the inhibit time, or lengthen the event timer.",
+    source: "CiA 301 §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, Fix, Text, joined, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// a COB-ID has bits that mean nothing
-    ///
-    /// ## What it checks
-    /// Whether bits 11 to 28 are clear in each COB-ID whose bit 29 says that the CAN-ID has 11 bits, and bit 30 in those of EMCY, which is reserved there. SYNC, TIME, EMCY, SDO and PDO are looked at; a formula is evaluated for the highest node-ID.
-    ///
-    /// ## Why it matters
-    /// Some devices refuse such a value, others cut it, so that the service uses another CAN-ID than the one that is written. Mostly a digit is missing: `0x8000000` was meant to be `0x80000000`.
-    ///
-    /// ## Example
-    /// `[1804sub1]` with `DefaultValue=0x8000000`
-    ///
-    /// ## How to mend
-    /// Count the digits: bit 31 is `0x80000000`, and the CAN-ID takes the lowest three.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35
-    "cia301/invalid-cob-id", Error, Facts(check), fix Unsafe
+    "cia301/invalid-cob-id", Error, Facts(check), fix Unsafe;
+    summary: "a COB-ID has bits that mean nothing",
+    checks: "Whether bits 11 to 28 are clear in each COB-ID whose bit 29 says that the CAN-ID has 11 bits, and bit 30 in those of EMCY, which is reserved there. SYNC, TIME, EMCY, SDO and PDO are looked at; a formula is evaluated for the highest node-ID.",
+    why: "Some devices refuse such a value, others cut it, so that the service uses another CAN-ID than the one that is written. Mostly a digit is missing: `0x8000000` was meant to be `0x80000000`.",
+    example: "`[1804sub1]` with `DefaultValue=0x8000000`",
+    remedy: "Count the digits: bit 31 is `0x80000000`, and the CAN-ID takes the lowest three.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -6,23 +6,13 @@ use crate::{Facts, rule};
 const DAY: i128 = 86_400_000;
 
 rule! {
-    /// the date of the configuration cannot be
-    ///
-    /// ## What it checks
-    /// Whether 1020h, verify configuration, holds 0 in an EDS, and in a DCF a time below 86400000 milliseconds of the day, with a date beside it.
-    ///
-    /// ## Why it matters
-    /// A manager that finds its own date in 1020h takes the device for configured and writes nothing. A new device with a date, or an impossible time, is never configured, or at every start.
-    ///
-    /// ## Example
-    /// `[1020sub2]` with `ParameterValue=90000000`
-    ///
-    /// ## How to mend
-    /// Write days since 1984-01-01 into sub-index 1 and milliseconds since midnight into sub-index 2; 0 in an EDS.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.23
-    "cia301/invalid-configuration-date", Warning, Facts(check)
+    "cia301/invalid-configuration-date", Warning, Facts(check);
+    summary: "the date of the configuration cannot be",
+    checks: "Whether 1020h, verify configuration, holds 0 in an EDS, and in a DCF a time below 86400000 milliseconds of the day, with a date beside it.",
+    why: "A manager that finds its own date in 1020h takes the device for configured and writes nothing. A new device with a date, or an impossible time, is never configured, or at every start.",
+    example: "`[1020sub2]` with `ParameterValue=90000000`",
+    remedy: "Write days since 1984-01-01 into sub-index 1 and milliseconds since midnight into sub-index 2; 0 in an EDS.",
+    source: "CiA 301 §7.5.2.23",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::Device;
 use crate::rule;
 
 rule! {
-    /// an entry of the heartbeat consumer cannot watch a node
-    ///
-    /// ## What it checks
-    /// Whether each value of 1016h that has a time names a node from 1 to 127, has its upper byte clear, does not name the node of the DCF itself, and does not watch a node that an entry before it watches.
-    ///
-    /// ## Why it matters
-    /// A device answers such a value with an abort, or watches nobody. Mostly the node-ID was forgotten, and the value is just the time.
-    ///
-    /// ## Example
-    /// `[1016sub1]` with `DefaultValue=750`
-    ///
-    /// ## How to mend
-    /// Write the node-ID into bits 16 to 23: `0x000702EE` watches node 7 for 750 ms.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.19
-    "cia301/invalid-consumer-heartbeat", Error, Device(check)
+    "cia301/invalid-consumer-heartbeat", Error, Device(check);
+    summary: "an entry of the heartbeat consumer cannot watch a node",
+    checks: "Whether each value of 1016h that has a time names a node from 1 to 127, has its upper byte clear, does not name the node of the DCF itself, and does not watch a node that an entry before it watches.",
+    why: "A device answers such a value with an abort, or watches nobody. Mostly the node-ID was forgotten, and the value is just the time.",
+    example: "`[1016sub1]` with `DefaultValue=750`",
+    remedy: "Write the node-ID into bits 16 to 23: `0x000702EE` watches node 7 for 750 ms.",
+    source: "CiA 301 §7.5.2.19",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

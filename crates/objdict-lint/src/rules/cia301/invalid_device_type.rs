@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// the device type contradicts itself
-    ///
-    /// ## What it checks
-    /// Whether 1000h with the profile number 0 in its low word, which says that the device follows no profile, has 0 in its high word too.
-    ///
-    /// ## Why it matters
-    /// The high word means something within a profile only. A master that compares the device type, or takes the profile from it, draws the wrong conclusion.
-    ///
-    /// ## Example
-    /// `[1000]` with `DefaultValue=0x00030000`
-    ///
-    /// ## How to mend
-    /// Write the number of the profile into the low word, such as `0x00030191` for CiA 401, or 0 as a whole.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.1
-    "cia301/invalid-device-type", Error, Facts(check)
+    "cia301/invalid-device-type", Error, Facts(check);
+    summary: "the device type contradicts itself",
+    checks: "Whether 1000h with the profile number 0 in its low word, which says that the device follows no profile, has 0 in its high word too.",
+    why: "The high word means something within a profile only. A master that compares the device type, or takes the profile from it, draws the wrong conclusion.",
+    example: "`[1000]` with `DefaultValue=0x00030000`",
+    remedy: "Write the number of the profile into the low word, such as `0x00030191` for CiA 401, or 0 as a whole.",
+    source: "CiA 301 §7.5.2.1",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a filler in a PDO mapping is not allowed
-    ///
-    /// ## What it checks
-    /// Whether each mapping entry that names a data type instead of an object (below 0020h) stands in an RPDO, names an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not forbidden in `DummyUsage`.
-    ///
-    /// ## Why it matters
-    /// A filler makes an RPDO skip bits that are for others. A TPDO has nothing to send there; a device refuses a type that it does not support as a filler.
-    ///
-    /// ## Example
-    /// `[1600sub2]` with `DefaultValue=0x00050010`
-    ///
-    /// ## How to mend
-    /// Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and set the key in `DummyUsage`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.1; CiA 306-1 §4.6.2
-    "cia301/invalid-dummy-mapping", Error, Pdo(check)
+    "cia301/invalid-dummy-mapping", Error, Pdo(check);
+    summary: "a filler in a PDO mapping is not allowed",
+    checks: "Whether each mapping entry that names a data type instead of an object (below 0020h) stands in an RPDO, names an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not forbidden in `DummyUsage`.",
+    why: "A filler makes an RPDO skip bits that are for others. A TPDO has nothing to send there; a device refuses a type that it does not support as a filler.",
+    example: "`[1600sub2]` with `DefaultValue=0x00050010`",
+    remedy: "Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and set the key in `DummyUsage`.",
+    source: "CiA 301 §7.4.7.1; CiA 306-1 §4.6.2",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::Device;
 use crate::rule;
 
 rule! {
-    /// an error behavior has a reserved value
-    ///
-    /// ## What it checks
-    /// Whether each value of 1029h is 0 (to pre-operational), 1 (no change) or 2 (to stopped), or one from 128 on, which manufacturers define.
-    ///
-    /// ## Why it matters
-    /// A device refuses the value, and a manager does not know what the device will do when the network fails.
-    ///
-    /// ## Example
-    /// `[1029sub1]` with `DefaultValue=3`
-    ///
-    /// ## How to mend
-    /// Write the behavior that the device has.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.32
-    "cia301/invalid-error-behavior", Error, Device(check)
+    "cia301/invalid-error-behavior", Error, Device(check);
+    summary: "an error behavior has a reserved value",
+    checks: "Whether each value of 1029h is 0 (to pre-operational), 1 (no change) or 2 (to stopped), or one from 128 on, which manufacturers define.",
+    why: "A device refuses the value, and a manager does not know what the device will do when the network fails.",
+    example: "`[1029sub1]` with `DefaultValue=3`",
+    remedy: "Write the behavior that the device has.",
+    source: "CiA 301 §7.5.2.32",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, rule, with_others};
 
 rule! {
-    /// the overflow value of the SYNC counter is reserved, or does not fit the PDOs
-    ///
-    /// ## What it checks
-    /// Whether 1019h is 0 or from 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.
-    ///
-    /// ## Why it matters
-    /// The device refuses 1 and the values above 240. A counter that is no multiple of n starts anew in the middle of a cycle, so that the PDO comes early once in every round.
-    ///
-    /// ## Example
-    /// `[1019]` with `DefaultValue=1`
-    ///
-    /// ## How to mend
-    /// Write 0 for a SYNC without a counter, else the least common multiple of the transmission types.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.22
-    "cia301/invalid-sync-counter", Error, Facts(check)
+    "cia301/invalid-sync-counter", Error, Facts(check);
+    summary: "the overflow value of the SYNC counter is reserved, or does not fit the PDOs",
+    checks: "Whether 1019h is 0 or from 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.",
+    why: "The device refuses 1 and the values above 240. A counter that is no multiple of n starts anew in the middle of a cycle, so that the PDO comes early once in every round.",
+    example: "`[1019]` with `DefaultValue=1`",
+    remedy: "Write 0 for a SYNC without a counter, else the least common multiple of the transmission types.",
+    source: "CiA 301 §7.5.2.22",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a TPDO waits for a SYNC that never comes
-    ///
-    /// ## What it checks
-    /// Whether the SYNC start value of each TPDO is at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter, where it has no effect, is a warning.
-    ///
-    /// ## Why it matters
-    /// The TPDO starts with the SYNC whose counter has the start value. The counter goes from 1 to the overflow value, so a higher start value never comes.
-    ///
-    /// ## Example
-    /// `[1800sub6]` with `DefaultValue=12` and `[1019]` with `DefaultValue=10`
-    ///
-    /// ## How to mend
-    /// Write 0 to start with any SYNC, or a value up to that of 1019h.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.22, §7.5.2.37
-    "cia301/invalid-sync-start-value", Error, Pdo(check)
+    "cia301/invalid-sync-start-value", Error, Pdo(check);
+    summary: "a TPDO waits for a SYNC that never comes",
+    checks: "Whether the SYNC start value of each TPDO is at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter, where it has no effect, is a warning.",
+    why: "The TPDO starts with the SYNC whose counter has the start value. The counter goes from 1 to the overflow value, so a higher start value never comes.",
+    example: "`[1800sub6]` with `DefaultValue=12` and `[1019]` with `DefaultValue=10`",
+    remedy: "Write 0 to start with any SYNC, or a value up to that of 1019h.",
+    source: "CiA 301 §7.5.2.22, §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Access, Device, Field, PdoKind, Place};
 use crate::rule;
 
 rule! {
-    /// entries can be mapped, but there is no PDO in their direction
-    ///
-    /// ## What it checks
-    /// Whether a device that has PDOs has a TPDO for its entries with `PDOMapping=1` and the access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are left alone.
-    ///
-    /// ## Why it matters
-    /// Tools offer the entries for mapping, and nothing can carry them. Mostly PDOs were left out of the description.
-    ///
-    /// ## Example
-    /// `AccessType=rww` and `PDOMapping=1` in `[2000]`, and TPDOs only
-    ///
-    /// ## How to mend
-    /// Describe the PDOs, or write `PDOMapping=0`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 to §7.5.2.38
-    "cia301/mappable-without-pdo", Warning, Device(check)
+    "cia301/mappable-without-pdo", Warning, Device(check);
+    summary: "entries can be mapped, but there is no PDO in their direction",
+    checks: "Whether a device that has PDOs has a TPDO for its entries with `PDOMapping=1` and the access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are left alone.",
+    why: "Tools offer the entries for mapping, and nothing can carry them. Mostly PDOs were left out of the description.",
+    example: "`AccessType=rww` and `PDOMapping=1` in `[2000]`, and TPDOs only",
+    remedy: "Describe the PDOs, or write `PDOMapping=0`.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

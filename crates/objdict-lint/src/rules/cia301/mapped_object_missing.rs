@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps an object that does not exist
-    ///
-    /// ## What it checks
-    /// Whether each entry in use of a PDO mapping names an object and sub-index of the description. What a module or a dynamic channel may bring counts as existing; on a modular device anything else that is missing is a note.
-    ///
-    /// ## Why it matters
-    /// The device refuses the mapping with an abort, and the PDO does not work. Tools that fill the frame from the dictionary fail there.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x60000108`, and no `[6000]`
-    ///
-    /// ## How to mend
-    /// Describe the object, or map another one. A number of eight digits is index, sub-index and length.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2
-    "cia301/mapped-object-missing", Error, Pdo(check)
+    "cia301/mapped-object-missing", Error, Pdo(check);
+    summary: "a PDO maps an object that does not exist",
+    checks: "Whether each entry in use of a PDO mapping names an object and sub-index of the description. What a module or a dynamic channel may bring counts as existing; on a modular device anything else that is missing is a note.",
+    why: "The device refuses the mapping with an abort, and the PDO does not work. Tools that fill the frame from the dictionary fail there.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60000108`, and no `[6000]`",
+    remedy: "Describe the object, or map another one. A number of eight digits is index, sub-index and length.",
+    source: "CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Field, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps an object that no PDO may carry
-    ///
-    /// ## What it checks
-    /// Whether each entry that a PDO mapping names has `PDOMapping` set.
-    ///
-    /// ## Why it matters
-    /// Either the object can be mapped and no tool offers it, or it cannot and the default mapping is wrong.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `PDOMapping=0`
-    ///
-    /// ## How to mend
-    /// Write `PDOMapping=1` at the object, or map another one.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36; CiA 306-1 §4.6.3.2
-    "cia301/mapped-object-not-mappable", Error, Pdo(check), fix Unsafe
+    "cia301/mapped-object-not-mappable", Error, Pdo(check), fix Unsafe;
+    summary: "a PDO maps an object that no PDO may carry",
+    checks: "Whether each entry that a PDO mapping names has `PDOMapping` set.",
+    why: "Either the object can be mapped and no tool offers it, or it cannot and the default mapping is wrong.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `PDOMapping=0`",
+    remedy: "Write `PDOMapping=1` at the object, or map another one.",
+    source: "CiA 301 §7.5.2.36; CiA 306-1 §4.6.3.2",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

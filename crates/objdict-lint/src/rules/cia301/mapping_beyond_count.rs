@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO mapping has entries that its sub-index 0 does not count
-    ///
-    /// ## What it checks
-    /// Whether the entries of a PDO mapping after the ones that sub-index 0 counts are 0 or empty. A mapping that counts 0 is switched off and may keep its entries.
-    ///
-    /// ## Why it matters
-    /// The objects look mapped and are not; often sub-index 0 was forgotten when an entry was added.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `DefaultValue=1`, and `[1A00sub2]` with `DefaultValue=0x60000208`
-    ///
-    /// ## How to mend
-    /// Count the entry in sub-index 0, or write 0 into it.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36 table 69
-    "cia301/mapping-beyond-count", Warning, Pdo(check)
+    "cia301/mapping-beyond-count", Warning, Pdo(check);
+    summary: "a PDO mapping has entries that its sub-index 0 does not count",
+    checks: "Whether the entries of a PDO mapping after the ones that sub-index 0 counts are 0 or empty. A mapping that counts 0 is switched off and may keep its entries.",
+    why: "The objects look mapped and are not; often sub-index 0 was forgotten when an entry was added.",
+    example: "`[1A00sub0]` with `DefaultValue=1`, and `[1A00sub2]` with `DefaultValue=0x60000208`",
+    remedy: "Count the entry in sub-index 0, or write 0 into it.",
+    source: "CiA 301 §7.5.2.36 table 69",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

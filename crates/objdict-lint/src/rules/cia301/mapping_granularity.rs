@@ -3,23 +3,13 @@ use crate::model::{Field, Part, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps an object that is no multiple of the granularity
-    ///
-    /// ## What it checks
-    /// Whether the length of each object that a PDO maps by default is a multiple of the device's `Granularity`. 0 means that the mapping is fixed, and then nothing is looked at.
-    ///
-    /// ## Why it matters
-    /// A device with a granularity of 8 maps whole bytes; it refuses a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.
-    ///
-    /// ## Example
-    /// `Granularity=8`, and `[1A00sub1]` with `DefaultValue=0x60200101`
-    ///
-    /// ## How to mend
-    /// Write the granularity that the device has, or map objects of whole bytes.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia301/mapping-granularity", Warning, Pdo(check)
+    "cia301/mapping-granularity", Warning, Pdo(check);
+    summary: "a PDO maps an object that is no multiple of the granularity",
+    checks: "Whether the length of each object that a PDO maps by default is a multiple of the device's `Granularity`. 0 means that the mapping is fixed, and then nothing is looked at.",
+    why: "A device with a granularity of 8 maps whole bytes; it refuses a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.",
+    example: "`Granularity=8`, and `[1A00sub1]` with `DefaultValue=0x60200101`",
+    remedy: "Write the granularity that the device has, or map objects of whole bytes.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

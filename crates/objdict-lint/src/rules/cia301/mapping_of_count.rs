@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps the number of entries instead of an entry
-    ///
-    /// ## What it checks
-    /// Whether a mapping entry that names sub-index 0 names a VAR. Sub-index 0 of an ARRAY or RECORD is a count.
-    ///
-    /// ## Why it matters
-    /// The PDO carries a constant. Mostly the sub-indexes were counted from 0, and the last one is missing.
-    ///
-    /// ## Example
-    /// `[1A01sub1]` with `DefaultValue=0x64010010`, and 6401h is an ARRAY
-    ///
-    /// ## How to mend
-    /// Begin with sub-index 1: `0x64010110`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.2, §7.5.2.36
-    "cia301/mapping-of-count", Error, Pdo(check)
+    "cia301/mapping-of-count", Error, Pdo(check);
+    summary: "a PDO maps the number of entries instead of an entry",
+    checks: "Whether a mapping entry that names sub-index 0 names a VAR. Sub-index 0 of an ARRAY or RECORD is a count.",
+    why: "The PDO carries a constant. Mostly the sub-indexes were counted from 0, and the last one is missing.",
+    example: "`[1A01sub1]` with `DefaultValue=0x64010010`, and 6401h is an ARRAY",
+    remedy: "Begin with sub-index 1: `0x64010110`.",
+    source: "CiA 301 §7.4.7.2, §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Place};
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
 rule! {
-    /// nobody says how many objects a PDO maps
-    ///
-    /// ## What it checks
-    /// Whether sub-index 0 of each PDO mapping that cannot be written has a value.
-    ///
-    /// ## Why it matters
-    /// The mapping of such a PDO is known from the description alone, and without the number of objects it is not known: no tool can show what the PDO carries.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `AccessType=const` and no `DefaultValue`
-    ///
-    /// ## How to mend
-    /// Write the number of mapped objects.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36, §7.5.2.38
-    "cia301/mapping-without-count", Warning, Pdo(check)
+    "cia301/mapping-without-count", Warning, Pdo(check);
+    summary: "nobody says how many objects a PDO maps",
+    checks: "Whether sub-index 0 of each PDO mapping that cannot be written has a value.",
+    why: "The mapping of such a PDO is known from the description alone, and without the number of objects it is not known: no tool can show what the PDO carries.",
+    example: "`[1A00sub0]` with `AccessType=const` and no `DefaultValue`",
+    remedy: "Write the number of mapped objects.",
+    source: "CiA 301 §7.5.2.36, §7.5.2.38",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

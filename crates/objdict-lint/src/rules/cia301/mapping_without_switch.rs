@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Object, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO mapping can be changed, but the PDO cannot be switched off
-    ///
-    /// ## What it checks
-    /// Whether the COB-ID of each PDO whose mapping can be written can be written too.
-    ///
-    /// ## Why it matters
-    /// A mapping may be changed only while bit 31 of the COB-ID is set. Where nobody can set it, devices refuse to change the mapping, or tools do not try.
-    ///
-    /// ## Example
-    /// `[1800sub1]` with `AccessType=const` and `[1A00sub0]` with `AccessType=rw`
-    ///
-    /// ## How to mend
-    /// Make the COB-ID `rw`, or the mapping `const`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36, §7.5.2.38
-    "cia301/mapping-without-switch", Note, Pdo(check)
+    "cia301/mapping-without-switch", Note, Pdo(check);
+    summary: "a PDO mapping can be changed, but the PDO cannot be switched off",
+    checks: "Whether the COB-ID of each PDO whose mapping can be written can be written too.",
+    why: "A mapping may be changed only while bit 31 of the COB-ID is set. Where nobody can set it, devices refuse to change the mapping, or tools do not try.",
+    example: "`[1800sub1]` with `AccessType=const` and `[1A00sub0]` with `AccessType=rw`",
+    remedy: "Make the COB-ID `rw`, or the mapping `const`.",
+    source: "CiA 301 §7.5.2.36, §7.5.2.38",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

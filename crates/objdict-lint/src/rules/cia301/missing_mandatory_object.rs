@@ -5,23 +5,13 @@ use crate::profile::Need;
 use crate::{Facts, rule, stated};
 
 rule! {
-    /// an object that every device has is missing
-    ///
-    /// ## What it checks
-    /// Whether 1000h (device type), 1001h (error register) and 1018h (identity) are there. An object that is listed without being described, or stands in the wrong list, is the matter of other rules.
-    ///
-    /// ## Why it matters
-    /// A manager reads 1000h and 1018h when a node boots and refuses one that answers with an abort; tools tell devices apart by 1018h.
-    ///
-    /// ## Example
-    /// no `[1018]`
-    ///
-    /// ## How to mend
-    /// Describe the object, and name it in `MandatoryObjects`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1
-    "cia301/missing-mandatory-object", Error, Applied(check)
+    "cia301/missing-mandatory-object", Error, Applied(check);
+    summary: "an object that every device has is missing",
+    checks: "Whether 1000h (device type), 1001h (error register) and 1018h (identity) are there. An object that is listed without being described, or stands in the wrong list, is the matter of other rules.",
+    why: "A manager reads 1000h and 1018h when a node boots and refuses one that answers with an abort; tools tell devices apart by 1018h.",
+    example: "no `[1018]`",
+    remedy: "Describe the object, and name it in `MandatoryObjects`.",
+    source: "CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

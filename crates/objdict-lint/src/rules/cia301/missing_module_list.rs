@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// a modular device has no list of its modules
-    ///
-    /// ## What it checks
-    /// Whether a device with modules in `[SupportedModules]` has 1027h, the module list.
-    ///
-    /// ## Why it matters
-    /// A master reads 1027h to learn which modules are plugged in. Without it, it cannot hold the station against its configuration.
-    ///
-    /// ## Example
-    /// `[SupportedModules]` with `NrOfEntries=2`, and no `[1027]`
-    ///
-    /// ## How to mend
-    /// Add 1027h, an ARRAY of UNSIGNED16 with an element for each module, or describe it among the fixed objects of the modules.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.30, CiA 306-1 §6.2
-    "cia301/missing-module-list", Warning, Device(check)
+    "cia301/missing-module-list", Warning, Device(check);
+    summary: "a modular device has no list of its modules",
+    checks: "Whether a device with modules in `[SupportedModules]` has 1027h, the module list.",
+    why: "A master reads 1027h to learn which modules are plugged in. Without it, it cannot hold the station against its configuration.",
+    example: "`[SupportedModules]` with `NrOfEntries=2`, and no `[1027]`",
+    remedy: "Add 1027h, an ARRAY of UNSIGNED16 with an element for each module, or describe it among the fixed objects of the modules.",
+    source: "CiA 301 §7.5.2.30, CiA 306-1 §6.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Identity, Place};
 use crate::rule;
 
 rule! {
-    /// the identity object has no vendor-ID
-    ///
-    /// ## What it checks
-    /// Whether 1018h has sub-index 1. The other members are optional.
-    ///
-    /// ## Why it matters
-    /// The vendor-ID is the one member that every identity object has; managers compare it with 1F85h, and product code and revision mean nothing without it.
-    ///
-    /// ## Example
-    /// `[1018]` with `[1018sub0]` and `[1018sub2]` only
-    ///
-    /// ## How to mend
-    /// Describe `[1018sub1]`, an UNSIGNED32 that is read-only, with the vendor-ID that CiA gave you as its default.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.21
-    "cia301/missing-vendor-id", Error, Device(check)
+    "cia301/missing-vendor-id", Error, Device(check);
+    summary: "the identity object has no vendor-ID",
+    checks: "Whether 1018h has sub-index 1. The other members are optional.",
+    why: "The vendor-ID is the one member that every identity object has; managers compare it with 1F85h, and product code and revision mean nothing without it.",
+    example: "`[1018]` with `[1018sub0]` and `[1018sub2]` only",
+    remedy: "Describe `[1018sub1]`, an UNSIGNED32 that is read-only, with the vendor-ID that CiA gave you as its default.",
+    source: "CiA 301 §7.5.2.21",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

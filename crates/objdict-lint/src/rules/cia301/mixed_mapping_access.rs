@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Object, Place};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO mapping can be changed in part only
-    ///
-    /// ## What it checks
-    /// Whether sub-index 0 and the entries of a PDO mapping can all be written, or none of them.
-    ///
-    /// ## Why it matters
-    /// To change an entry, sub-index 0 has to be set to 0 first and to the new number last. With a constant sub-index 0 the entries cannot be changed, whatever their access type says; with constant entries there is nothing to count.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `AccessType=ro`, and `[1A00sub1]` with `AccessType=rw`
-    ///
-    /// ## How to mend
-    /// Give all sub-indexes the access that the device has: `rw` for a mapping that can be changed, else `const` or `ro`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia301/mixed-mapping-access", Warning, Pdo(check)
+    "cia301/mixed-mapping-access", Warning, Pdo(check);
+    summary: "a PDO mapping can be changed in part only",
+    checks: "Whether sub-index 0 and the entries of a PDO mapping can all be written, or none of them.",
+    why: "To change an entry, sub-index 0 has to be set to 0 first and to the new number last. With a constant sub-index 0 the entries cannot be changed, whatever their access type says; with constant entries there is nothing to count.",
+    example: "`[1A00sub0]` with `AccessType=ro`, and `[1A00sub1]` with `AccessType=rw`",
+    remedy: "Give all sub-indexes the access that the device has: `rw` for a mapping that can be changed, else `const` or `ro`.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a multiplexed PDO has a synchronous transmission type
-    ///
-    /// ## What it checks
-    /// Whether the transmission type of each multiplexed PDO, whose mapping counts 254 or 255, is 254 or 255.
-    ///
-    /// ## Why it matters
-    /// A multiplexed PDO carries one entry a frame, and is sent when that entry has something to say. SYNC cannot trigger it.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `DefaultValue=255` and `[1800sub2]` with `DefaultValue=1`
-    ///
-    /// ## How to mend
-    /// Write 254 or 255.
-    ///
-    /// ## Source
-    /// CiA 301 §7.2.2.6, §7.5.2.36
-    "cia301/multiplexed-pdo-transmission-type", Warning, Pdo(check)
+    "cia301/multiplexed-pdo-transmission-type", Warning, Pdo(check);
+    summary: "a multiplexed PDO has a synchronous transmission type",
+    checks: "Whether the transmission type of each multiplexed PDO, whose mapping counts 254 or 255, is 254 or 255.",
+    why: "A multiplexed PDO carries one entry a frame, and is sent when that entry has something to say. SYNC cannot trigger it.",
+    example: "`[1A00sub0]` with `DefaultValue=255` and `[1800sub2]` with `DefaultValue=1`",
+    remedy: "Write 254 or 255.",
+    source: "CiA 301 §7.2.2.6, §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, rule};
 
 rule! {
-    /// a multiplexed PDO with source addresses lacks its list
-    ///
-    /// ## What it checks
-    /// Whether a device with a TPDO whose mapping counts 254 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).
-    ///
-    /// ## Why it matters
-    /// With source addressing, the lists say which entries are sent, and where a received one is written. Without them nothing is sent, and what comes is thrown away.
-    ///
-    /// ## Example
-    /// `[1600sub0]` with `DefaultValue=254`, and no `[1FD0]`
-    ///
-    /// ## How to mend
-    /// Add the list, or count 255 for destination addressing, which needs none.
-    ///
-    /// ## Source
-    /// CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40
-    "cia301/multiplexed-pdo-without-list", Error, Facts(check)
+    "cia301/multiplexed-pdo-without-list", Error, Facts(check);
+    summary: "a multiplexed PDO with source addresses lacks its list",
+    checks: "Whether a device with a TPDO whose mapping counts 254 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
+    why: "With source addressing, the lists say which entries are sent, and where a received one is written. Without them nothing is sent, and what comes is thrown away.",
+    example: "`[1600sub0]` with `DefaultValue=254`, and no `[1FD0]`",
+    remedy: "Add the list, or count 255 for destination addressing, which needs none.",
+    source: "CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

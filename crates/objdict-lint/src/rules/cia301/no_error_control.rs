@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the device has neither a heartbeat nor node guarding
-    ///
-    /// ## What it checks
-    /// Whether there is 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).
-    ///
-    /// ## Why it matters
-    /// CiA 301 demands one of the two. Without it nobody notices that the device has gone.
-    ///
-    /// ## Example
-    /// a device with 1000h, 1001h and 1018h only
-    ///
-    /// ## How to mend
-    /// Add 1017h, an UNSIGNED16 that can be written; the heartbeat is the one that CiA recommends.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.11, §7.5.2.12, §7.5.2.20
-    "cia301/no-error-control", Error, Device(check)
+    "cia301/no-error-control", Error, Device(check);
+    summary: "the device has neither a heartbeat nor node guarding",
+    checks: "Whether there is 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).",
+    why: "CiA 301 demands one of the two. Without it nobody notices that the device has gone.",
+    example: "a device with 1000h, 1001h and 1018h only",
+    remedy: "Add 1017h, an UNSIGNED16 that can be written; the heartbeat is the one that CiA recommends.",
+    source: "CiA 301 §7.5.2.11, §7.5.2.12, §7.5.2.20",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

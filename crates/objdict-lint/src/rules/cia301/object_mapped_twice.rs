@@ -4,23 +4,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps the same object twice
-    ///
-    /// ## What it checks
-    /// Whether each object stands once in the mapping of a PDO. Fillers may stand there as often as needed. The same object in two PDOs is usual, in CiA 402 for one, and is not looked at.
-    ///
-    /// ## Why it matters
-    /// Mostly a copied line was not changed: an object is sent twice, or written twice, and another one is left out.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`
-    ///
-    /// ## How to mend
-    /// Map the object that was meant.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia301/object-mapped-twice", Warning, Pdo(check)
+    "cia301/object-mapped-twice", Warning, Pdo(check);
+    summary: "a PDO maps the same object twice",
+    checks: "Whether each object stands once in the mapping of a PDO. Fillers may stand there as often as needed. The same object in two PDOs is usual, in CiA 402 for one, and is not looked at.",
+    why: "Mostly a copied line was not changed: an object is sent twice, or written twice, and another one is left out.",
+    example: "`[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`",
+    remedy: "Map the object that was meant.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -4,23 +4,13 @@ use crate::profile;
 use crate::rule;
 
 rule! {
-    /// an object of an old edition of CiA 301
-    ///
-    /// ## What it checks
-    /// Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which version 4 of CiA 301 gave up and keeps reserved.
-    ///
-    /// ## Why it matters
-    /// It does no harm, but nobody reads these objects any more: 1018h, 1200h and the PDO records tell what they told.
-    ///
-    /// ## Example
-    /// `[100B]`, the node-ID
-    ///
-    /// ## How to mend
-    /// Leave the object out of new devices.
-    ///
-    /// ## Source
-    /// CiA 301 annex A, list of objects
-    "cia301/obsolete-object", Note, Object(check)
+    "cia301/obsolete-object", Note, Object(check);
+    summary: "an object of an old edition of CiA 301",
+    checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which version 4 of CiA 301 gave up and keeps reserved.",
+    why: "It does no harm, but nobody reads these objects any more: 1018h, 1200h and the PDO records tell what they told.",
+    example: "`[100B]`, the node-ID",
+    remedy: "Leave the object out of new devices.",
+    source: "CiA 301 annex A, list of objects",
 }
 
 fn check(_: &Device, index: u16, _: &Object, findings: &mut Findings) {

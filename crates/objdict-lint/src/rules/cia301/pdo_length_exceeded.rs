@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO carries more than 64 bits
-    ///
-    /// ## What it checks
-    /// Whether the lengths of the objects that a PDO maps add up to 64 bits at most. It is silent where an object is missing or a length is wrong, for that is reported there.
-    ///
-    /// ## Why it matters
-    /// A CAN frame has eight bytes. The device refuses the mapping when sub-index 0 is written, with abort 0604 0042h.
-    ///
-    /// ## Example
-    /// five UNSIGNED16 in `[1A00]`
-    ///
-    /// ## How to mend
-    /// Move objects to another PDO.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia301/pdo-length-exceeded", Error, Pdo(check)
+    "cia301/pdo-length-exceeded", Error, Pdo(check);
+    summary: "a PDO carries more than 64 bits",
+    checks: "Whether the lengths of the objects that a PDO maps add up to 64 bits at most. It is silent where an object is missing or a length is wrong, for that is reported there.",
+    why: "A CAN frame has eight bytes. The device refuses the mapping when sub-index 0 is written, with abort 0604 0042h.",
+    example: "five UNSIGNED16 in `[1A00]`",
+    remedy: "Move objects to another PDO.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

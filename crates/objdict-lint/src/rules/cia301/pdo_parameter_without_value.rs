@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
 rule! {
-    /// the COB-ID or transmission type of a PDO has no value
-    ///
-    /// ## What it checks
-    /// Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.
-    ///
-    /// ## Why it matters
-    /// Nobody knows under which CAN-ID a new device sends the PDO, and when. A tool that restores the defaults leaves out this one.
-    ///
-    /// ## Example
-    /// `[1800sub2]` without `DefaultValue`
-    ///
-    /// ## How to mend
-    /// Write the value that the device has after its defaults were restored.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35, §7.5.2.37
-    "cia301/pdo-parameter-without-value", Note, Pdo(check)
+    "cia301/pdo-parameter-without-value", Note, Pdo(check);
+    summary: "the COB-ID or transmission type of a PDO has no value",
+    checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
+    why: "Nobody knows under which CAN-ID a new device sends the PDO, and when. A tool that restores the defaults leaves out this one.",
+    example: "`[1800sub2]` without `DefaultValue`",
+    remedy: "Write the value that the device has after its defaults were restored.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

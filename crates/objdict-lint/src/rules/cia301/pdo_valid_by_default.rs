@@ -3,23 +3,13 @@ use crate::model::DeviceKind;
 use crate::{Facts, rule, with_others};
 
 rule! {
-    /// a PDO without a predefined CAN-ID is switched on by default
-    ///
-    /// ## What it checks
-    /// Whether the default COB-ID of PDO 5 and above has bit 31 set. One finding for the device, with every such PDO. A DCF is not looked at: it says what a node is configured to, and tools write that as default.
-    ///
-    /// ## Why it matters
-    /// The predefined connection set has no CAN-ID for these PDOs. One that is on after a reset uses an identifier that another device may have, before any manager could say otherwise.
-    ///
-    /// ## Example
-    /// `[1804sub1]` with `DefaultValue=$NODEID+0x1C0`
-    ///
-    /// ## How to mend
-    /// Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 table 67, §7.5.2.37 table 71
-    "cia301/pdo-valid-by-default", Warning, Facts(check)
+    "cia301/pdo-valid-by-default", Warning, Facts(check);
+    summary: "a PDO without a predefined CAN-ID is switched on by default",
+    checks: "Whether the default COB-ID of PDO 5 and above has bit 31 set. One finding for the device, with every such PDO. A DCF is not looked at: it says what a node is configured to, and tools write that as default.",
+    why: "The predefined connection set has no CAN-ID for these PDOs. One that is on after a reset uses an identifier that another device may have, before any manager could say otherwise.",
+    example: "`[1804sub1]` with `DefaultValue=$NODEID+0x1C0`",
+    remedy: "Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.",
+    source: "CiA 301 §7.5.2.35 table 67, §7.5.2.37 table 71",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

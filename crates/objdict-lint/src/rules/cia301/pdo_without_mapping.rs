@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO has one of its two objects only
-    ///
-    /// ## What it checks
-    /// Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may bring the other one.
-    ///
-    /// ## Why it matters
-    /// Without the mapping nobody knows what the PDO carries, without the communication parameter not when and under which CAN-ID. `CompactPDO` allows to leave out both objects, not one.
-    ///
-    /// ## Example
-    /// `[1802]`, and no `[1A02]`
-    ///
-    /// ## How to mend
-    /// Describe the other object, or remove this one.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1
-    "cia301/pdo-without-mapping", Error, Pdo(check)
+    "cia301/pdo-without-mapping", Error, Pdo(check);
+    summary: "a PDO has one of its two objects only",
+    checks: "Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may bring the other one.",
+    why: "Without the mapping nobody knows what the PDO carries, without the communication parameter not when and under which CAN-ID. `CompactPDO` allows to leave out both objects, not one.",
+    example: "`[1802]`, and no `[1A02]`",
+    remedy: "Describe the other object, or remove this one.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, Place};
 use crate::{Facts, rule, stated, with_others};
 
 rule! {
-    /// a PDO communication parameter has the reserved sub-index 4
-    ///
-    /// ## What it checks
-    /// Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. One finding for the device, with every such PDO. An UNSIGNED8, which older devices have there for compatibility, is a note: a quarter of the files that we looked at have it, and it does no harm. Another data type is a warning, for then something is meant that has its place elsewhere.
-    ///
-    /// ## Why it matters
-    /// CiA 301 keeps the sub-index reserved; a device answers there with an abort. Who writes the event timer into it, which is sub-index 5, gets no event timer.
-    ///
-    /// ## Example
-    /// `[1800sub4]`
-    ///
-    /// ## How to mend
-    /// Remove the section. The gap between 3 and 5 is right, and sub-index 0 stays the highest one.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37
-    "cia301/reserved-pdo-sub-index", Warning, Facts(check), fix Unsafe
+    "cia301/reserved-pdo-sub-index", Warning, Facts(check), fix Unsafe;
+    summary: "a PDO communication parameter has the reserved sub-index 4",
+    checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. One finding for the device, with every such PDO. An UNSIGNED8, which older devices have there for compatibility, is a note: a quarter of the files that we looked at have it, and it does no harm. Another data type is a warning, for then something is meant that has its place elsewhere.",
+    why: "CiA 301 keeps the sub-index reserved; a device answers there with an abort. Who writes the event timer into it, which is sub-index 5, gets no event timer.",
+    example: "`[1800sub4]`",
+    remedy: "Remove the section. The gap between 3 and 5 is right, and sub-index 0 stays the highest one.",
+    source: "CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

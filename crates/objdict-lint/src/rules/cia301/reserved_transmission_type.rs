@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO has a reserved transmission type
-    ///
-    /// ## What it checks
-    /// Whether the transmission type of an RPDO is not one of 241 to 253, and that of a TPDO not one of 241 to 251.
-    ///
-    /// ## Why it matters
-    /// A device refuses the value. 252 and 253 mean that the PDO is sent on request, which is nothing that a receiver could do.
-    ///
-    /// ## Example
-    /// `[1400sub2]` with `DefaultValue=253`
-    ///
-    /// ## How to mend
-    /// Write 255 or 254 for event-driven, 1 to 240 for every n-th SYNC, 0 for acyclic with SYNC.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 table 68, §7.5.2.37 table 72
-    "cia301/reserved-transmission-type", Error, Pdo(check)
+    "cia301/reserved-transmission-type", Error, Pdo(check);
+    summary: "a PDO has a reserved transmission type",
+    checks: "Whether the transmission type of an RPDO is not one of 241 to 253, and that of a TPDO not one of 241 to 251.",
+    why: "A device refuses the value. 252 and 253 mean that the PDO is sent on request, which is nothing that a receiver could do.",
+    example: "`[1400sub2]` with `DefaultValue=253`",
+    remedy: "Write 255 or 254 for event-driven, 1 to 240 for every n-th SYNC, 0 for acyclic with SYNC.",
+    source: "CiA 301 §7.5.2.35 table 68, §7.5.2.37 table 72",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

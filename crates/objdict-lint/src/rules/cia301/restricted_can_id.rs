@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
 use crate::{CobIdUse, Facts, rule};
 
 rule! {
-    /// a service uses a CAN-ID that belongs to another one
-    ///
-    /// ## What it checks
-    /// Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO, and one with the COB-ID 0 is not in use. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.
-    ///
-    /// ## Why it matters
-    /// Another node answers an SDO under that CAN-ID, or sends its heartbeat: two nodes send the same identifier and disturb each other.
-    ///
-    /// ## Example
-    /// `[1804sub1]` with `DefaultValue=$NODEID+0x580`
-    ///
-    /// ## How to mend
-    /// Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or switch the service off with bit 31.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.5, table 40
-    "cia301/restricted-can-id", Error, Facts(check)
+    "cia301/restricted-can-id", Error, Facts(check);
+    summary: "a service uses a CAN-ID that belongs to another one",
+    checks: "Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO, and one with the COB-ID 0 is not in use. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.",
+    why: "Another node answers an SDO under that CAN-ID, or sends its heartbeat: two nodes send the same identifier and disturb each other.",
+    example: "`[1804sub1]` with `DefaultValue=$NODEID+0x580`",
+    remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or switch the service off with bit 31.",
+    source: "CiA 301 §7.3.5, table 40",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a TPDO is sent on request only
-    ///
-    /// ## What it checks
-    /// Whether each valid TPDO has another transmission type than 252 and 253, with which it waits for a remote frame. One that forbids remote frames at the same time has a finding of its own.
-    ///
-    /// ## Why it matters
-    /// CiA advises against remote frames: controllers of different makers answer them differently, some not at all, and CAN FD has none.
-    ///
-    /// ## Example
-    /// `[1800sub2]` with `DefaultValue=253`
-    ///
-    /// ## How to mend
-    /// Use 254 or 255 with an event timer, or a synchronous type.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.37, table 72; CiA 801
-    "cia301/rtr-only-pdo", Note, Pdo(check)
+    "cia301/rtr-only-pdo", Note, Pdo(check);
+    summary: "a TPDO is sent on request only",
+    checks: "Whether each valid TPDO has another transmission type than 252 and 253, with which it waits for a remote frame. One that forbids remote frames at the same time has a finding of its own.",
+    why: "CiA advises against remote frames: controllers of different makers answer them differently, some not at all, and CAN FD has none.",
+    example: "`[1800sub2]` with `DefaultValue=253`",
+    remedy: "Use 254 or 255 with an event timer, or a synchronous type.",
+    source: "CiA 301 §7.5.2.37, table 72; CiA 801",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

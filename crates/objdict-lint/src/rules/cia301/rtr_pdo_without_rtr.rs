@@ -3,23 +3,13 @@ use crate::model::{CobId, PdoKind};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a TPDO is sent on request only and forbids to request it
-    ///
-    /// ## What it checks
-    /// Whether the COB-ID of each TPDO with transmission type 252 or 253 has bit 30 clear.
-    ///
-    /// ## Why it matters
-    /// Bit 30 says that nobody may ask for the PDO with a remote frame, the types say that it is sent for no other reason: it is never sent.
-    ///
-    /// ## Example
-    /// `[1800sub1]` with `DefaultValue=$NODEID+0x40000180` and `[1800sub2]` with `DefaultValue=253`
-    ///
-    /// ## How to mend
-    /// Use an event-driven or a synchronous type; CiA advises against remote frames.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.37 tables 70 and 72
-    "cia301/rtr-pdo-without-rtr", Warning, Pdo(check), fix Unsafe
+    "cia301/rtr-pdo-without-rtr", Warning, Pdo(check), fix Unsafe;
+    summary: "a TPDO is sent on request only and forbids to request it",
+    checks: "Whether the COB-ID of each TPDO with transmission type 252 or 253 has bit 30 clear.",
+    why: "Bit 30 says that nobody may ask for the PDO with a remote frame, the types say that it is sent for no other reason: it is never sent.",
+    example: "`[1800sub1]` with `DefaultValue=$NODEID+0x40000180` and `[1800sub2]` with `DefaultValue=253`",
+    remedy: "Use an event-driven or a synchronous type; CiA advises against remote frames.",
+    source: "CiA 301 §7.5.2.37 tables 70 and 72",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

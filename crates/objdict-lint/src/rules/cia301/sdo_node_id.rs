@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
-    /// an SDO channel names the wrong node
-    ///
-    /// ## What it checks
-    /// Whether sub-index 3 of each SDO channel in use, but for the default SDO, is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, names that node.
-    ///
-    /// ## Why it matters
-    /// The node-ID tells tools whom the channel leads to. A channel to a wrong node-ID talks to nobody, or is shown where it does not belong.
-    ///
-    /// ## Example
-    /// `[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`
-    ///
-    /// ## How to mend
-    /// Write the node-ID of the node at the other end.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/sdo-node-id", Warning, Facts(check)
+    "cia301/sdo-node-id", Warning, Facts(check);
+    summary: "an SDO channel names the wrong node",
+    checks: "Whether sub-index 3 of each SDO channel in use, but for the default SDO, is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, names that node.",
+    why: "The node-ID tells tools whom the channel leads to. A channel to a wrong node-ID talks to nobody, or is shown where it does not belong.",
+    example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`",
+    remedy: "Write the node-ID of the node at the other end.",
+    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::DeviceKind;
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// an additional SDO channel is switched on by default
-    ///
-    /// ## What it checks
-    /// Whether the additional SDO channels of an EDS (1201h to 12FFh) are switched off by bit 31, or have the COB-ID 0.
-    ///
-    /// ## Why it matters
-    /// The predefined connection set has no CAN-ID for them: two devices of the type on a network use the same. CiA 301 gives 80000000h as default.
-    ///
-    /// ## Example
-    /// `[1201sub1]` with `DefaultValue=0x640`
-    ///
-    /// ## How to mend
-    /// Write `0x80000000`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.33, §7.5.2.34
-    "cia301/sdo-valid-by-default", Warning, Facts(check)
+    "cia301/sdo-valid-by-default", Warning, Facts(check);
+    summary: "an additional SDO channel is switched on by default",
+    checks: "Whether the additional SDO channels of an EDS (1201h to 12FFh) are switched off by bit 31, or have the COB-ID 0.",
+    why: "The predefined connection set has no CAN-ID for them: two devices of the type on a network use the same. CiA 301 gives 80000000h as default.",
+    example: "`[1201sub1]` with `DefaultValue=0x640`",
+    remedy: "Write `0x80000000`.",
+    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{CobId, DeviceKind, predefined};
 use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
-    /// the default CAN-ID of SYNC, TIME or EMCY is not that of the predefined connection set
-    ///
-    /// ## What it checks
-    /// Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. Flags are left alone, and so is what another rule about the COB-ID reports.
-    ///
-    /// ## Why it matters
-    /// The predefined connection set makes devices of all makers work together as delivered. A device that takes SYNC from elsewhere does not hear it.
-    ///
-    /// ## Example
-    /// `[1005]` with `DefaultValue=$NODEID+0x80`
-    ///
-    /// ## How to mend
-    /// Write `0x80`, `0x100` or `$NODEID+0x80`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.5, tables 38 and 39
-    "cia301/service-cob-id-not-predefined", Warning, Facts(check), fix Unsafe
+    "cia301/service-cob-id-not-predefined", Warning, Facts(check), fix Unsafe;
+    summary: "the default CAN-ID of SYNC, TIME or EMCY is not that of the predefined connection set",
+    checks: "Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. Flags are left alone, and so is what another rule about the COB-ID reports.",
+    why: "The predefined connection set makes devices of all makers work together as delivered. A device that takes SYNC from elsewhere does not hear it.",
+    example: "`[1005]` with `DefaultValue=$NODEID+0x80`",
+    remedy: "Write `0x80`, `0x100` or `$NODEID+0x80`.",
+    source: "CiA 301 §7.3.5, tables 38 and 39",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

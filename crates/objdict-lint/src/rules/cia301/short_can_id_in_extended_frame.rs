@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// a COB-ID is marked as one of 29 bits and has 11
-    ///
-    /// ## What it checks
-    /// Whether a COB-ID in use with bit 29 set, which makes it one of an extended frame, has more than 11 bits.
-    ///
-    /// ## Why it matters
-    /// Extended frames are a rare choice, and a base frame with the same number is another identifier. Mostly bit 29 was set in place of bit 30 or 31.
-    ///
-    /// ## Example
-    /// `[1800sub1]` with `DefaultValue=$NODEID+0x20000180`
-    ///
-    /// ## How to mend
-    /// Clear bit 29.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.5, §7.5.2.35, figures 53 to 71
-    "cia301/short-can-id-in-extended-frame", Warning, Facts(check)
+    "cia301/short-can-id-in-extended-frame", Warning, Facts(check);
+    summary: "a COB-ID is marked as one of 29 bits and has 11",
+    checks: "Whether a COB-ID in use with bit 29 set, which makes it one of an extended frame, has more than 11 bits.",
+    why: "Extended frames are a rare choice, and a base frame with the same number is another identifier. Mostly bit 29 was set in place of bit 30 or 31.",
+    example: "`[1800sub1]` with `DefaultValue=$NODEID+0x20000180`",
+    remedy: "Clear bit 29.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.35, figures 53 to 71",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

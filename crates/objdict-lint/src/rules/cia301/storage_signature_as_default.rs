@@ -3,23 +3,13 @@ use crate::model::{Device, Entry, Field, Place, Value};
 use crate::rule;
 
 rule! {
-    /// a default of 1010h or 1011h is no answer of the device
-    ///
-    /// ## What it checks
-    /// Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: what the device answers when the entry is read. Bit 0 says that it stores or restores on command, bit 1 of 1010h that it stores by itself.
-    ///
-    /// ## Why it matters
-    /// What is written there, the signatures `save` and `load`, is not what is read. A tool that compares the device with its description finds a difference, and one that writes defaults back stores or restores by accident.
-    ///
-    /// ## Example
-    /// `[1010sub1]` with `DefaultValue=0x65766173`
-    ///
-    /// ## How to mend
-    /// Write 1, or what the device answers.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.13, §7.5.2.14
-    "cia301/storage-signature-as-default", Warning, Device(check), fix Unsafe
+    "cia301/storage-signature-as-default", Warning, Device(check), fix Unsafe;
+    summary: "a default of 1010h or 1011h is no answer of the device",
+    checks: "Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: what the device answers when the entry is read. Bit 0 says that it stores or restores on command, bit 1 of 1010h that it stores by itself.",
+    why: "What is written there, the signatures `save` and `load`, is not what is read. A tool that compares the device with its description finds a difference, and one that writes defaults back stores or restores by accident.",
+    example: "`[1010sub1]` with `DefaultValue=0x65766173`",
+    remedy: "Write 1, or what the device answers.",
+    source: "CiA 301 §7.5.2.13, §7.5.2.14",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

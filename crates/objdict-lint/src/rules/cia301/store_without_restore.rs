@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the device stores parameters and cannot restore them
-    ///
-    /// ## What it checks
-    /// Whether a device with 1010h, store parameters, has 1011h, restore default parameters, and the other way round.
-    ///
-    /// ## Why it matters
-    /// Whoever stored a wrong bit rate or COB-ID wants the delivered state back, and restoring means something only where something can be stored.
-    ///
-    /// ## Example
-    /// `[1010]`, and no `[1011]`
-    ///
-    /// ## How to mend
-    /// Add the other object.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.13, §7.5.2.14
-    "cia301/store-without-restore", Note, Device(check)
+    "cia301/store-without-restore", Note, Device(check);
+    summary: "the device stores parameters and cannot restore them",
+    checks: "Whether a device with 1010h, store parameters, has 1011h, restore default parameters, and the other way round.",
+    why: "Whoever stored a wrong bit rate or COB-ID wants the delivered state back, and restoring means something only where something can be stored.",
+    example: "`[1010]`, and no `[1011]`",
+    remedy: "Add the other object.",
+    source: "CiA 301 §7.5.2.13, §7.5.2.14",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Object, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// an object about SYNC on a device without SYNC
-    ///
-    /// ## What it checks
-    /// Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.
-    ///
-    /// ## Why it matters
-    /// Period, window and counter belong to a SYNC message that the device does not know.
-    ///
-    /// ## Example
-    /// `[1006]`, and no `[1005]`
-    ///
-    /// ## How to mend
-    /// Add 1005h, or remove the object.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22
-    "cia301/sync-object-without-sync", Warning, Object(check)
+    "cia301/sync-object-without-sync", Warning, Object(check);
+    summary: "an object about SYNC on a device without SYNC",
+    checks: "Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.",
+    why: "Period, window and counter belong to a SYNC message that the device does not know.",
+    example: "`[1006]`, and no `[1005]`",
+    remedy: "Add 1005h, or remove the object.",
+    source: "CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22",
 }
 
 fn check(device: &Device, index: u16, _: &Object, findings: &mut Findings) {

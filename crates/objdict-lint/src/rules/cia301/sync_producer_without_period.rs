@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Service, rule, stated};
 
 rule! {
-    /// the device sends SYNC and has no period for it
-    ///
-    /// ## What it checks
-    /// Whether a device whose 1005h has bit 30 set (it produces SYNC) has 1006h, the communication cycle period.
-    ///
-    /// ## Why it matters
-    /// Nobody can say how often it sends SYNC.
-    ///
-    /// ## Example
-    /// `[1005]` with `DefaultValue=0x40000080`, and no `[1006]`
-    ///
-    /// ## How to mend
-    /// Add 1006h, an UNSIGNED32 in microseconds, or clear bit 30.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.5, §7.5.2.6
-    "cia301/sync-producer-without-period", Warning, Facts(check)
+    "cia301/sync-producer-without-period", Warning, Facts(check);
+    summary: "the device sends SYNC and has no period for it",
+    checks: "Whether a device whose 1005h has bit 30 set (it produces SYNC) has 1006h, the communication cycle period.",
+    why: "Nobody can say how often it sends SYNC.",
+    example: "`[1005]` with `DefaultValue=0x40000080`, and no `[1006]`",
+    remedy: "Add 1006h, an UNSIGNED32 in microseconds, or clear bit 30.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.6",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

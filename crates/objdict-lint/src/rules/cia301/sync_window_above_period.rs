@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// the window for synchronous PDOs is longer than the SYNC period
-    ///
-    /// ## What it checks
-    /// Whether 1007h, the synchronous window length, is at most 1006h, the communication cycle period. Both count in microseconds; 0 means that there is none.
-    ///
-    /// ## Why it matters
-    /// Synchronous PDOs have to be sent inside the window that SYNC opens. A window that outlasts the period never closes, and a device refuses it.
-    ///
-    /// ## Example
-    /// `[1006]` with `DefaultValue=1000` and `[1007]` with `DefaultValue=5000`
-    ///
-    /// ## How to mend
-    /// Shorten the window, or lengthen the period.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.6, §7.5.2.7
-    "cia301/sync-window-above-period", Error, Facts(check)
+    "cia301/sync-window-above-period", Error, Facts(check);
+    summary: "the window for synchronous PDOs is longer than the SYNC period",
+    checks: "Whether 1007h, the synchronous window length, is at most 1006h, the communication cycle period. Both count in microseconds; 0 means that there is none.",
+    why: "Synchronous PDOs have to be sent inside the window that SYNC opens. A window that outlasts the period never closes, and a device refuses it.",
+    example: "`[1006]` with `DefaultValue=1000` and `[1007]` with `DefaultValue=5000`",
+    remedy: "Shorten the window, or lengthen the period.",
+    source: "CiA 301 §7.5.2.6, §7.5.2.7",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule, stated, with_others};
 
 rule! {
-    /// a synchronous PDO on a device without SYNC
-    ///
-    /// ## What it checks
-    /// Whether a device with a valid PDO of a synchronous transmission type (0 to 240, of a TPDO also 252) has 1005h, the COB-ID of SYNC. One finding for the device, with every such PDO.
-    ///
-    /// ## Why it matters
-    /// Without 1005h the device knows no SYNC, so the PDO is never sent or never taken over.
-    ///
-    /// ## Example
-    /// `[1801sub2]` with `DefaultValue=1`, and no `[1005]`
-    ///
-    /// ## How to mend
-    /// Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.5, §7.5.2.35, §7.5.2.37
-    "cia301/synchronous-pdo-without-sync", Error, Facts(check)
+    "cia301/synchronous-pdo-without-sync", Error, Facts(check);
+    summary: "a synchronous PDO on a device without SYNC",
+    checks: "Whether a device with a valid PDO of a synchronous transmission type (0 to 240, of a TPDO also 252) has 1005h, the COB-ID of SYNC. One finding for the device, with every such PDO.",
+    why: "Without 1005h the device knows no SYNC, so the PDO is never sent or never taken over.",
+    example: "`[1801sub2]` with `DefaultValue=1`, and no `[1005]`",
+    remedy: "Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.35, §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

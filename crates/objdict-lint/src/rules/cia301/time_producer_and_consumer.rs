@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Service, rule};
 
 rule! {
-    /// the device sends TIME and listens to it
-    ///
-    /// ## What it checks
-    /// Whether not both bit 31 (the device takes the time from TIME) and bit 30 (the device sends TIME) of 1012h are set.
-    ///
-    /// ## Why it matters
-    /// One device on a network gives the time, and the others take it. A device that does both sets its clock by itself.
-    ///
-    /// ## Example
-    /// `[1012]` with `DefaultValue=0xC0000100`
-    ///
-    /// ## How to mend
-    /// Clear one of the bits.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.15
-    "cia301/time-producer-and-consumer", Warning, Facts(check)
+    "cia301/time-producer-and-consumer", Warning, Facts(check);
+    summary: "the device sends TIME and listens to it",
+    checks: "Whether not both bit 31 (the device takes the time from TIME) and bit 30 (the device sends TIME) of 1012h are set.",
+    why: "One device on a network gives the time, and the others take it. A device that does both sets its clock by itself.",
+    example: "`[1012]` with `DefaultValue=0xC0000100`",
+    remedy: "Clear one of the bits.",
+    source: "CiA 301 §7.5.2.15",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::PdoKind;
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO has a timer that does nothing
-    ///
-    /// ## What it checks
-    /// Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. Only those that a SYNC does not trigger have a use for the timers, and what is received cannot be inhibited.
-    ///
-    /// ## Why it matters
-    /// Whoever wrote the time believes that it works. Often the transmission type is the one that is wrong.
-    ///
-    /// ## Example
-    /// `[1800sub2]` with `DefaultValue=1` and `[1800sub5]` with `DefaultValue=100`
-    ///
-    /// ## How to mend
-    /// Write 0, or the transmission type 254 or 255.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35, §7.5.2.37
-    "cia301/timer-without-effect", Note, Pdo(check)
+    "cia301/timer-without-effect", Note, Pdo(check);
+    summary: "a PDO has a timer that does nothing",
+    checks: "Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. Only those that a SYNC does not trigger have a use for the timers, and what is received cannot be inhibited.",
+    why: "Whoever wrote the time believes that it works. Often the transmission type is the one that is wrong.",
+    example: "`[1800sub2]` with `DefaultValue=1` and `[1800sub5]` with `DefaultValue=100`",
+    remedy: "Write 0, or the transmission type 254 or 255.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DeviceKind, PdoKind};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a node sends under the PDO identifier of another one
-    ///
-    /// ## What it checks
-    /// Whether each valid TPDO of a DCF that uses a CAN-ID of TPDOs of the predefined connection set uses that of its own node. Linking to the RPDO of another node is what its CAN-IDs are for, and not looked at.
-    ///
-    /// ## Why it matters
-    /// The other node sends its TPDO under the same CAN-ID, unless it was reconfigured: two senders of one identifier disturb each other.
-    ///
-    /// ## Example
-    /// `NodeID=5`, and `[1800sub1]` with `ParameterValue=0x186`
-    ///
-    /// ## How to mend
-    /// Use the CAN-ID of the own node-ID, and link it on the other node's side.
-    ///
-    /// ## Source
-    /// CiA 301 §7.3.5
-    "cia301/tpdo-of-other-node", Warning, Facts(check)
+    "cia301/tpdo-of-other-node", Warning, Facts(check);
+    summary: "a node sends under the PDO identifier of another one",
+    checks: "Whether each valid TPDO of a DCF that uses a CAN-ID of TPDOs of the predefined connection set uses that of its own node. Linking to the RPDO of another node is what its CAN-IDs are for, and not looked at.",
+    why: "The other node sends its TPDO under the same CAN-ID, unless it was reconfigured: two senders of one identifier disturb each other.",
+    example: "`NodeID=5`, and `[1800sub1]` with `ParameterValue=0x186`",
+    remedy: "Use the CAN-ID of the own node-ID, and link it on the other node's side.",
+    source: "CiA 301 §7.3.5",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// an object of whole bytes starts in the middle of a byte of its PDO
-    ///
-    /// ## What it checks
-    /// Whether each object of 8 bits or more that a PDO maps starts at a whole byte of the frame.
-    ///
-    /// ## Why it matters
-    /// Most devices and masters copy whole bytes, and refuse the mapping or read it wrongly.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`
-    ///
-    /// ## How to mend
-    /// Map the single bits last, or fill up the byte before.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia301/unaligned-mapping", Note, Pdo(check)
+    "cia301/unaligned-mapping", Note, Pdo(check);
+    summary: "an object of whole bytes starts in the middle of a byte of its PDO",
+    checks: "Whether each object of 8 bits or more that a PDO maps starts at a whole byte of the frame.",
+    why: "Most devices and masters copy whole bytes, and refuse the mapping or read it wrongly.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`",
+    remedy: "Map the single bits last, or fill up the byte before.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

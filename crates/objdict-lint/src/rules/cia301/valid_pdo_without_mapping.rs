@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    /// a PDO is switched on and maps nothing
-    ///
-    /// ## What it checks
-    /// Whether each PDO whose mapping counts 0 objects is switched off by bit 31 of its COB-ID.
-    ///
-    /// ## Why it matters
-    /// A TPDO without objects sends empty frames, or the device refuses it; an RPDO takes a CAN-ID for nothing.
-    ///
-    /// ## Example
-    /// `[1801sub1]` with `DefaultValue=$NODEID+0x280`, and `[1A01sub0]` with `DefaultValue=0`
-    ///
-    /// ## How to mend
-    /// Set bit 31 of the COB-ID, or map something.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 to §7.5.2.38
-    "cia301/valid-pdo-without-mapping", Warning, Pdo(check)
+    "cia301/valid-pdo-without-mapping", Warning, Pdo(check);
+    summary: "a PDO is switched on and maps nothing",
+    checks: "Whether each PDO whose mapping counts 0 objects is switched off by bit 31 of its COB-ID.",
+    why: "A TPDO without objects sends empty frames, or the device refuses it; an RPDO takes a CAN-ID for nothing.",
+    example: "`[1801sub1]` with `DefaultValue=$NODEID+0x280`, and `[1A01sub0]` with `DefaultValue=0`",
+    remedy: "Set bit 31 of the COB-ID, or map something.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Identity};
 use crate::{is_unstated, rule};
 
 rule! {
-    /// the vendor-ID is 0 or not stated
-    ///
-    /// ## What it checks
-    /// Whether the value of 1018h sub-index 1 is not 0. One that is not stated is a note. Of the public files that we looked at, 30 in 100 have a 0 and 12 have no value: demonstrations, tests and software masters without a vendor-ID of their own, so the rule is right there.
-    ///
-    /// ## Why it matters
-    /// CiA assigns vendor-IDs, and 0 belongs to nobody: two devices with 0 cannot be told apart, LSS cannot address them, and a conformance test fails.
-    ///
-    /// ## Example
-    /// `[1018sub1]` with `DefaultValue=0x00000000`
-    ///
-    /// ## How to mend
-    /// Write the vendor-ID that CiA gave to your company. For a description that never leaves the laboratory, ignore the rule.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.21
-    "cia301/vendor-id-zero", Warning, Device(check)
+    "cia301/vendor-id-zero", Warning, Device(check);
+    summary: "the vendor-ID is 0 or not stated",
+    checks: "Whether the value of 1018h sub-index 1 is not 0. One that is not stated is a note. Of the public files that we looked at, 30 in 100 have a 0 and 12 have no value: demonstrations, tests and software masters without a vendor-ID of their own, so the rule is right there.",
+    why: "CiA assigns vendor-IDs, and 0 belongs to nobody: two devices with 0 cannot be told apart, LSS cannot address them, and a conformance test fails.",
+    example: "`[1018sub1]` with `DefaultValue=0x00000000`",
+    remedy: "Write the vendor-ID that CiA gave to your company. For a description that never leaves the laboratory, ignore the rule.",
+    source: "CiA 301 §7.5.2.21",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::Object;
 use crate::{Facts, PdoFacts, is_unstated, rule};
 
 rule! {
-    /// the number of mapped objects is impossible, or more than are mapped
-    ///
-    /// ## What it checks
-    /// Whether sub-index 0 of each PDO mapping is 0 to 64, or 254 or 255 for a multiplexed PDO, and whether each of the entries that it counts is described and states an object.
-    ///
-    /// ## Why it matters
-    /// A device refuses a number that its entries do not fill. A tool that shows the PDO shows a frame with holes.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `DefaultValue=3`, and no `[1A00sub3]`
-    ///
-    /// ## How to mend
-    /// Write the number of entries in use, counted from sub-index 1 without gap.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36 table 69
-    "cia301/wrong-mapping-count", Error, Pdo(check), fix Unsafe
+    "cia301/wrong-mapping-count", Error, Pdo(check), fix Unsafe;
+    summary: "the number of mapped objects is impossible, or more than are mapped",
+    checks: "Whether sub-index 0 of each PDO mapping is 0 to 64, or 254 or 255 for a multiplexed PDO, and whether each of the entries that it counts is described and states an object.",
+    why: "A device refuses a number that its entries do not fill. A tool that shows the PDO shows a frame with holes.",
+    example: "`[1A00sub0]` with `DefaultValue=3`, and no `[1A00sub3]`",
+    remedy: "Write the number of entries in use, counted from sub-index 1 without gap.",
+    source: "CiA 301 §7.5.2.36 table 69",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

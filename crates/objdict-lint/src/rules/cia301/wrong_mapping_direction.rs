@@ -3,23 +3,13 @@ use crate::model::{Access, Field, PdoKind, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps an object of the other direction
-    ///
-    /// ## What it checks
-    /// Whether the objects that a TPDO carries can be read and are no process output (`wo`, `rww`), and those that an RPDO carries can be written and are no process input (`ro`, `const`, `rwr`).
-    ///
-    /// ## Why it matters
-    /// An RPDO cannot write what is read-only: the device refuses the mapping, or drops the data without a word.
-    ///
-    /// ## Example
-    /// `[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`
-    ///
-    /// ## How to mend
-    /// Map the object into a PDO of its direction, or mend its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2
-    "cia301/wrong-mapping-direction", Error, Pdo(check)
+    "cia301/wrong-mapping-direction", Error, Pdo(check);
+    summary: "a PDO maps an object of the other direction",
+    checks: "Whether the objects that a TPDO carries can be read and are no process output (`wo`, `rww`), and those that an RPDO carries can be written and are no process input (`ro`, `const`, `rwr`).",
+    why: "An RPDO cannot write what is read-only: the device refuses the mapping, or drops the data without a word.",
+    example: "`[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`",
+    remedy: "Map the object into a PDO of its direction, or mend its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.",
+    source: "CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, MappedObject, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a PDO maps an object with another length than it has
-    ///
-    /// ## What it checks
-    /// Whether the last two digits of each mapping entry, the length in bits, are those of the object's data type. Objects whose type has no fixed length are not looked at. A BOOLEAN with 8 bits is a warning: devices that map whole bytes only do it, CANopenNode among them.
-    ///
-    /// ## Why it matters
-    /// The device refuses the mapping with an abort; a receiver takes the following objects from the wrong place of the frame.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x60000110`, and `[6000sub1]` is UNSIGNED8
-    ///
-    /// ## How to mend
-    /// Write the length of the data type, in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe
+    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe;
+    summary: "a PDO maps an object with another length than it has",
+    checks: "Whether the last two digits of each mapping entry, the length in bits, are those of the object's data type. Objects whose type has no fixed length are not looked at. A BOOLEAN with 8 bits is a warning: devices that map whole bytes only do it, CANopenNode among them.",
+    why: "The device refuses the mapping with an abort; a receiver takes the following objects from the wrong place of the frame.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60000110`, and `[6000sub1]` is UNSIGNED8",
+    remedy: "Write the length of the data type, in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

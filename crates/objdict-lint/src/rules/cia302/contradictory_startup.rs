@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::rule;
 
 rule! {
-    /// bits of 1F80h contradict each other
-    ///
-    /// ## What it checks
-    /// Whether 1F80h has bits 4 and 6 set, of which the second decides, or bits 1 and 3, of which the first means nothing because of the second.
-    ///
-    /// ## Why it matters
-    /// The device does one of the two, and whoever set the other counts on it.
-    ///
-    /// ## Example
-    /// `[1F80]` with `DefaultValue=0x00000051`: on an error of a mandatory slave all nodes are reset (bit 4) and all are stopped (bit 6)
-    ///
-    /// ## How to mend
-    /// Clear bit 4 to stop all nodes or bit 6 to reset them; clear bit 1 when slaves are not started (bit 3).
-    ///
-    /// ## Source
-    /// CiA 302-2 (1F80h)
-    "cia302/contradictory-startup", Warning, Against(check)
+    "cia302/contradictory-startup", Warning, Against(check);
+    summary: "bits of 1F80h contradict each other",
+    checks: "Whether 1F80h has bits 4 and 6 set, of which the second decides, or bits 1 and 3, of which the first means nothing because of the second.",
+    why: "The device does one of the two, and whoever set the other counts on it.",
+    example: "`[1F80]` with `DefaultValue=0x00000051`: on an error of a mandatory slave all nodes are reset (bit 4) and all are stopped (bit 6)",
+    remedy: "Clear bit 4 to stop all nodes or bit 6 to reset them; clear bit 1 when slaves are not started (bit 3).",
+    source: "CiA 302-2 (1F80h)",
 }
 
 /// Two bits, and what they say together.

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::rule;
 
 rule! {
-    /// the time slots of a flying master overlap
-    ///
-    /// ## What it checks
-    /// Whether the priority time slot of 1F90h (sub-index 4) is more than 127 times the time slot of a device (sub-index 5).
-    ///
-    /// ## Why it matters
-    /// A device waits its priority times the first and its node-ID times the second before it claims to be master. When they overlap, one of low priority comes before one of high priority.
-    ///
-    /// ## Example
-    /// `[1F90sub4]` with `DefaultValue=1000` and `[1F90sub5]` with `DefaultValue=10`: 127 times 10 are 1270
-    ///
-    /// ## How to mend
-    /// Raise the priority time slot or shorten that of a device. 1500 and 10 are the defaults of the document.
-    ///
-    /// ## Source
-    /// CiA 302-2 (1F90h)
-    "cia302/flying-master-time-slots", Error, Against(check)
+    "cia302/flying-master-time-slots", Error, Against(check);
+    summary: "the time slots of a flying master overlap",
+    checks: "Whether the priority time slot of 1F90h (sub-index 4) is more than 127 times the time slot of a device (sub-index 5).",
+    why: "A device waits its priority times the first and its node-ID times the second before it claims to be master. When they overlap, one of low priority comes before one of high priority.",
+    example: "`[1F90sub4]` with `DefaultValue=1000` and `[1F90sub5]` with `DefaultValue=10`: 127 times 10 are 1270",
+    remedy: "Raise the priority time slot or shorten that of a device. 1500 and 10 are the defaults of the document.",
+    source: "CiA 302-2 (1F90h)",
 }
 
 /// The highest node-ID.

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::rule;
 
 rule! {
-    /// the guarding of a slave has a time and no retries, or retries and no time
-    ///
-    /// ## What it checks
-    /// Whether each entry of 1F81h that is for a slave of this master (bit 0) has a guard time (bits 16 to 31) and a retry factor (bits 8 to 15), or neither.
-    ///
-    /// ## Why it matters
-    /// Guarding with one of the two is off, and a node that is gone is not missed.
-    ///
-    /// ## Example
-    /// `[1F81sub5]` with `DefaultValue=0x01F40001`: 500 ms and no retries
-    ///
-    /// ## How to mend
-    /// Set both, or clear both and use heartbeat.
-    ///
-    /// ## Source
-    /// CiA 302-2 (1F81h)
-    "cia302/half-set-guarding", Warning, Expected(check)
+    "cia302/half-set-guarding", Warning, Expected(check);
+    summary: "the guarding of a slave has a time and no retries, or retries and no time",
+    checks: "Whether each entry of 1F81h that is for a slave of this master (bit 0) has a guard time (bits 16 to 31) and a retry factor (bits 8 to 15), or neither.",
+    why: "Guarding with one of the two is off, and a node that is gone is not missed.",
+    example: "`[1F81sub5]` with `DefaultValue=0x01F40001`: 500 ms and no retries",
+    remedy: "Set both, or clear both and use heartbeat.",
+    source: "CiA 302-2 (1F81h)",
 }
 
 fn check(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {

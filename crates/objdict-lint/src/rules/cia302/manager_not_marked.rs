@@ -4,23 +4,13 @@ use crate::model::{Field, Part, Place};
 use crate::{Facts, rule};
 
 rule! {
-    /// a device has the objects of a network manager, and the description does not say that it is one
-    ///
-    /// ## What it checks
-    /// Whether a device that has lists of nodes (1F20h, 1F22h, 1F23h, 1F25h, 1F81h to 1F88h) has not `SimpleBootUpMaster=0`.
-    ///
-    /// ## Why it matters
-    /// A tool that looks for the manager of a network passes the device over.
-    ///
-    /// ## Example
-    /// `[1F81]` and `SimpleBootUpMaster=0`
-    ///
-    /// ## How to mend
-    /// Write `SimpleBootUpMaster=1` when the device can boot a network.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4; CiA 302-2
-    "cia302/manager-not-marked", Note, Applied(check), fix Unsafe
+    "cia302/manager-not-marked", Note, Applied(check), fix Unsafe;
+    summary: "a device has the objects of a network manager, and the description does not say that it is one",
+    checks: "Whether a device that has lists of nodes (1F20h, 1F22h, 1F23h, 1F25h, 1F81h to 1F88h) has not `SimpleBootUpMaster=0`.",
+    why: "A tool that looks for the manager of a network passes the device over.",
+    example: "`[1F81]` and `SimpleBootUpMaster=0`",
+    remedy: "Write `SimpleBootUpMaster=1` when the device can boot a network.",
+    source: "CiA 306-1 §4.4; CiA 302-2",
 }
 
 /// Lists that only a device needs that boots or configures others.

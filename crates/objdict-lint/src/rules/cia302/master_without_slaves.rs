@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::rule;
 
 rule! {
-    /// an NMT master has no list of slaves
-    ///
-    /// ## What it checks
-    /// Whether a device whose 1F80h makes it NMT master (bit 0) has the list of its slaves, 1F81h. What a module may bring is not missed.
-    ///
-    /// ## Why it matters
-    /// The master does not know which nodes to expect: it boots none of them, and misses none.
-    ///
-    /// ## Example
-    /// `[1F80]` with `DefaultValue=0x00000001`, and no `[1F81]`
-    ///
-    /// ## How to mend
-    /// Describe 1F81h, or clear bit 0 of 1F80h if the device is no master.
-    ///
-    /// ## Source
-    /// CiA 302-2 (1F80h, 1F81h)
-    "cia302/master-without-slaves", Warning, Against(check)
+    "cia302/master-without-slaves", Warning, Against(check);
+    summary: "an NMT master has no list of slaves",
+    checks: "Whether a device whose 1F80h makes it NMT master (bit 0) has the list of its slaves, 1F81h. What a module may bring is not missed.",
+    why: "The master does not know which nodes to expect: it boots none of them, and misses none.",
+    example: "`[1F80]` with `DefaultValue=0x00000001`, and no `[1F81]`",
+    remedy: "Describe 1F81h, or clear bit 0 of 1F80h if the device is no master.",
+    source: "CiA 302-2 (1F80h, 1F81h)",
 }
 
 fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {

@@ -4,23 +4,13 @@ use crate::model::{Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a device starts by itself, and the description says that it does not boot so
-    ///
-    /// ## What it checks
-    /// Whether a device that enters operational without a master, which is what bits 0 and 2 of 1F80h say when they are clear, has not `SimpleBootUpSlave=0`.
-    ///
-    /// ## Why it matters
-    /// A master that relies on the description waits with its configuration for a node that already sends. Some drives have 1F80h with 0 and wait for their master all the same, so it is a note.
-    ///
-    /// ## Example
-    /// `[1F80]` with `DefaultValue=0x00000000`, and `SimpleBootUpSlave=0`
-    ///
-    /// ## How to mend
-    /// Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h when the device waits for its master.
-    ///
-    /// ## Source
-    /// CiA 302-2 (1F80h); CiA 306-1 §4.4
-    "cia302/self-starting-not-marked", Note, Against(check), fix Unsafe
+    "cia302/self-starting-not-marked", Note, Against(check), fix Unsafe;
+    summary: "a device starts by itself, and the description says that it does not boot so",
+    checks: "Whether a device that enters operational without a master, which is what bits 0 and 2 of 1F80h say when they are clear, has not `SimpleBootUpSlave=0`.",
+    why: "A master that relies on the description waits with its configuration for a node that already sends. Some drives have 1F80h with 0 and wait for their master all the same, so it is a note.",
+    example: "`[1F80]` with `DefaultValue=0x00000000`, and `SimpleBootUpSlave=0`",
+    remedy: "Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h when the device waits for its master.",
+    source: "CiA 302-2 (1F80h); CiA 306-1 §4.4",
 }
 
 fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, rule};
 
 rule! {
-    /// 13FFh has no checksum for an SRDO
-    ///
-    /// ## What it checks
-    /// Whether 13FFh has a sub-index for each SRDO that the device has: sub-index 1 for 1301h, and so on.
-    ///
-    /// ## Why it matters
-    /// The configuration of an SRDO without a checksum can never be declared valid.
-    ///
-    /// ## Example
-    /// `[1302]`, and a 13FFh with one element
-    ///
-    /// ## How to mend
-    /// Describe an element for each SRDO.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/checksum-missing", Error, Facts(check)
+    "cia304/checksum-missing", Error, Facts(check);
+    summary: "13FFh has no checksum for an SRDO",
+    checks: "Whether 13FFh has a sub-index for each SRDO that the device has: sub-index 1 for 1301h, and so on.",
+    why: "The configuration of an SRDO without a checksum can never be declared valid.",
+    example: "`[1302]`, and a 13FFh with one element",
+    remedy: "Describe an element for each SRDO.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

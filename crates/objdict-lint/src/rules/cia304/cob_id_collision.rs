@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Srdo, rule};
 
 rule! {
-    /// two SRDOs of the device have the same COB-ID
-    ///
-    /// ## What it checks
-    /// Whether the COB-IDs of all SRDOs that have a direction differ.
-    ///
-    /// ## Why it matters
-    /// The device cannot tell the two apart; one that is sent disturbs what it should receive.
-    ///
-    /// ## Example
-    /// `[1301sub5]` and `[1302sub5]`, both with `DefaultValue=0x101`
-    ///
-    /// ## How to mend
-    /// Give each SRDO its own pair.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/cob-id-collision", Error, Facts(check)
+    "cia304/cob-id-collision", Error, Facts(check);
+    summary: "two SRDOs of the device have the same COB-ID",
+    checks: "Whether the COB-IDs of all SRDOs that have a direction differ.",
+    why: "The device cannot tell the two apart; one that is sent disturbs what it should receive.",
+    example: "`[1301sub5]` and `[1302sub5]`, both with `DefaultValue=0x101`",
+    remedy: "Give each SRDO its own pair.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

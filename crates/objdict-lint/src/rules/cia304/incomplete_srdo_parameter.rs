@@ -12,23 +12,13 @@ const SUBS: [(u8, &str); 6] = [
 ];
 
 rule! {
-    /// an SRDO communication parameter lacks a sub-index
-    ///
-    /// ## What it checks
-    /// Whether each object from 1301h to 1340h has the sub-indexes 1 to 6.
-    ///
-    /// ## Why it matters
-    /// All of them are part of the safety configuration and its checksum; none has a value that goes without saying.
-    ///
-    /// ## Example
-    /// `[1301]` with sub-indexes 0 to 4 only
-    ///
-    /// ## How to mend
-    /// Describe the missing sub-index.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/incomplete-srdo-parameter", Error, Facts(check)
+    "cia304/incomplete-srdo-parameter", Error, Facts(check);
+    summary: "an SRDO communication parameter lacks a sub-index",
+    checks: "Whether each object from 1301h to 1340h has the sub-indexes 1 to 6.",
+    why: "All of them are part of the safety configuration and its checksum; none has a value that goes without saying.",
+    example: "`[1301]` with sub-indexes 0 to 4 only",
+    remedy: "Describe the missing sub-index.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::DeviceKind;
 use crate::{Facts, rule};
 
 rule! {
-    /// the two COB-IDs of an SRDO are no pair
-    ///
-    /// ## What it checks
-    /// Whether COB-ID 1 of each SRDO that has a direction is an odd CAN-ID from 101h to 17Fh, and COB-ID 2 the next one. A formula is evaluated for the node of a DCF. The defaults FFh and 100h, to which stacks add twice the node-ID, are accepted in an EDS.
-    ///
-    /// ## Why it matters
-    /// The data are sent twice, plain and inverted, under identifiers that differ in two bits at least, so that a damaged frame of one is never taken for the other. A device refuses any other pair.
-    ///
-    /// ## Example
-    /// `[1301sub5]` with `DefaultValue=0x101` and `[1301sub6]` with `DefaultValue=0x103`
-    ///
-    /// ## How to mend
-    /// Write an odd CAN-ID and the next one: the standard has FFh and 100h plus twice the node-ID.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/invalid-cob-id-pair", Error, Facts(check)
+    "cia304/invalid-cob-id-pair", Error, Facts(check);
+    summary: "the two COB-IDs of an SRDO are no pair",
+    checks: "Whether COB-ID 1 of each SRDO that has a direction is an odd CAN-ID from 101h to 17Fh, and COB-ID 2 the next one. A formula is evaluated for the node of a DCF. The defaults FFh and 100h, to which stacks add twice the node-ID, are accepted in an EDS.",
+    why: "The data are sent twice, plain and inverted, under identifiers that differ in two bits at least, so that a damaged frame of one is never taken for the other. A device refuses any other pair.",
+    example: "`[1301sub5]` with `DefaultValue=0x101` and `[1301sub6]` with `DefaultValue=0x103`",
+    remedy: "Write an odd CAN-ID and the next one: the standard has FFh and 100h plus twice the node-ID.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// an SRDO goes in no direction
-    ///
-    /// ## What it checks
-    /// Whether the information direction of each SRDO is 0 (switched off), 1 (sent) or 2 (received).
-    ///
-    /// ## Why it matters
-    /// The device refuses any other value, and nobody knows whether it is the one that sends.
-    ///
-    /// ## Example
-    /// `[1301sub1]` with `DefaultValue=3`
-    ///
-    /// ## How to mend
-    /// Write 0, 1 or 2.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/invalid-direction", Error, Facts(check)
+    "cia304/invalid-direction", Error, Facts(check);
+    summary: "an SRDO goes in no direction",
+    checks: "Whether the information direction of each SRDO is 0 (switched off), 1 (sent) or 2 (received).",
+    why: "The device refuses any other value, and nobody knows whether it is the one that sends.",
+    example: "`[1301sub1]` with `DefaultValue=3`",
+    remedy: "Write 0, 1 or 2.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

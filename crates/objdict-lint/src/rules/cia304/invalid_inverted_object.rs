@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Field, Place};
 use crate::rule;
 
 rule! {
-    /// the inverted value of a safety entry is not there
-    ///
-    /// ## What it checks
-    /// Whether `InvertedSRAD` names an entry that is described, another one, and one of the same data type.
-    ///
-    /// ## Why it matters
-    /// The tool that builds an SRDO maps the entry together with the one that `InvertedSRAD` names. With a wrong one, the receiver compares values that have nothing to do with each other.
-    ///
-    /// ## Example
-    /// `InvertedSRAD=0x610101`, and no `[6101sub1]`
-    ///
-    /// ## How to mend
-    /// Write index and sub-index of the inverted entry as six hex digits.
-    ///
-    /// ## Source
-    /// CiA 306-1 annex A
-    "cia304/invalid-inverted-object", Error, Device(check)
+    "cia304/invalid-inverted-object", Error, Device(check);
+    summary: "the inverted value of a safety entry is not there",
+    checks: "Whether `InvertedSRAD` names an entry that is described, another one, and one of the same data type.",
+    why: "The tool that builds an SRDO maps the entry together with the one that `InvertedSRAD` names. With a wrong one, the receiver compares values that have nothing to do with each other.",
+    example: "`InvertedSRAD=0x610101`, and no `[6101sub1]`",
+    remedy: "Write index and sub-index of the inverted entry as six hex digits.",
+    source: "CiA 306-1 annex A",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

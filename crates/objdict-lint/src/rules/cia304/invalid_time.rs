@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// the times of an SRDO cannot be kept
-    ///
-    /// ## What it checks
-    /// Whether the refresh time (SCT of one that is received) and the validation time (SRVT) of each SRDO that has a direction are not 0, and whether the validation time is not longer than the refresh time.
-    ///
-    /// ## Why it matters
-    /// The two frames of an SRDO have to come within the validation time, and the next pair within the cycle time. A time of 0 can never be kept; a validation time beyond the cycle lets the frames of two cycles pass as one pair.
-    ///
-    /// ## Example
-    /// `[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`
-    ///
-    /// ## How to mend
-    /// Write times in milliseconds; the validation time is the shorter one.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/invalid-time", Error, Facts(check)
+    "cia304/invalid-time", Error, Facts(check);
+    summary: "the times of an SRDO cannot be kept",
+    checks: "Whether the refresh time (SCT of one that is received) and the validation time (SRVT) of each SRDO that has a direction are not 0, and whether the validation time is not longer than the refresh time.",
+    why: "The two frames of an SRDO have to come within the validation time, and the next pair within the cycle time. A time of 0 can never be kept; a validation time beyond the cycle lets the frames of two cycles pass as one pair.",
+    example: "`[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`",
+    remedy: "Write times in milliseconds; the validation time is the shorter one.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Target, rule};
 
 rule! {
-    /// an SRDO maps an object that does not exist
-    ///
-    /// ## What it checks
-    /// Whether each object that an SRDO maps is described. Fillers, and objects that modules bring, are left alone.
-    ///
-    /// ## Why it matters
-    /// The device refuses the mapping, or the description lacks a part of the safety function.
-    ///
-    /// ## Example
-    /// `[1381sub1]` with `DefaultValue=0x61000108`, and no `[6100]`
-    ///
-    /// ## How to mend
-    /// Describe the object, or map the one that was meant.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/mapped-object-missing", Error, Facts(check)
+    "cia304/mapped-object-missing", Error, Facts(check);
+    summary: "an SRDO maps an object that does not exist",
+    checks: "Whether each object that an SRDO maps is described. Fillers, and objects that modules bring, are left alone.",
+    why: "The device refuses the mapping, or the description lacks a part of the safety function.",
+    example: "`[1381sub1]` with `DefaultValue=0x61000108`, and no `[6100]`",
+    remedy: "Describe the object, or map the one that was meant.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

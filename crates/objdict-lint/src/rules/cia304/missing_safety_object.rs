@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, rule, stated};
 
 rule! {
-    /// a device with SRDOs lacks the objects that guard their configuration
-    ///
-    /// ## What it checks
-    /// Whether a device with SRDOs has 13FEh, whether the configuration is valid, and 13FFh, its checksums.
-    ///
-    /// ## Why it matters
-    /// A configuration tool writes the checksums and then declares the configuration valid. Without these objects the device can never be made to send or accept an SRDO.
-    ///
-    /// ## Example
-    /// `[1301]` and `[1381]`, and no `[13FF]`
-    ///
-    /// ## How to mend
-    /// Add 13FEh, an UNSIGNED8, and 13FFh, an ARRAY of UNSIGNED16 with an element for each SRDO.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/missing-safety-object", Error, Facts(check)
+    "cia304/missing-safety-object", Error, Facts(check);
+    summary: "a device with SRDOs lacks the objects that guard their configuration",
+    checks: "Whether a device with SRDOs has 13FEh, whether the configuration is valid, and 13FFh, its checksums.",
+    why: "A configuration tool writes the checksums and then declares the configuration valid. Without these objects the device can never be made to send or accept an SRDO.",
+    example: "`[1301]` and `[1381]`, and no `[13FF]`",
+    remedy: "Add 13FEh, an UNSIGNED8, and 13FFh, an ARRAY of UNSIGNED16 with an element for each SRDO.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

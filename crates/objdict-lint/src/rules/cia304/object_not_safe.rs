@@ -3,23 +3,13 @@ use crate::model::Device;
 use crate::{Facts, Target, rule};
 
 rule! {
-    /// an SRDO maps an entry that is not for SRDOs
-    ///
-    /// ## What it checks
-    /// Whether each entry that an SRDO maps says `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.
-    ///
-    /// ## Why it matters
-    /// A tool that configures the SRDO does not offer the entry, and refuses the mapping that is there.
-    ///
-    /// ## Example
-    /// `[1381sub1]` that names an entry with `SRDOMapping=0`
-    ///
-    /// ## How to mend
-    /// Write `SRDOMapping=1`, or map an entry that is made for it.
-    ///
-    /// ## Source
-    /// CiA 306-1 annex A, EN 50325-5 (CiA 304)
-    "cia304/object-not-safe", Warning, Facts(check)
+    "cia304/object-not-safe", Warning, Facts(check);
+    summary: "an SRDO maps an entry that is not for SRDOs",
+    checks: "Whether each entry that an SRDO maps says `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.",
+    why: "A tool that configures the SRDO does not offer the entry, and refuses the mapping that is there.",
+    example: "`[1381sub1]` that names an entry with `SRDOMapping=0`",
+    remedy: "Write `SRDOMapping=1`, or map an entry that is made for it.",
+    source: "CiA 306-1 annex A, EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Field, Part, Place};
 use crate::{Facts, rule};
 
 rule! {
-    /// `CANopenSafetySupported` and the objects disagree
-    ///
-    /// ## What it checks
-    /// Whether a device with `CANopenSafetySupported=1` has SRDOs, and one with SRDOs does not say `CANopenSafetySupported=0`.
-    ///
-    /// ## Why it matters
-    /// A safety tool looks at the flag, and either finds nothing to configure or leaves alone what it should configure.
-    ///
-    /// ## Example
-    /// `CANopenSafetySupported=1`, and no object from 1301h to 1340h
-    ///
-    /// ## How to mend
-    /// Write what the device supports.
-    ///
-    /// ## Source
-    /// CiA 306-1 annex A, EN 50325-5 (CiA 304)
-    "cia304/safety-flag", Warning, Facts(check)
+    "cia304/safety-flag", Warning, Facts(check);
+    summary: "`CANopenSafetySupported` and the objects disagree",
+    checks: "Whether a device with `CANopenSafetySupported=1` has SRDOs, and one with SRDOs does not say `CANopenSafetySupported=0`.",
+    why: "A safety tool looks at the flag, and either finds nothing to configure or leaves alone what it should configure.",
+    example: "`CANopenSafetySupported=1`, and no object from 1301h to 1340h",
+    remedy: "Write what the device supports.",
+    source: "CiA 306-1 annex A, EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

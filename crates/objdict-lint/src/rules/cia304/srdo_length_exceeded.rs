@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// an SRDO carries more than 64 bits
-    ///
-    /// ## What it checks
-    /// Whether the plain objects that an SRDO maps, and the inverted ones, are at most 64 bits together.
-    ///
-    /// ## Why it matters
-    /// A frame has eight bytes.
-    ///
-    /// ## Example
-    /// nine pairs of 8 bits in `[1381]`
-    ///
-    /// ## How to mend
-    /// Take objects out, or put them into another SRDO.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/srdo-length-exceeded", Error, Facts(check)
+    "cia304/srdo-length-exceeded", Error, Facts(check);
+    summary: "an SRDO carries more than 64 bits",
+    checks: "Whether the plain objects that an SRDO maps, and the inverted ones, are at most 64 bits together.",
+    why: "A frame has eight bytes.",
+    example: "nine pairs of 8 bits in `[1381]`",
+    remedy: "Take objects out, or put them into another SRDO.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

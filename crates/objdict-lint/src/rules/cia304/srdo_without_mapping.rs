@@ -3,23 +3,13 @@ use crate::model::Place;
 use crate::{Facts, rule, stated};
 
 rule! {
-    /// an SRDO has one of its two objects only
-    ///
-    /// ## What it checks
-    /// Whether a mapping (1381h to 13C0h) belongs to each communication parameter of an SRDO (1301h to 1340h), and the other way round.
-    ///
-    /// ## Why it matters
-    /// The one says when and under which identifiers the SRDO is sent, the other what it carries. A safety configuration needs both for its checksum.
-    ///
-    /// ## Example
-    /// `[1301]`, and no `[1381]`
-    ///
-    /// ## How to mend
-    /// Add the other object.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/srdo-without-mapping", Error, Facts(check)
+    "cia304/srdo-without-mapping", Error, Facts(check);
+    summary: "an SRDO has one of its two objects only",
+    checks: "Whether a mapping (1381h to 13C0h) belongs to each communication parameter of an SRDO (1301h to 1340h), and the other way round.",
+    why: "The one says when and under which identifiers the SRDO is sent, the other what it carries. A safety configuration needs both for its checksum.",
+    example: "`[1301]`, and no `[1381]`",
+    remedy: "Add the other object.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// the two objects of a pair in an SRDO have different lengths
-    ///
-    /// ## What it checks
-    /// Whether the inverted object of each pair that an SRDO maps (even sub-indexes) has the length of the plain one (odd sub-indexes).
-    ///
-    /// ## Why it matters
-    /// The receiver compares the two frames bit by bit. With different lengths, what follows is compared with something else, and the device goes to its safe state.
-    ///
-    /// ## Example
-    /// `[1381sub1]` with `DefaultValue=0x61000108` and `[1381sub2]` with `DefaultValue=0x61010110`
-    ///
-    /// ## How to mend
-    /// Map the inverted object that belongs to the plain one.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/unequal-pair", Error, Facts(check)
+    "cia304/unequal-pair", Error, Facts(check);
+    summary: "the two objects of a pair in an SRDO have different lengths",
+    checks: "Whether the inverted object of each pair that an SRDO maps (even sub-indexes) has the length of the plain one (odd sub-indexes).",
+    why: "The receiver compares the two frames bit by bit. With different lengths, what follows is compared with something else, and the device goes to its safe state.",
+    example: "`[1381sub1]` with `DefaultValue=0x61000108` and `[1381sub2]` with `DefaultValue=0x61010110`",
+    remedy: "Map the inverted object that belongs to the plain one.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

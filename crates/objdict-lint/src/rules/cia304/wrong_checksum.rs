@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Srdo, rule};
 
 rule! {
-    /// a configuration is called valid, and its checksum is wrong
-    ///
-    /// ## What it checks
-    /// Whether the checksum in 13FFh of each SRDO with a direction is that of its parameters, where 13FEh says that the configuration is valid (A5h): a CRC of 16 bits with the polynomial 1021h, from 0, over direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each entry of the mapping. SRDOs of which not all of that is stated are left alone.
-    ///
-    /// ## Why it matters
-    /// At power-up the device works the checksum out, finds that it differs, and sends no safety data.
-    ///
-    /// ## Example
-    /// `[13FE]` with `DefaultValue=0xA5`, and `[13FFsub1]` with `DefaultValue=0`
-    ///
-    /// ## How to mend
-    /// Write the checksum that the finding names, after somebody has made sure that the configuration is the right one; or 0 into 13FEh.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/wrong-checksum", Warning, Facts(check)
+    "cia304/wrong-checksum", Warning, Facts(check);
+    summary: "a configuration is called valid, and its checksum is wrong",
+    checks: "Whether the checksum in 13FFh of each SRDO with a direction is that of its parameters, where 13FEh says that the configuration is valid (A5h): a CRC of 16 bits with the polynomial 1021h, from 0, over direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each entry of the mapping. SRDOs of which not all of that is stated are left alone.",
+    why: "At power-up the device works the checksum out, finds that it differs, and sends no safety data.",
+    example: "`[13FE]` with `DefaultValue=0xA5`, and `[13FFsub1]` with `DefaultValue=0`",
+    remedy: "Write the checksum that the finding names, after somebody has made sure that the configuration is the right one; or 0 into 13FEh.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
 use crate::{Facts, rule};
 
 rule! {
-    /// the number of objects that an SRDO maps cannot be
-    ///
-    /// ## What it checks
-    /// Whether sub-index 0 of each SRDO mapping is an even number from 0 to 16, and whether each of the entries that it counts is described and names an object.
-    ///
-    /// ## Why it matters
-    /// Entries come in pairs, the plain object and the inverted one. A device refuses an odd number, and an entry without an object.
-    ///
-    /// ## Example
-    /// `[1381sub0]` with `DefaultValue=3`
-    ///
-    /// ## How to mend
-    /// Map the inverted object of each, and count both.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/wrong-mapping-count", Error, Facts(check)
+    "cia304/wrong-mapping-count", Error, Facts(check);
+    summary: "the number of objects that an SRDO maps cannot be",
+    checks: "Whether sub-index 0 of each SRDO mapping is an even number from 0 to 16, and whether each of the entries that it counts is described and names an object.",
+    why: "Entries come in pairs, the plain object and the inverted one. A device refuses an odd number, and an entry without an object.",
+    example: "`[1381sub0]` with `DefaultValue=3`",
+    remedy: "Map the inverted object of each, and count both.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, Target, rule};
 
 rule! {
-    /// an SRDO maps an object with another length than it has
-    ///
-    /// ## What it checks
-    /// Whether the length in each entry of an SRDO mapping is that of the data type of the object.
-    ///
-    /// ## Why it matters
-    /// The device refuses the mapping, or everything behind the object lies elsewhere in the frame.
-    ///
-    /// ## Example
-    /// `[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is an UNSIGNED8
-    ///
-    /// ## How to mend
-    /// Write the length of the data type in bits as the last two digits.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/wrong-mapping-length", Error, Facts(check)
+    "cia304/wrong-mapping-length", Error, Facts(check);
+    summary: "an SRDO maps an object with another length than it has",
+    checks: "Whether the length in each entry of an SRDO mapping is that of the data type of the object.",
+    why: "The device refuses the mapping, or everything behind the object lies elsewhere in the frame.",
+    example: "`[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is an UNSIGNED8",
+    remedy: "Write the length of the data type in bits as the last two digits.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -2,23 +2,13 @@ use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// an SRDO has another transmission type than 254
-    ///
-    /// ## What it checks
-    /// Whether the transmission type of each SRDO is 254. The standard knows no other one.
-    ///
-    /// ## Why it matters
-    /// SRDOs are sent cyclically whatever happens; that they come in time is what makes them safe. SYNC or a remote frame must not decide about it.
-    ///
-    /// ## Example
-    /// `[1301sub4]` with `DefaultValue=255`
-    ///
-    /// ## How to mend
-    /// Write `0xFE`, and `AccessType=const`.
-    ///
-    /// ## Source
-    /// EN 50325-5 (CiA 304)
-    "cia304/wrong-transmission-type", Error, Facts(check), fix Unsafe
+    "cia304/wrong-transmission-type", Error, Facts(check), fix Unsafe;
+    summary: "an SRDO has another transmission type than 254",
+    checks: "Whether the transmission type of each SRDO is 254. The standard knows no other one.",
+    why: "SRDOs are sent cyclically whatever happens; that they come in time is what makes them safe. SYNC or a remote frame must not decide about it.",
+    example: "`[1301sub4]` with `DefaultValue=255`",
+    remedy: "Write `0xFE`, and `AccessType=const`.",
+    source: "EN 50325-5 (CiA 304)",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

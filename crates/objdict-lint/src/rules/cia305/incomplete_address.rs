@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::{is_unstated, rule};
 
 rule! {
-    /// the numbers by which LSS selects a device are not all stated
-    ///
-    /// ## What it checks
-    /// Whether 1018h sub-indexes 2 and 3, product code and revision number, have a value on a device with `LSS_Supported=1`. The vendor-ID has a rule of its own, the serial number belongs to the single device.
-    ///
-    /// ## Why it matters
-    /// An LSS manager that is configured from the description selects the device by vendor-ID, product code, revision number and serial number, and cannot build the first three.
-    ///
-    /// ## Example
-    /// `LSS_Supported=1`, and no `DefaultValue` in `[1018sub2]`
-    ///
-    /// ## How to mend
-    /// Write the values.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 301 §7.5.2.21
-    "cia305/incomplete-address", Warning, Device(check)
+    "cia305/incomplete-address", Warning, Device(check);
+    summary: "the numbers by which LSS selects a device are not all stated",
+    checks: "Whether 1018h sub-indexes 2 and 3, product code and revision number, have a value on a device with `LSS_Supported=1`. The vendor-ID has a rule of its own, the serial number belongs to the single device.",
+    why: "An LSS manager that is configured from the description selects the device by vendor-ID, product code, revision number and serial number, and cannot build the first three.",
+    example: "`LSS_Supported=1`, and no `DefaultValue` in `[1018sub2]`",
+    remedy: "Write the values.",
+    source: "CiA 305, CiA 301 §7.5.2.21",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

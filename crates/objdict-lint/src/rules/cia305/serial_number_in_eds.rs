@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// all devices of a type have the same serial number
-    ///
-    /// ## What it checks
-    /// Whether the default of 1018h sub-index 4, the serial number, is 0 or missing in an EDS of a device with `LSS_Supported=1`.
-    ///
-    /// ## Why it matters
-    /// LSS tells devices of a type apart by their serial numbers. A number in the EDS is that of the one device on the author's desk; a tool that takes it for the others finds none.
-    ///
-    /// ## Example
-    /// `LSS_Supported=1`, and `DefaultValue=123456` in `[1018sub4]`
-    ///
-    /// ## How to mend
-    /// Remove the value, or write 0; the number of a node belongs into its DCF.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 301 §7.5.2.21
-    "cia305/serial-number-in-eds", Warning, Device(check)
+    "cia305/serial-number-in-eds", Warning, Device(check);
+    summary: "all devices of a type have the same serial number",
+    checks: "Whether the default of 1018h sub-index 4, the serial number, is 0 or missing in an EDS of a device with `LSS_Supported=1`.",
+    why: "LSS tells devices of a type apart by their serial numbers. A number in the EDS is that of the one device on the author's desk; a tool that takes it for the others finds none.",
+    example: "`LSS_Supported=1`, and `DefaultValue=123456` in `[1018sub4]`",
+    remedy: "Remove the value, or write 0; the number of a node belongs into its DCF.",
+    source: "CiA 305, CiA 301 §7.5.2.21",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a serial number for LSS is given to a node without LSS
-    ///
-    /// ## What it checks
-    /// Whether a DCF with an `LSS_SerialNumber` other than 0 is of a device with `LSS_Supported=1`, where it says either.
-    ///
-    /// ## Why it matters
-    /// A manager tries to select the node by LSS at every start, and waits for an answer that does not come.
-    ///
-    /// ## Example
-    /// `LSS_SerialNumber=1234` and `LSS_Supported=0`
-    ///
-    /// ## How to mend
-    /// Write `LSS_Supported=1` if the device supports it, else remove the number.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 306-1 §4.5, §5.4
-    "cia305/serial-number-without-lss", Warning, Device(check)
+    "cia305/serial-number-without-lss", Warning, Device(check);
+    summary: "a serial number for LSS is given to a node without LSS",
+    checks: "Whether a DCF with an `LSS_SerialNumber` other than 0 is of a device with `LSS_Supported=1`, where it says either.",
+    why: "A manager tries to select the node by LSS at every start, and waits for an answer that does not come.",
+    example: "`LSS_SerialNumber=1234` and `LSS_Supported=0`",
+    remedy: "Write `LSS_Supported=1` if the device supports it, else remove the number.",
+    source: "CiA 305, CiA 306-1 §4.5, §5.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

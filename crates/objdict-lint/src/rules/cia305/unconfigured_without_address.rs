@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a node waits for LSS, and nobody knows its address
-    ///
-    /// ## What it checks
-    /// Whether a DCF with `NodeID=255` states the four numbers by which LSS selects a node: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. Numbers that are 0 count as not stated, but for product code and revision number.
-    ///
-    /// ## Why it matters
-    /// A manager that does not know the numbers has to search for the node, which finds any one of its kind.
-    ///
-    /// ## Example
-    /// `NodeID=255`, `LSS_SerialNumber=0`, and no value in `[1018sub4]`
-    ///
-    /// ## How to mend
-    /// Write the serial number of the device's label as `LSS_SerialNumber`.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 306-1 §5.4
-    "cia305/unconfigured-without-address", Warning, Device(check)
+    "cia305/unconfigured-without-address", Warning, Device(check);
+    summary: "a node waits for LSS, and nobody knows its address",
+    checks: "Whether a DCF with `NodeID=255` states the four numbers by which LSS selects a node: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. Numbers that are 0 count as not stated, but for product code and revision number.",
+    why: "A manager that does not know the numbers has to search for the node, which finds any one of its kind.",
+    example: "`NodeID=255`, `LSS_SerialNumber=0`, and no value in `[1018sub4]`",
+    remedy: "Write the serial number of the device's label as `LSS_SerialNumber`.",
+    source: "CiA 305, CiA 306-1 §5.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a node waits for its node-ID, and nobody can give it one
-    ///
-    /// ## What it checks
-    /// Whether a DCF with `NodeID=255`, a node that gets its node-ID by LSS, is of a device with `LSS_Supported=1`.
-    ///
-    /// ## Why it matters
-    /// The node is never reached: without a node-ID it has no SDO, and without LSS it gets none.
-    ///
-    /// ## Example
-    /// `NodeID=255` and `LSS_Supported=0`
-    ///
-    /// ## How to mend
-    /// Write the node-ID, or `LSS_Supported=1` if the device supports it.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 306-1 §5.4
-    "cia305/unconfigured-without-lss", Error, Device(check)
+    "cia305/unconfigured-without-lss", Error, Device(check);
+    summary: "a node waits for its node-ID, and nobody can give it one",
+    checks: "Whether a DCF with `NodeID=255`, a node that gets its node-ID by LSS, is of a device with `LSS_Supported=1`.",
+    why: "The node is never reached: without a node-ID it has no SDO, and without LSS it gets none.",
+    example: "`NodeID=255` and `LSS_Supported=0`",
+    remedy: "Write the node-ID, or `LSS_Supported=1` if the device supports it.",
+    source: "CiA 305, CiA 306-1 §5.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

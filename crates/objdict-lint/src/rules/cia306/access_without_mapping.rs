@@ -3,23 +3,13 @@ use crate::model::{Access, Field};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// an access type speaks of PDOs, but the entry is not mappable
-    ///
-    /// ## What it checks
-    /// Whether entries with access `rwr` or `rww` have `PDOMapping=1`.
-    ///
-    /// ## Why it matters
-    /// `rwr` and `rww` are `rw` with the direction of the PDO that may carry the entry. One of the two keys is wrong, and the process value may be missing in every tool.
-    ///
-    /// ## Example
-    /// `AccessType=rww` and `PDOMapping=0`
-    ///
-    /// ## How to mend
-    /// Write `PDOMapping=1`, or `AccessType=rw`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/access-without-mapping", Warning, Entry(check), fix Unsafe
+    "cia306/access-without-mapping", Warning, Entry(check), fix Unsafe;
+    summary: "an access type speaks of PDOs, but the entry is not mappable",
+    checks: "Whether entries with access `rwr` or `rww` have `PDOMapping=1`.",
+    why: "`rwr` and `rww` are `rw` with the direction of the PDO that may carry the entry. One of the two keys is wrong, and the process value may be missing in every tool.",
+    example: "`AccessType=rww` and `PDOMapping=0`",
+    remedy: "Write `PDOMapping=1`, or `AccessType=rw`.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

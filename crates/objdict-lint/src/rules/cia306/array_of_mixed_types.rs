@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the entries of an ARRAY have different data types
-    ///
-    /// ## What it checks
-    /// Whether sub-indexes 1 to FEh of an ARRAY all have the same `DataType`.
-    ///
-    /// ## Why it matters
-    /// Code generators make an array of one type of it, and cut or misread the others.
-    ///
-    /// ## Example
-    /// An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2
-    ///
-    /// ## How to mend
-    /// Write `ObjectType=0x9` (RECORD), or correct the data type.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.3, table 42
-    "cia306/array-of-mixed-types", Error, Object(check), fix Unsafe
+    "cia306/array-of-mixed-types", Error, Object(check), fix Unsafe;
+    summary: "the entries of an ARRAY have different data types",
+    checks: "Whether sub-indexes 1 to FEh of an ARRAY all have the same `DataType`.",
+    why: "Code generators make an array of one type of it, and cut or misread the others.",
+    example: "An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2",
+    remedy: "Write `ObjectType=0x9` (RECORD), or correct the data type.",
+    source: "CiA 301 §7.4.3, table 42",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// a master has no object that says how it starts the network
-    ///
-    /// ## What it checks
-    /// Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.
-    ///
-    /// ## Why it matters
-    /// A configuration tool makes the device the master by 1F80h. Without it, nobody can say whether it starts the network, or let it be a slave.
-    ///
-    /// ## Example
-    /// `SimpleBootUpMaster=1`, and no `[1F80]`
-    ///
-    /// ## How to mend
-    /// Add 1F80h, an UNSIGNED32, or write `SimpleBootUpMaster=0`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5, CiA 302-2
-    "cia306/boot-up-master-without-startup", Note, Device(check)
+    "cia306/boot-up-master-without-startup", Note, Device(check);
+    summary: "a master has no object that says how it starts the network",
+    checks: "Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.",
+    why: "A configuration tool makes the device the master by 1F80h. Without it, nobody can say whether it starts the network, or let it be a slave.",
+    example: "`SimpleBootUpMaster=1`, and no `[1F80]`",
+    remedy: "Add 1F80h, an UNSIGNED32, or write `SimpleBootUpMaster=0`.",
+    source: "CiA 306-1 §4.5, CiA 302-2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

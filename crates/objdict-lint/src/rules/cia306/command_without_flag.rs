@@ -3,23 +3,13 @@ use crate::model::{Access, Device, Entry, Field, Object, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// writing a command, and no flag keeps tools from it
-    ///
-    /// ## What it checks
-    /// Whether the writable entries of objects that do something when they are written (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, or the object as a whole has it. Hardly a real file has the flag: nearly half of them describe 1010h or 1011h and none of these with it. It stays a note, for a tool that checks the signature (`save`, `load`) before it writes is safe without it.
-    ///
-    /// ## Why it matters
-    /// A tool that downloads a configuration writes every entry that has a value. With the flag it leaves those out that would store, restore or erase something.
-    ///
-    /// ## Example
-    /// `[1010sub1]` without `ObjFlags=0x1`
-    ///
-    /// ## How to mend
-    /// Write `ObjFlags=0x1` into the writable sub-indexes.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.3
-    "cia306/command-without-flag", Note, Object(check), fix Unsafe
+    "cia306/command-without-flag", Note, Object(check), fix Unsafe;
+    summary: "writing a command, and no flag keeps tools from it",
+    checks: "Whether the writable entries of objects that do something when they are written (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, or the object as a whole has it. Hardly a real file has the flag: nearly half of them describe 1010h or 1011h and none of these with it. It stays a note, for a tool that checks the signature (`save`, `load`) before it writes is safe without it.",
+    why: "A tool that downloads a configuration writes every entry that has a value. With the flag it leaves those out that would store, restore or erase something.",
+    example: "`[1010sub1]` without `ObjFlags=0x1`",
+    remedy: "Write `ObjFlags=0x1` into the writable sub-indexes.",
+    source: "CiA 306-1 §4.6.3.3",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// an object has both `CompactSubObj` and `SubNumber`
-    ///
-    /// ## What it checks
-    /// Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. It may count sub-indexes that are described beyond the compact ones.
-    ///
-    /// ## Why it matters
-    /// The two are two ways to describe sub-indexes. Some readers follow the one, some the other.
-    ///
-    /// ## Example
-    /// `CompactSubObj=8` and `SubNumber=9`
-    ///
-    /// ## How to mend
-    /// Remove `SubNumber`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.4.2
-    "cia306/compact-and-sub-number", Error, Object(check), fix Safe
+    "cia306/compact-and-sub-number", Error, Object(check), fix Safe;
+    summary: "an object has both `CompactSubObj` and `SubNumber`",
+    checks: "Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. It may count sub-indexes that are described beyond the compact ones.",
+    why: "The two are two ways to describe sub-indexes. Some readers follow the one, some the other.",
+    example: "`CompactSubObj=8` and `SubNumber=9`",
+    remedy: "Remove `SubNumber`.",
+    source: "CiA 306-1 §4.6.3.4.2",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Entry, Field, Object, Part, Place};
 use crate::rule;
 
 rule! {
-    /// an EDS has keys of a DCF
-    ///
-    /// ## What it checks
-    /// Whether a description of a type of device is without the keys of a configured node: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. The first one is shown.
-    ///
-    /// ## Why it matters
-    /// Tools that take the file for an EDS ignore them. Perhaps it is a DCF and lacks its `[DeviceComissioning]`.
-    ///
-    /// ## Example
-    /// `ParameterValue=500` in an EDS
-    ///
-    /// ## How to mend
-    /// Remove the keys, write the value as `DefaultValue`, or make it a DCF.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5
-    "cia306/configuration-in-eds", Note, Device(check)
+    "cia306/configuration-in-eds", Note, Device(check);
+    summary: "an EDS has keys of a DCF",
+    checks: "Whether a description of a type of device is without the keys of a configured node: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. The first one is shown.",
+    why: "Tools that take the file for an EDS ignore them. Perhaps it is a DCF and lacks its `[DeviceComissioning]`.",
+    example: "`ParameterValue=500` in an EDS",
+    remedy: "Remove the keys, write the value as `DefaultValue`, or make it a DCF.",
+    source: "CiA 306-1 §5",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

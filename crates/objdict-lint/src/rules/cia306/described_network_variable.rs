@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// network variables that come to be later are described as objects
-    ///
-    /// ## What it checks
-    /// Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.
-    ///
-    /// ## Why it matters
-    /// The program of such a device brings these objects with it; the description only states the segments they live in. What is described beside them stands in the way.
-    ///
-    /// ## Example
-    /// `DynamicChannelsSupported=1` and `[A040]`
-    ///
-    /// ## How to mend
-    /// Remove the objects, or write `DynamicChannelsSupported=0` if they never change.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.4.3
-    "cia306/described-network-variable", Error, Device(check)
+    "cia306/described-network-variable", Error, Device(check);
+    summary: "network variables that come to be later are described as objects",
+    checks: "Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.",
+    why: "The program of such a device brings these objects with it; the description only states the segments they live in. What is described beside them stands in the way.",
+    example: "`DynamicChannelsSupported=1` and `[A040]`",
+    remedy: "Remove the objects, or write `DynamicChannelsSupported=0` if they never change.",
+    source: "CiA 306-1 §4.6.3.4.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Place};
 use crate::rule;
 
 rule! {
-    /// a data type of CiA 301 is described
-    ///
-    /// ## What it checks
-    /// Whether no object from 0001h to 0025h is described, the data types and structures that CiA 301 defines itself.
-    ///
-    /// ## Why it matters
-    /// Every tool knows these types. Some refuse a file with objects below 1000h, and one that reads them finds at best what it knew. The first one is shown.
-    ///
-    /// ## Example
-    /// `[0005]`
-    ///
-    /// ## How to mend
-    /// Remove the sections and their lines in the lists. Own types stand from 0040h on.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7, table 44; CiA 306-1 §4.6.3
-    "cia306/described-standard-type", Note, Device(check)
+    "cia306/described-standard-type", Note, Device(check);
+    summary: "a data type of CiA 301 is described",
+    checks: "Whether no object from 0001h to 0025h is described, the data types and structures that CiA 301 defines itself.",
+    why: "Every tool knows these types. Some refuse a file with objects below 1000h, and one that reads them finds at best what it knew. The first one is shown.",
+    example: "`[0005]`",
+    remedy: "Remove the sections and their lines in the lists. Own types stand from 0040h on.",
+    source: "CiA 301 §7.4.7, table 44; CiA 306-1 §4.6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

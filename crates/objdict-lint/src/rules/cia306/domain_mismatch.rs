@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// object type and data type disagree about a DOMAIN
-    ///
-    /// ## What it checks
-    /// Whether an object or sub-index of object type DOMAIN has no other data type than DOMAIN, and an object with the data type DOMAIN is no VAR. A sub-index may be called a VAR.
-    ///
-    /// ## Why it matters
-    /// A DOMAIN is transferred in segments and has no value in memory. Tools that look at one of the two keys treat the object differently from those that look at the other.
-    ///
-    /// ## Example
-    /// `ObjectType=0x7` and `DataType=0x000F`
-    ///
-    /// ## How to mend
-    /// Write `ObjectType=0x2`, or the data type that the value has.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.3, CiA 306-1 §4.6.3.2
-    "cia306/domain-mismatch", Warning, Entry(check), fix Unsafe
+    "cia306/domain-mismatch", Warning, Entry(check), fix Unsafe;
+    summary: "object type and data type disagree about a DOMAIN",
+    checks: "Whether an object or sub-index of object type DOMAIN has no other data type than DOMAIN, and an object with the data type DOMAIN is no VAR. A sub-index may be called a VAR.",
+    why: "A DOMAIN is transferred in segments and has no value in memory. Tools that look at one of the two keys treat the object differently from those that look at the other.",
+    example: "`ObjectType=0x7` and `DataType=0x000F`",
+    remedy: "Write `ObjectType=0x2`, or the data type that the value has.",
+    source: "CiA 301 §7.4.3, CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

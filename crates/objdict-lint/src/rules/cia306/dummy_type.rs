@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a data type cannot be a dummy
-    ///
-    /// ## What it checks
-    /// Whether the types that `[DummyUsage]` allows are BOOLEAN, an INTEGER or an UNSIGNED of any width.
-    ///
-    /// ## Why it matters
-    /// A dummy fills bits of an RPDO that the device does not want. Only these types may stand in a mapping for it; a tool that uses another one gets an abort.
-    ///
-    /// ## Example
-    /// `Dummy0008=1`, which is REAL32
-    ///
-    /// ## How to mend
-    /// Write 0 or remove the line; a gap of 32 bits is filled with UNSIGNED32.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.1, CiA 306-1 §4.6.2
-    "cia306/dummy-type", Warning, Device(check), fix Safe
+    "cia306/dummy-type", Warning, Device(check), fix Safe;
+    summary: "a data type cannot be a dummy",
+    checks: "Whether the types that `[DummyUsage]` allows are BOOLEAN, an INTEGER or an UNSIGNED of any width.",
+    why: "A dummy fills bits of an RPDO that the device does not want. Only these types may stand in a mapping for it; a tool that uses another one gets an abort.",
+    example: "`Dummy0008=1`, which is REAL32",
+    remedy: "Write 0 or remove the line; a gap of 32 bits is filled with UNSIGNED32.",
+    source: "CiA 301 §7.4.7.1, CiA 306-1 §4.6.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::{Device, Entry, Field, Object, Place};
 use crate::rule;
 
 rule! {
-    /// two sub-indexes of an object have the same name
-    ///
-    /// ## What it checks
-    /// Whether the names of an object's sub-indexes differ, from 2000h on: below, CiA 301 itself repeats names. The first repetition in an object is shown.
-    ///
-    /// ## Why it matters
-    /// People cannot tell the entries apart, readers that find entries by name return the first one, and code generators have to make up numbers.
-    ///
-    /// ## Example
-    /// `ParameterName=Gain` in `[2000sub1]` and in `[2000sub2]`
-    ///
-    /// ## How to mend
-    /// Add a number or a word to the names.
-    ///
-    /// ## Source
-    /// Not in a standard; python-canopen, for one, finds entries by name
-    "cia306/duplicate-name", Note, Object(check)
+    "cia306/duplicate-name", Note, Object(check);
+    summary: "two sub-indexes of an object have the same name",
+    checks: "Whether the names of an object's sub-indexes differ, from 2000h on: below, CiA 301 itself repeats names. The first repetition in an object is shown.",
+    why: "People cannot tell the entries apart, readers that find entries by name return the first one, and code generators have to make up numbers.",
+    example: "`ParameterName=Gain` in `[2000sub1]` and in `[2000sub2]`",
+    remedy: "Add a number or a word to the names.",
+    source: "Not in a standard; python-canopen, for one, finds entries by name",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

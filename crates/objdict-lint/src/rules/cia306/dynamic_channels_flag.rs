@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `DynamicChannelsSupported` and `[DynamicChannels]` disagree
-    ///
-    /// ## What it checks
-    /// Whether a device with dynamic channels describes their segments, and one with described segments says that it has such channels.
-    ///
-    /// ## Why it matters
-    /// A tool that programs the device places network variables in the segments. Without them it has no place, without the flag it does not look.
-    ///
-    /// ## Example
-    /// `DynamicChannelsSupported=1` without `[DynamicChannels]`
-    ///
-    /// ## How to mend
-    /// Add the section with `NrOfSeg` and the segments, or write 0.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5, CiA 302-4
-    "cia306/dynamic-channels-flag", Error, Device(check), fix Unsafe
+    "cia306/dynamic-channels-flag", Error, Device(check), fix Unsafe;
+    summary: "`DynamicChannelsSupported` and `[DynamicChannels]` disagree",
+    checks: "Whether a device with dynamic channels describes their segments, and one with described segments says that it has such channels.",
+    why: "A tool that programs the device places network variables in the segments. Without them it has no place, without the flag it does not look.",
+    example: "`DynamicChannelsSupported=1` without `[DynamicChannels]`",
+    remedy: "Add the section with `NrOfSeg` and the segments, or write 0.",
+    source: "CiA 306-1 §4.5, CiA 302-4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `EDSVersion` is not a version such as 4.0
-    ///
-    /// ## What it checks
-    /// Whether `EDSVersion` is a digit, a dot and a digit. A missing one means 3.0; that, and any version before 4.0, is a note.
-    ///
-    /// ## Why it matters
-    /// The version tells a tool which keys to expect: a file of version 3.0 has no `ObjFlags`, no compact storage and no modules. `404` and `4.04` are numbers of other documents.
-    ///
-    /// ## Example
-    /// `EDSVersion=404`
-    ///
-    /// ## How to mend
-    /// Write `EDSVersion=4.0`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4
-    "cia306/eds-version", Warning, Device(check), fix Unsafe
+    "cia306/eds-version", Warning, Device(check), fix Unsafe;
+    summary: "`EDSVersion` is not a version such as 4.0",
+    checks: "Whether `EDSVersion` is a digit, a dot and a digit. A missing one means 3.0; that, and any version before 4.0, is a note.",
+    why: "The version tells a tool which keys to expect: a file of version 3.0 has no `ObjFlags`, no compact storage and no modules. `404` and `4.04` are numbers of other documents.",
+    example: "`EDSVersion=404`",
+    remedy: "Write `EDSVersion=4.0`.",
+    source: "CiA 306-1 §4.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

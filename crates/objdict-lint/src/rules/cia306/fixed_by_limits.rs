@@ -5,23 +5,13 @@ use crate::model::{Access, DataType, Field};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// the limits of an entry leave one value
-    ///
-    /// ## What it checks
-    /// Whether `LowLimit` and `HighLimit` of entries from 2000h on that can be written differ. Flags that keep tools from writing mark a command, which may have one value.
-    ///
-    /// ## Why it matters
-    /// Nothing but the one value can be written, so that the entry might as well be a constant. Often a limit was left at its start value.
-    ///
-    /// ## Example
-    /// `LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`
-    ///
-    /// ## How to mend
-    /// Write the limits that the device has, or remove them.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/fixed-by-limits", Note, Entry(check)
+    "cia306/fixed-by-limits", Note, Entry(check);
+    summary: "the limits of an entry leave one value",
+    checks: "Whether `LowLimit` and `HighLimit` of entries from 2000h on that can be written differ. Flags that keep tools from writing mark a command, which may have one value.",
+    why: "Nothing but the one value can be written, so that the entry might as well be a constant. Often a limit was left at its start value.",
+    example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
+    remedy: "Write the limits that the device has, or remove them.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// a formula does not fit its data type
-    ///
-    /// ## What it checks
-    /// Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for that of the node.
-    ///
-    /// ## Why it matters
-    /// On some nodes the value is cut off: the COB-ID or node-ID is another one.
-    ///
-    /// ## Example
-    /// `DefaultValue=$NODEID+0x90` of an UNSIGNED8
-    ///
-    /// ## How to mend
-    /// Choose a larger data type, or correct the number.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3
-    "cia306/formula-out-of-range", Error, Entry(check)
+    "cia306/formula-out-of-range", Error, Entry(check);
+    summary: "a formula does not fit its data type",
+    checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for that of the node.",
+    why: "On some nodes the value is cut off: the COB-ID or node-ID is another one.",
+    example: "`DefaultValue=$NODEID+0x90` of an UNSIGNED8",
+    remedy: "Choose a larger data type, or correct the number.",
+    source: "CiA 306-1 §4.3",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Object, ObjectType, Place};
 use crate::rule;
 
 rule! {
-    /// the elements of an ARRAY have a gap
-    ///
-    /// ## What it checks
-    /// Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh follow each other, FFh left aside. Elsewhere, the standards define objects with gaps.
-    ///
-    /// ## Why it matters
-    /// A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many. Sometimes the sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.
-    ///
-    /// ## Example
-    /// `[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`
-    ///
-    /// ## How to mend
-    /// Describe the missing elements, or make it a RECORD.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2, CiA 301 §7.4.3
-    "cia306/gap-in-array", Note, Object(check)
+    "cia306/gap-in-array", Note, Object(check);
+    summary: "the elements of an ARRAY have a gap",
+    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh follow each other, FFh left aside. Elsewhere, the standards define objects with gaps.",
+    why: "A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many. Sometimes the sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.",
+    example: "`[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`",
+    remedy: "Describe the missing elements, or make it a RECORD.",
+    source: "CiA 306-1 §4.6.3.2, CiA 301 §7.4.3",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

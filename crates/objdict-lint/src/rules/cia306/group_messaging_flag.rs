@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Object, Part, Place};
 use crate::{Facts, rule};
 
 rule! {
-    /// `GroupMessaging` and the PDOs disagree
-    ///
-    /// ## What it checks
-    /// Whether a device with multiplexed PDOs, whose mapping counts 254 or 255, or with the lists that belong to them (1FA0h to 1FFFh), says `GroupMessaging=1`, and whether one that says it has such a list, such a PDO, or a mapping that can be made one.
-    ///
-    /// ## Why it matters
-    /// Tools offer multiplexed PDOs for devices with the flag only, and configure them where nothing is there to configure.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `DefaultValue=255` and `GroupMessaging=0`
-    ///
-    /// ## How to mend
-    /// Write what the device supports.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5, CiA 301 §7.5.2.36
-    "cia306/group-messaging-flag", Warning, Facts(check)
+    "cia306/group-messaging-flag", Warning, Facts(check);
+    summary: "`GroupMessaging` and the PDOs disagree",
+    checks: "Whether a device with multiplexed PDOs, whose mapping counts 254 or 255, or with the lists that belong to them (1FA0h to 1FFFh), says `GroupMessaging=1`, and whether one that says it has such a list, such a PDO, or a mapping that can be made one.",
+    why: "Tools offer multiplexed PDOs for devices with the flag only, and configure them where nothing is there to configure.",
+    example: "`[1A00sub0]` with `DefaultValue=255` and `GroupMessaging=0`",
+    remedy: "Write what the device supports.",
+    source: "CiA 306-1 §4.5, CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place, Value};
 use crate::rule;
 
 rule! {
-    /// `[DeviceInfo]` and the identity object disagree
-    ///
-    /// ## What it checks
-    /// Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` are the values of 1018h sub-indexes 1, 2 and 3, where both are stated. In a DCF the configured value may agree instead of the default. Where one of the two is 0, most likely nobody has filled it in, and it is a warning.
-    ///
-    /// ## Why it matters
-    /// A tool finds the description of a device by what it reads from 1018h. With other numbers in `[DeviceInfo]` it finds none, or a wrong one.
-    ///
-    /// ## Example
-    /// `VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`
-    ///
-    /// ## How to mend
-    /// Write the number that the device answers with into both.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia306/identity-mismatch", Error, Device(check), fix Unsafe
+    "cia306/identity-mismatch", Error, Device(check), fix Unsafe;
+    summary: "`[DeviceInfo]` and the identity object disagree",
+    checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` are the values of 1018h sub-indexes 1, 2 and 3, where both are stated. In a DCF the configured value may agree instead of the default. Where one of the two is 0, most likely nobody has filled it in, and it is a warning.",
+    why: "A tool finds the description of a device by what it reads from 1018h. With other numbers in `[DeviceInfo]` it finds none, or a wrong one.",
+    example: "`VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`",
+    remedy: "Write the number that the device answers with into both.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

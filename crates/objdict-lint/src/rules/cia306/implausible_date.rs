@@ -6,23 +6,13 @@ use crate::rule;
 const FIRST: u16 = 1995;
 
 rule! {
-    /// the file was made before there were such files
-    ///
-    /// ## What it checks
-    /// Whether `CreationDate` and `ModificationDate` are in 1995 or later, the year of the first device descriptions for CANopen.
-    ///
-    /// ## Why it matters
-    /// The date is that of a computer whose clock was not set, or the two numbers of the month and day slipped into the year. Tools that look for the newer of two files take the wrong one.
-    ///
-    /// ## Example
-    /// `CreationDate=01-01-1980`
-    ///
-    /// ## How to mend
-    /// Write the date.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4
-    "cia306/implausible-date", Note, Device(check)
+    "cia306/implausible-date", Note, Device(check);
+    summary: "the file was made before there were such files",
+    checks: "Whether `CreationDate` and `ModificationDate` are in 1995 or later, the year of the first device descriptions for CANopen.",
+    why: "The date is that of a computer whose clock was not set, or the two numbers of the month and day slipped into the year. Tools that look for the newer of two files take the wrong one.",
+    example: "`CreationDate=01-01-1980`",
+    remedy: "Write the date.",
+    source: "CiA 306-1 §4.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// the bit rate of a DCF cannot be
-    ///
-    /// ## What it checks
-    /// Whether `Baudrate` is one of CiA 301 (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it, as `BaudRate_x` says. 0, which tools write when nobody chose a bit rate, is a warning.
-    ///
-    /// ## Why it matters
-    /// A node with another bit rate than its network disturbs it, or is never heard.
-    ///
-    /// ## Example
-    /// `Baudrate=500000`
-    ///
-    /// ## How to mend
-    /// Write the bit rate in kbit/s.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.4, CiA 301 §6.2
-    "cia306/invalid-baud-rate", Error, Device(check)
+    "cia306/invalid-baud-rate", Error, Device(check);
+    summary: "the bit rate of a DCF cannot be",
+    checks: "Whether `Baudrate` is one of CiA 301 (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it, as `BaudRate_x` says. 0, which tools write when nobody chose a bit rate, is a warning.",
+    why: "A node with another bit rate than its network disturbs it, or is never heard.",
+    example: "`Baudrate=500000`",
+    remedy: "Write the bit rate in kbit/s.",
+    source: "CiA 306-1 §5.4, CiA 301 §6.2",
 }
 
 const RATES: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];

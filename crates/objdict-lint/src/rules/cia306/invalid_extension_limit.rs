@@ -3,23 +3,13 @@ use crate::model::{Device, ExtensionCount, Field, ModulePart, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a module extends an object beyond what it can hold
-    ///
-    /// ## What it checks
-    /// Whether `ObjExtend` of each extension is at most 254, the highest sub-index that an element can have, and not below the number of sub-indexes in `Count`.
-    ///
-    /// ## Why it matters
-    /// `ObjExtend` says after which sub-index the next object goes on. With one that cannot be reached, the sub-indexes of the modules overlap or have no place.
-    ///
-    /// ## Example
-    /// `ObjExtend=4` and `Count=8` in `[M1SubExt6000]`
-    ///
-    /// ## How to mend
-    /// Write 254, or 128 for the objects with one bit an entry that CiA 401 has.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/invalid-extension-limit", Error, Device(check)
+    "cia306/invalid-extension-limit", Error, Device(check);
+    summary: "a module extends an object beyond what it can hold",
+    checks: "Whether `ObjExtend` of each extension is at most 254, the highest sub-index that an element can have, and not below the number of sub-indexes in `Count`.",
+    why: "`ObjExtend` says after which sub-index the next object goes on. With one that cannot be reached, the sub-indexes of the modules overlap or have no place.",
+    example: "`ObjExtend=4` and `Count=8` in `[M1SubExt6000]`",
+    remedy: "Write 254, or 128 for the objects with one bit an entry that CiA 401 has.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

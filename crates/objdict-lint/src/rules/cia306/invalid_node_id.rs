@@ -3,23 +3,13 @@ use crate::model::{Commissioning, Device, Field, Part, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the node-ID of a DCF is none
-    ///
-    /// ## What it checks
-    /// Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, no value may be a formula with `$NODEID`.
-    ///
-    /// ## Why it matters
-    /// The node cannot be reached, and its COB-IDs are not known.
-    ///
-    /// ## Example
-    /// `NodeID=0`
-    ///
-    /// ## How to mend
-    /// Write the node-ID.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.4, CiA 301 §7.2.5.2
-    "cia306/invalid-node-id", Error, Device(check)
+    "cia306/invalid-node-id", Error, Device(check);
+    summary: "the node-ID of a DCF is none",
+    checks: "Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, no value may be a formula with `$NODEID`.",
+    why: "The node cannot be reached, and its COB-IDs are not known.",
+    example: "`NodeID=0`",
+    remedy: "Write the node-ID.",
+    source: "CiA 306-1 §5.4, CiA 301 §7.2.5.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

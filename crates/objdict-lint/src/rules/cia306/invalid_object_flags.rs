@@ -3,23 +3,13 @@ use crate::model::Field;
 use crate::{EntryAt, rule};
 
 rule! {
-    /// `ObjFlags` has bits without a meaning
-    ///
-    /// ## What it checks
-    /// Whether no other bits are set than 0 (refuse write), 1 (refuse read) and 2, which CiA 311 added (the value counts after a reset).
-    ///
-    /// ## Why it matters
-    /// The other bits are reserved: a later version may give them a meaning. Perhaps a number of another key got here.
-    ///
-    /// ## Example
-    /// `ObjFlags=0x8`
-    ///
-    /// ## How to mend
-    /// Write the sum of 1 and 2, or remove the key.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.3
-    "cia306/invalid-object-flags", Warning, Entry(check), fix Safe
+    "cia306/invalid-object-flags", Warning, Entry(check), fix Safe;
+    summary: "`ObjFlags` has bits without a meaning",
+    checks: "Whether no other bits are set than 0 (refuse write), 1 (refuse read) and 2, which CiA 311 added (the value counts after a reset).",
+    why: "The other bits are reserved: a later version may give them a meaning. Perhaps a number of another key got here.",
+    example: "`ObjFlags=0x8`",
+    remedy: "Write the sum of 1 and 2, or remove the key.",
+    source: "CiA 306-1 §4.6.3.3",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, DynamicChannels, Field, Part, Place, Segment};
 use crate::rule;
 
 rule! {
-    /// a segment of the dynamic channels cannot hold network variables
-    ///
-    /// ## What it checks
-    /// Whether each segment has type, direction and range, whether the range lies in A000h to BFFFh and does not run backwards, and whether no two ranges overlap.
-    ///
-    /// ## Why it matters
-    /// A tool that programs the device gives the network variables indexes out of these ranges.
-    ///
-    /// ## Example
-    /// `Range1=0xA0BF-0xA080`
-    ///
-    /// ## How to mend
-    /// Write the first and the last index: `Range1=0xA080-0xA0BF`.
-    ///
-    /// ## Source
-    /// CiA 302-4, CiA 306-1 §4.6.3.4.3
-    "cia306/invalid-segment", Error, Device(check)
+    "cia306/invalid-segment", Error, Device(check);
+    summary: "a segment of the dynamic channels cannot hold network variables",
+    checks: "Whether each segment has type, direction and range, whether the range lies in A000h to BFFFh and does not run backwards, and whether no two ranges overlap.",
+    why: "A tool that programs the device gives the network variables indexes out of these ranges.",
+    example: "`Range1=0xA0BF-0xA080`",
+    remedy: "Write the first and the last index: `Range1=0xA080-0xA0BF`.",
+    source: "CiA 302-4, CiA 306-1 §4.6.3.4.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Access, DataType, Device, Field, Misfit, Place, Reason};
 use crate::{nearest_access, respell, rule};
 
 rule! {
-    /// a text is no value of its key
-    ///
-    /// ## What it checks
-    /// Whether numbers are numbers and fit their type or key, whether defaults and limits are values of their data type, whether access types, object types, dates and times are those that the standard knows. A date or time that is none is a warning only. In real files these are half of the findings (`14:19PM`, `04-19-20`); the others are access types that no document has (`R`), numbers in another notation (`0000h`), words where a number belongs, and texts as the default of a DOMAIN: each of them is read in several ways by several tools.
-    ///
-    /// ## Why it matters
-    /// Each tool makes something else of it: refuses the file, leaves the value out, or cuts it to size, so that 300 in an UNSIGNED8 becomes 44.
-    ///
-    /// ## Example
-    /// `DefaultValue=300` of an UNSIGNED8
-    ///
-    /// ## How to mend
-    /// Write a value that fits, or choose the data type that you mean.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.3, §4.6.3.2
-    "cia306/invalid-value", Error, Device(check), fix Unsafe
+    "cia306/invalid-value", Error, Device(check), fix Unsafe;
+    summary: "a text is no value of its key",
+    checks: "Whether numbers are numbers and fit their type or key, whether defaults and limits are values of their data type, whether access types, object types, dates and times are those that the standard knows. A date or time that is none is a warning only. In real files these are half of the findings (`14:19PM`, `04-19-20`); the others are access types that no document has (`R`), numbers in another notation (`0000h`), words where a number belongs, and texts as the default of a DOMAIN: each of them is read in several ways by several tools.",
+    why: "Each tool makes something else of it: refuses the file, leaves the value out, or cuts it to size, so that 300 in an UNSIGNED8 becomes 44.",
+    example: "`DefaultValue=300` of an UNSIGNED8",
+    remedy: "Write a value that fits, or choose the data type that you mean.",
+    source: "CiA 306-1 §4.3, §4.6.3.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a text has limits
-    ///
-    /// ## What it checks
-    /// Whether `LowLimit` and `HighLimit` are only used with numbers: not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.
-    ///
-    /// ## Why it matters
-    /// No order of texts is defined, so the limits mean nothing. Perhaps they were meant as lengths, or the data type is wrong.
-    ///
-    /// ## Example
-    /// `DataType=0x0009` with `HighLimit=20`
-    ///
-    /// ## How to mend
-    /// Remove the limits.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/limits-on-text", Warning, Entry(check), fix Safe
+    "cia306/limits-on-text", Warning, Entry(check), fix Safe;
+    summary: "a text has limits",
+    checks: "Whether `LowLimit` and `HighLimit` are only used with numbers: not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
+    why: "No order of texts is defined, so the limits mean nothing. Perhaps they were meant as lengths, or the data type is wrong.",
+    example: "`DataType=0x0009` with `HighLimit=20`",
+    remedy: "Remove the limits.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

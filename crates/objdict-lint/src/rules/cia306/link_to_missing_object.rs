@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a link leads to an object that is not there
-    ///
-    /// ## What it checks
-    /// Whether each index in `[xxxxObjectLinks]` is described, and the object xxxx itself too.
-    ///
-    /// ## Why it matters
-    /// A tool groups linked objects for its user; the group is incomplete.
-    ///
-    /// ## Example
-    /// `1=0x6999` in `[2000ObjectLinks]`, and no `[6999]`
-    ///
-    /// ## How to mend
-    /// Correct the index, or remove the link and write the new count.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.4
-    "cia306/link-to-missing-object", Warning, Object(check), fix Unsafe
+    "cia306/link-to-missing-object", Warning, Object(check), fix Unsafe;
+    summary: "a link leads to an object that is not there",
+    checks: "Whether each index in `[xxxxObjectLinks]` is described, and the object xxxx itself too.",
+    why: "A tool groups linked objects for its user; the group is incomplete.",
+    example: "`1=0x6999` in `[2000ObjectLinks]`, and no `[6999]`",
+    remedy: "Correct the index, or remove the link and write the new count.",
+    source: "CiA 306-1 §4.6.4",
 }
 
 fn check(device: &Device, index: u16, object: &Object, findings: &mut Findings) {

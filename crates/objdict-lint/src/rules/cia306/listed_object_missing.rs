@@ -3,23 +3,13 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{ListFixes, rule};
 
 rule! {
-    /// a list names an object that is not described
-    ///
-    /// ## What it checks
-    /// Whether each index of the three lists has its section. `CompactPDO` is no excuse: implied PDOs are in no list.
-    ///
-    /// ## Why it matters
-    /// Most readers stop at such a list entry, or show an object without name and type.
-    ///
-    /// ## Example
-    /// `4=0x2000` in a list, and no `[2000]`
-    ///
-    /// ## How to mend
-    /// Describe the object, or take it off the list and write the new count.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.1
-    "cia306/listed-object-missing", Error, Device(check), fix Unsafe
+    "cia306/listed-object-missing", Error, Device(check), fix Unsafe;
+    summary: "a list names an object that is not described",
+    checks: "Whether each index of the three lists has its section. `CompactPDO` is no excuse: implied PDOs are in no list.",
+    why: "Most readers stop at such a list entry, or show an object without name and type.",
+    example: "`4=0x2000` in a list, and no `[2000]`",
+    remedy: "Describe the object, or take it off the list and write the new count.",
+    source: "CiA 306-1 §4.6.3.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

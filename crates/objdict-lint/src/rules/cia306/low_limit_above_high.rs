@@ -5,23 +5,13 @@ use crate::model::{Field, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// the low limit is above the high limit
-    ///
-    /// ## What it checks
-    /// Whether `LowLimit` is at most `HighLimit`, both read as the data type says. Limits with `$NODEID` are tried with the node-IDs 1 and 127, or with that of the DCF.
-    ///
-    /// ## Why it matters
-    /// No value is within such limits: tools refuse every one, or stop checking.
-    ///
-    /// ## Example
-    /// `LowLimit=10` and `HighLimit=2`
-    ///
-    /// ## How to mend
-    /// Exchange the two. Limits of a signed type are written in decimal: `LowLimit=-128`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/low-limit-above-high", Error, Entry(check), fix Unsafe
+    "cia306/low-limit-above-high", Error, Entry(check), fix Unsafe;
+    summary: "the low limit is above the high limit",
+    checks: "Whether `LowLimit` is at most `HighLimit`, both read as the data type says. Limits with `$NODEID` are tried with the node-IDs 1 and 127, or with that of the DCF.",
+    why: "No value is within such limits: tools refuse every one, or stop checking.",
+    example: "`LowLimit=10` and `HighLimit=2`",
+    remedy: "Exchange the two. Limits of a signed type are written in decimal: `LowLimit=-128`.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

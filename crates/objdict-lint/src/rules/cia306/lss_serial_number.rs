@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place, Value};
 use crate::rule;
 
 rule! {
-    /// the serial number for LSS is not that of 1018h
-    ///
-    /// ## What it checks
-    /// Whether `LSS_SerialNumber` is the value of 1018h sub-index 4, where the file states both and neither is 0.
-    ///
-    /// ## Why it matters
-    /// LSS selects the node by its serial number; with the wrong one the node does not answer.
-    ///
-    /// ## Example
-    /// `LSS_SerialNumber=1234` and `ParameterValue=1235` in `[1018sub4]`
-    ///
-    /// ## How to mend
-    /// Write the number of the device's label into both.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.4
-    "cia306/lss-serial-number", Warning, Device(check)
+    "cia306/lss-serial-number", Warning, Device(check);
+    summary: "the serial number for LSS is not that of 1018h",
+    checks: "Whether `LSS_SerialNumber` is the value of 1018h sub-index 4, where the file states both and neither is 0.",
+    why: "LSS selects the node by its serial number; with the wrong one the node does not answer.",
+    example: "`LSS_SerialNumber=1234` and `ParameterValue=1235` in `[1018sub4]`",
+    remedy: "Write the number of the device's label into both.",
+    source: "CiA 306-1 §5.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// the device supports LSS, but cannot be told apart
-    ///
-    /// ## What it checks
-    /// Whether 1018h of a device with `LSS_Supported=1` has vendor-ID, product code, revision number and serial number.
-    ///
-    /// ## Why it matters
-    /// LSS addresses a device by these four numbers. A device that lacks one cannot be selected among others of its kind.
-    ///
-    /// ## Example
-    /// `LSS_Supported=1` and a 1018h that ends with sub-index 1
-    ///
-    /// ## How to mend
-    /// Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.
-    ///
-    /// ## Source
-    /// CiA 305, CiA 301 §7.5.2.21
-    "cia306/lss-without-identity", Warning, Device(check)
+    "cia306/lss-without-identity", Warning, Device(check);
+    summary: "the device supports LSS, but cannot be told apart",
+    checks: "Whether 1018h of a device with `LSS_Supported=1` has vendor-ID, product code, revision number and serial number.",
+    why: "LSS addresses a device by these four numbers. A device that lacks one cannot be selected among others of its kind.",
+    example: "`LSS_Supported=1` and a 1018h that ends with sub-index 1",
+    remedy: "Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.",
+    source: "CiA 305, CiA 301 §7.5.2.21",
 }
 
 const NAMES: [&str; 4] = ["vendor-ID", "product code", "revision number", "serial number"];

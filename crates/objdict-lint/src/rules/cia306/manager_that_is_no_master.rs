@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the manager of the network is no master
-    ///
-    /// ## What it checks
-    /// Whether a DCF with `CANopenManager=1` is of a device with `SimpleBootUpMaster=1` or with 1F80h, NMT startup.
-    ///
-    /// ## Why it matters
-    /// The manager starts and watches the other nodes. A device that cannot be the NMT master leaves them where they are after power-on.
-    ///
-    /// ## Example
-    /// `CANopenManager=1`, `SimpleBootUpMaster=0`, and no `[1F80]`
-    ///
-    /// ## How to mend
-    /// Write `CANopenManager=0`, or what the device supports.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.4, CiA 302-2
-    "cia306/manager-that-is-no-master", Warning, Device(check)
+    "cia306/manager-that-is-no-master", Warning, Device(check);
+    summary: "the manager of the network is no master",
+    checks: "Whether a DCF with `CANopenManager=1` is of a device with `SimpleBootUpMaster=1` or with 1F80h, NMT startup.",
+    why: "The manager starts and watches the other nodes. A device that cannot be the NMT master leaves them where they are after power-on.",
+    example: "`CANopenManager=1`, `SimpleBootUpMaster=0`, and no `[1F80]`",
+    remedy: "Write `CANopenManager=0`, or what the device supports.",
+    source: "CiA 306-1 §5.4, CiA 302-2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Access, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// an entry is called mappable, but no PDO can carry it
-    ///
-    /// ## What it checks
-    /// Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and can change, that is, are not `const`.
-    ///
-    /// ## Why it matters
-    /// A tool offers the entry for mapping, and the device refuses it.
-    ///
-    /// ## Example
-    /// `PDOMapping=1` of a VISIBLE_STRING
-    ///
-    /// ## How to mend
-    /// Write `PDOMapping=0`, or correct `DataType` or `AccessType`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.36
-    "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe
+    "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe;
+    summary: "an entry is called mappable, but no PDO can carry it",
+    checks: "Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and can change, that is, are not `const`.",
+    why: "A tool offers the entry for mapping, and the device refuses it.",
+    example: "`PDOMapping=1` of a VISIBLE_STRING",
+    remedy: "Write `PDOMapping=0`, or correct `DataType` or `AccessType`.",
+    source: "CiA 301 §7.5.2.36",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

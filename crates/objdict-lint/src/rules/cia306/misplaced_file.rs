@@ -3,23 +3,13 @@ use crate::model::{Access, DataType, Field, ObjectType};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a file is named for an entry that has none
-    ///
-    /// ## What it checks
-    /// Whether `UploadFile` and `DownloadFile` belong to a DOMAIN, not both to the same one, `UploadFile` to one that can be read and `DownloadFile` to one that can be written.
-    ///
-    /// ## Why it matters
-    /// The file is for the data of a DOMAIN. Of any other entry, or in the wrong direction, it is not transferred.
-    ///
-    /// ## Example
-    /// `DownloadFile=program.bin` of an UNSIGNED32
-    ///
-    /// ## How to mend
-    /// Remove the key and write `ParameterValue`, or correct the object type or access.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.3.1
-    "cia306/misplaced-file", Error, Entry(check)
+    "cia306/misplaced-file", Error, Entry(check);
+    summary: "a file is named for an entry that has none",
+    checks: "Whether `UploadFile` and `DownloadFile` belong to a DOMAIN, not both to the same one, `UploadFile` to one that can be read and `DownloadFile` to one that can be written.",
+    why: "The file is for the data of a DOMAIN. Of any other entry, or in the wrong direction, it is not transferred.",
+    example: "`DownloadFile=program.bin` of an UNSIGNED32",
+    remedy: "Remove the key and write `ParameterValue`, or correct the object type or access.",
+    source: "CiA 306-1 §5.3.1",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

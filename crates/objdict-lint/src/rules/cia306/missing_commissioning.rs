@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// a DCF does not say which node it is for
-    ///
-    /// ## What it checks
-    /// Whether a DCF has a section `[DeviceComissioning]`, which the standard spells with one m. Where no value is a formula with `$NODEID` it is a warning: some masters get their node-ID from the program that runs them.
-    ///
-    /// ## Why it matters
-    /// Without node-ID and bit rate nobody can reach the node, and formulas with `$NODEID` have no value.
-    ///
-    /// ## Example
-    /// An EDS that was renamed to .dcf
-    ///
-    /// ## How to mend
-    /// Add the section with `NodeID` and `Baudrate`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.4
-    "cia306/missing-commissioning", Error, Device(check)
+    "cia306/missing-commissioning", Error, Device(check);
+    summary: "a DCF does not say which node it is for",
+    checks: "Whether a DCF has a section `[DeviceComissioning]`, which the standard spells with one m. Where no value is a formula with `$NODEID` it is a warning: some masters get their node-ID from the program that runs them.",
+    why: "Without node-ID and bit rate nobody can reach the node, and formulas with `$NODEID` have no value.",
+    example: "An EDS that was renamed to .dcf",
+    remedy: "Add the section with `NodeID` and `Baudrate`.",
+    source: "CiA 306-1 §5.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

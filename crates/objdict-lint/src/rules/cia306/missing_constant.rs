@@ -3,23 +3,13 @@ use crate::model::{Access, Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a constant has no value
-    ///
-    /// ## What it checks
-    /// Whether entries with access `const` have a `DefaultValue`. Left alone are the texts 1008h to 100Ah and the identity 1018h, which are often the same description for several versions of a device, DOMAINs, and sub-index 0, which has a rule of its own.
-    ///
-    /// ## Why it matters
-    /// A constant is what a tool can know without asking the device. Code that is generated from the description has 0 instead.
-    ///
-    /// ## Example
-    /// `AccessType=const` without `DefaultValue`
-    ///
-    /// ## How to mend
-    /// Write the value, or `AccessType=ro` for a value that differs from device to device.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/missing-constant", Note, Entry(check)
+    "cia306/missing-constant", Note, Entry(check);
+    summary: "a constant has no value",
+    checks: "Whether entries with access `const` have a `DefaultValue`. Left alone are the texts 1008h to 100Ah and the identity 1018h, which are often the same description for several versions of a device, DOMAINs, and sub-index 0, which has a rule of its own.",
+    why: "A constant is what a tool can know without asking the device. Code that is generated from the description has 0 instead.",
+    example: "`AccessType=const` without `DefaultValue`",
+    remedy: "Write the value, or `AccessType=ro` for a value that differs from device to device.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

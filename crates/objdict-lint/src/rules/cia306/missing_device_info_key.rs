@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `[DeviceInfo]` does not say all that it has to
-    ///
-    /// ## What it checks
-    /// Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, the numbers of PDOs and LSS are stated. Names may be empty, numbers may not. `BaudRate_x` of rates that the device does not support may be left out. In a DCF, which is for one known device, and where only the order code is missing, it is a note. In real files it is mostly the order code, and numbers of products that were never sold; the files that state nothing of granularity, boot-up or group messaging are nearly all DCFs that a tool wrote, so two in three findings are notes.
-    ///
-    /// ## Why it matters
-    /// A configuration tool finds the description of a device by its numbers, and asks the other keys what it may offer. A conformance test refuses the file.
-    ///
-    /// ## Example
-    /// `[DeviceInfo]` without `NrOfRXPDO`
-    ///
-    /// ## How to mend
-    /// Add the keys; what the device does not have is 0.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia306/missing-device-info-key", Warning, Device(check), fix Unsafe
+    "cia306/missing-device-info-key", Warning, Device(check), fix Unsafe;
+    summary: "`[DeviceInfo]` does not say all that it has to",
+    checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, the numbers of PDOs and LSS are stated. Names may be empty, numbers may not. `BaudRate_x` of rates that the device does not support may be left out. In a DCF, which is for one known device, and where only the order code is missing, it is a note. In real files it is mostly the order code, and numbers of products that were never sold; the files that state nothing of granularity, boot-up or group messaging are nearly all DCFs that a tool wrote, so two in three findings are notes.",
+    why: "A configuration tool finds the description of a device by its numbers, and asks the other keys what it may offer. A conformance test refuses the file.",
+    example: "`[DeviceInfo]` without `NrOfRXPDO`",
+    remedy: "Add the keys; what the device does not have is 0.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, FileInfo, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `[FileInfo]` does not say all that it has to
-    ///
-    /// ## What it checks
-    /// Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are there; a missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note, for a file may never have been changed. `Description` may be empty.
-    ///
-    /// ## Why it matters
-    /// A configuration tool tells two files of one device apart by version and date. A conformance test refuses the file.
-    ///
-    /// ## Example
-    /// `[FileInfo]` without `FileRevision`
-    ///
-    /// ## How to mend
-    /// Add the keys. Who does not count revisions writes `FileRevision=0`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4
-    "cia306/missing-file-info-key", Warning, Device(check), fix Unsafe
+    "cia306/missing-file-info-key", Warning, Device(check), fix Unsafe;
+    summary: "`[FileInfo]` does not say all that it has to",
+    checks: "Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are there; a missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note, for a file may never have been changed. `Description` may be empty.",
+    why: "A configuration tool tells two files of one device apart by version and date. A conformance test refuses the file.",
+    example: "`[FileInfo]` without `FileRevision`",
+    remedy: "Add the keys. Who does not count revisions writes `FileRevision=0`.",
+    source: "CiA 306-1 §4.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

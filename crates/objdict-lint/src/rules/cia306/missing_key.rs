@@ -3,23 +3,13 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// a key is missing that the object type demands
-    ///
-    /// ## What it checks
-    /// Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType`, for without it the object is a VAR. A `DOMAIN` needs none of them.
-    ///
-    /// ## Why it matters
-    /// Without data type and access nobody can read or write the value. Tools guess, each in its own way, or refuse the file.
-    ///
-    /// ## Example
-    /// A VAR without `AccessType`
-    ///
-    /// ## How to mend
-    /// Add the key.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2, obligation table
-    "cia306/missing-key", Error, Entry(check), fix Unsafe
+    "cia306/missing-key", Error, Entry(check), fix Unsafe;
+    summary: "a key is missing that the object type demands",
+    checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType`, for without it the object is a VAR. A `DOMAIN` needs none of them.",
+    why: "Without data type and access nobody can read or write the value. Tools guess, each in its own way, or refuse the file.",
+    example: "A VAR without `AccessType`",
+    remedy: "Add the key.",
+    source: "CiA 306-1 §4.6.3.2, obligation table",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a DCF does not name the EDS that it was made from
-    ///
-    /// ## What it checks
-    /// Whether a DCF with a `[FileInfo]` that says more than its name has `LastEDS`.
-    ///
-    /// ## Why it matters
-    /// Nobody can find out whether the configuration is up to date with the device, or take over another EDS of it.
-    ///
-    /// ## Example
-    /// A DCF without `LastEDS`
-    ///
-    /// ## How to mend
-    /// Write the file name of the EDS.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.2
-    "cia306/missing-last-eds", Note, Device(check)
+    "cia306/missing-last-eds", Note, Device(check);
+    summary: "a DCF does not name the EDS that it was made from",
+    checks: "Whether a DCF with a `[FileInfo]` that says more than its name has `LastEDS`.",
+    why: "Nobody can find out whether the configuration is up to date with the device, or take over another EDS of it.",
+    example: "A DCF without `LastEDS`",
+    remedy: "Write the file name of the EDS.",
+    source: "CiA 306-1 §5.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a module does not say what it is
-    ///
-    /// ## What it checks
-    /// Whether each module has `[MxModuleInfo]` with `ProductName`, `ProductVersion`, `ProductRevision` and `OrderCode`.
-    ///
-    /// ## Why it matters
-    /// A configuration tool shows these to the user who plugs modules together.
-    ///
-    /// ## Example
-    /// `[M1FixedObjects]` without `[M1ModuleInfo]`
-    ///
-    /// ## How to mend
-    /// Add the section or the keys.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/missing-module-info", Error, Device(check)
+    "cia306/missing-module-info", Error, Device(check);
+    summary: "a module does not say what it is",
+    checks: "Whether each module has `[MxModuleInfo]` with `ProductName`, `ProductVersion`, `ProductRevision` and `OrderCode`.",
+    why: "A configuration tool shows these to the user who plugs modules together.",
+    example: "`[M1FixedObjects]` without `[M1ModuleInfo]`",
+    remedy: "Add the section or the keys.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

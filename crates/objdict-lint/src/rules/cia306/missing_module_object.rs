@@ -5,23 +5,13 @@ use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// the objects of a connected module are not in the DCF
-    ///
-    /// ## What it checks
-    /// Whether a DCF describes the fixed objects of the modules in `[ConnectedModules]`, and the objects that they extend.
-    ///
-    /// ## Why it matters
-    /// The DCF is of the station as it stands, modules included. What the modules bring is not configured when it is not described.
-    ///
-    /// ## Example
-    /// `1=2` in `[ConnectedModules]`, `1=0x6423` in `[M2FixedObjects]`, and no `[6423]`
-    ///
-    /// ## How to mend
-    /// Describe the objects as the modules make them.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.4
-    "cia306/missing-module-object", Warning, Device(check)
+    "cia306/missing-module-object", Warning, Device(check);
+    summary: "the objects of a connected module are not in the DCF",
+    checks: "Whether a DCF describes the fixed objects of the modules in `[ConnectedModules]`, and the objects that they extend.",
+    why: "The DCF is of the station as it stands, modules included. What the modules bring is not configured when it is not described.",
+    example: "`1=2` in `[ConnectedModules]`, `1=0x6423` in `[M2FixedObjects]`, and no `[6423]`",
+    remedy: "Describe the objects as the modules make them.",
+    source: "CiA 306-1 §6.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

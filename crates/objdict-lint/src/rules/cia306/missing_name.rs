@@ -3,23 +3,13 @@ use crate::model::Field;
 use crate::{EntryAt, rule};
 
 rule! {
-    /// an object or sub-index has no name
-    ///
-    /// ## What it checks
-    /// Whether each section of an object or sub-index has a `ParameterName` that is not empty.
-    ///
-    /// ## Why it matters
-    /// The name is what a tool shows. python-canopen and others refuse a file without it; generated code has to make one up.
-    ///
-    /// ## Example
-    /// `ParameterName=`
-    ///
-    /// ## How to mend
-    /// Give it the name that the standard or the manual uses.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/missing-name", Error, Entry(check)
+    "cia306/missing-name", Error, Entry(check);
+    summary: "an object or sub-index has no name",
+    checks: "Whether each section of an object or sub-index has a `ParameterName` that is not empty.",
+    why: "The name is what a tool shows. python-canopen and others refuse a file without it; generated code has to make one up.",
+    example: "`ParameterName=`",
+    remedy: "Give it the name that the standard or the manual uses.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

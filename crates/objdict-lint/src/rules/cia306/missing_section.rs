@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a section that every description has is missing
-    ///
-    /// ## What it checks
-    /// Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. In real files it is mostly a DCF without `[Comments]` or `[FileInfo]`, which is a note and does no harm; the errors are fragments, and lists without which whole ranges of objects are lost. An empty file has its own finding.
-    ///
-    /// ## Why it matters
-    /// Objects of a missing list are in no list at all, so most tools do not see them. Without `[DeviceInfo]` nobody knows whose device it is. The other sections may be empty, but some readers refuse a file without them.
-    ///
-    /// ## Example
-    /// A file that starts with `[1000]`
-    ///
-    /// ## How to mend
-    /// Add the section; an empty list is `SupportedObjects=0`, empty comments are `Lines=0`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.2
-    "cia306/missing-section", Error, Device(check), fix Safe
+    "cia306/missing-section", Error, Device(check), fix Safe;
+    summary: "a section that every description has is missing",
+    checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. In real files it is mostly a DCF without `[Comments]` or `[FileInfo]`, which is a note and does no harm; the errors are fragments, and lists without which whole ranges of objects are lost. An empty file has its own finding.",
+    why: "Objects of a missing list are in no list at all, so most tools do not see them. Without `[DeviceInfo]` nobody knows whose device it is. The other sections may be empty, but some readers refuse a file without them.",
+    example: "A file that starts with `[1000]`",
+    remedy: "Add the section; an empty list is `SupportedObjects=0`, empty comments are `Lines=0`.",
+    source: "CiA 306-1 §4.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectType, Part, Place};
 use crate::{rule, stated, sub_0};
 
 rule! {
-    /// an ARRAY or RECORD has no sub-index 0
-    ///
-    /// ## What it checks
-    /// Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.
-    ///
-    /// ## Why it matters
-    /// A manager reads sub-index 0 first to learn how many entries there are.
-    ///
-    /// ## Example
-    /// `[1003]` with `[1003sub1]` only
-    ///
-    /// ## How to mend
-    /// Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2
-    "cia306/missing-sub-0", Error, Object(check), fix Unsafe
+    "cia306/missing-sub-0", Error, Object(check), fix Unsafe;
+    summary: "an ARRAY or RECORD has no sub-index 0",
+    checks: "Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.",
+    why: "A manager reads sub-index 0 first to learn how many entries there are.",
+    example: "`[1003]` with `[1003sub1]` only",
+    remedy: "Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.",
+    source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

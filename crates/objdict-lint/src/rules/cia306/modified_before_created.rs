@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// the file was modified before it was created
-    ///
-    /// ## What it checks
-    /// Whether date and time of the last modification come after those of the creation.
-    ///
-    /// ## Why it matters
-    /// One of them is wrong, perhaps day and month in the wrong order, so nobody can tell which of two files is the newer one.
-    ///
-    /// ## Example
-    /// `CreationDate=11-18-2024` and `ModificationDate=03-04-2024`
-    ///
-    /// ## How to mend
-    /// Correct the date. The order is month, day, year.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.4
-    "cia306/modified-before-created", Note, Device(check)
+    "cia306/modified-before-created", Note, Device(check);
+    summary: "the file was modified before it was created",
+    checks: "Whether date and time of the last modification come after those of the creation.",
+    why: "One of them is wrong, perhaps day and month in the wrong order, so nobody can tell which of two files is the newer one.",
+    example: "`CreationDate=11-18-2024` and `ModificationDate=03-04-2024`",
+    remedy: "Correct the date. The order is month, day, year.",
+    source: "CiA 306-1 §4.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::{Device, Entry, Field, ModulePart, Object, Part, Place};
 use crate::rule;
 
 rule! {
-    /// two modules describe the same object differently
-    ///
-    /// ## What it checks
-    /// Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ, and the default of what modules add to 1027h (module list), for that is the number of the module.
-    ///
-    /// ## Why it matters
-    /// The object exists once in the plugged device, so only one of the descriptions can be true.
-    ///
-    /// ## Example
-    /// `[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16
-    ///
-    /// ## How to mend
-    /// Describe the object alike in all modules.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/module-conflict", Error, Device(check)
+    "cia306/module-conflict", Error, Device(check);
+    summary: "two modules describe the same object differently",
+    checks: "Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ, and the default of what modules add to 1027h (module list), for that is the number of the module.",
+    why: "The object exists once in the plugged device, so only one of the descriptions can be true.",
+    example: "`[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16",
+    remedy: "Describe the object alike in all modules.",
+    source: "CiA 306-1 §6.3",
 }
 
 /// 1027h: each element is the number of a module.

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::{IndexSet, rule};
 
 rule! {
-    /// the lists of a module do not name the objects that it describes
-    ///
-    /// ## What it checks
-    /// Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described one is listed, and each sub-index of a fixed object has its object.
-    ///
-    /// ## Why it matters
-    /// A tool that plugs the module together goes by the lists, and leaves out what they do not name.
-    ///
-    /// ## Example
-    /// `1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`
-    ///
-    /// ## How to mend
-    /// Describe the object, or correct the list and its `NrOfEntries`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/module-list-mismatch", Error, Device(check), fix Unsafe
+    "cia306/module-list-mismatch", Error, Device(check), fix Unsafe;
+    summary: "the lists of a module do not name the objects that it describes",
+    checks: "Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described one is listed, and each sub-index of a fixed object has its object.",
+    why: "A tool that plugs the module together goes by the lists, and leaves out what they do not name.",
+    example: "`1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`",
+    remedy: "Describe the object, or correct the list and its `NrOfEntries`.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, ModulePart, Modules, Part, Place};
 use crate::rule;
 
 rule! {
-    /// the modules are not numbered from 1 to their number
-    ///
-    /// ## What it checks
-    /// Whether the sections `[MxModuleInfo]` and the like have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.
-    ///
-    /// ## Why it matters
-    /// Tools count from 1. They do not see modules beyond the number, and stop at a gap.
-    ///
-    /// ## Example
-    /// `NrOfEntries=2`, `[M1ModuleInfo]` and `[M3ModuleInfo]`
-    ///
-    /// ## How to mend
-    /// Number the modules again, in all of their sections and in `[ConnectedModules]`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/module-numbering", Error, Device(check), fix Safe
+    "cia306/module-numbering", Error, Device(check), fix Safe;
+    summary: "the modules are not numbered from 1 to their number",
+    checks: "Whether the sections `[MxModuleInfo]` and the like have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.",
+    why: "Tools count from 1. They do not see modules beyond the number, and stop at a gap.",
+    example: "`NrOfEntries=2`, `[M1ModuleInfo]` and `[M3ModuleInfo]`",
+    remedy: "Number the modules again, in all of their sections and in `[ConnectedModules]`.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::{Device, DeviceKind, ModulePart, Part, Place};
 use crate::{IndexSet, rule};
 
 rule! {
-    /// an object comes from a module and from elsewhere too
-    ///
-    /// ## What it checks
-    /// Whether a fixed object of a module is no ordinary object of an EDS, and whether no index is both a fixed object and an extension. In a DCF the objects of the connected modules stand beside the modules.
-    ///
-    /// ## Why it matters
-    /// The object of the coupler and that of the module would share an index.
-    ///
-    /// ## Example
-    /// `[6423]` and `[M1Fixed6423]`
-    ///
-    /// ## How to mend
-    /// Keep the object where it comes from.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "cia306/module-overlap", Error, Device(check)
+    "cia306/module-overlap", Error, Device(check);
+    summary: "an object comes from a module and from elsewhere too",
+    checks: "Whether a fixed object of a module is no ordinary object of an EDS, and whether no index is both a fixed object and an extension. In a DCF the objects of the connected modules stand beside the modules.",
+    why: "The object of the coupler and that of the module would share an index.",
+    example: "`[6423]` and `[M1Fixed6423]`",
+    remedy: "Keep the object where it comes from.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// an entry is a structure
-    ///
-    /// ## What it checks
-    /// Whether a sub-index or VAR has an object type with sub-indexes of its own (ARRAY, RECORD, DEFSTRUCT), or the data type of a structure: 0020h to 0025h, or a DEFSTRUCT of the file.
-    ///
-    /// ## Why it matters
-    /// There are no sub-indexes below a sub-index, so nobody can reach the parts of the structure.
-    ///
-    /// ## Example
-    /// `ObjectType=0x8` in `[2000sub1]`
-    ///
-    /// ## How to mend
-    /// Give each part a sub-index or an object of its own.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.4
-    "cia306/nested-structure", Warning, Entry(check)
+    "cia306/nested-structure", Warning, Entry(check);
+    summary: "an entry is a structure",
+    checks: "Whether a sub-index or VAR has an object type with sub-indexes of its own (ARRAY, RECORD, DEFSTRUCT), or the data type of a structure: 0020h to 0025h, or a DEFSTRUCT of the file.",
+    why: "There are no sub-indexes below a sub-index, so nobody can reach the parts of the structure.",
+    example: "`ObjectType=0x8` in `[2000sub1]`",
+    remedy: "Give each part a sub-index or an object of its own.",
+    source: "CiA 301 §7.4.4",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// the device supports no bit rate
-    ///
-    /// ## What it checks
-    /// Whether at least one `BaudRate_x` is 1. A device that finds the bit rate by itself (`BaudRate_auto=1`) need not have one.
-    ///
-    /// ## Why it matters
-    /// A configuration tool offers only the stated bit rates, so it offers none.
-    ///
-    /// ## Example
-    /// `[DeviceInfo]` without any `BaudRate_x`
-    ///
-    /// ## How to mend
-    /// Add `BaudRate_125=1` and the others that the device supports.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia306/no-baud-rate", Warning, Device(check)
+    "cia306/no-baud-rate", Warning, Device(check);
+    summary: "the device supports no bit rate",
+    checks: "Whether at least one `BaudRate_x` is 1. A device that finds the bit rate by itself (`BaudRate_auto=1`) need not have one.",
+    why: "A configuration tool offers only the stated bit rates, so it offers none.",
+    example: "`[DeviceInfo]` without any `BaudRate_x`",
+    remedy: "Add `BaudRate_125=1` and the others that the device supports.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::rule;
 
 rule! {
-    /// an object of type NULL is described
-    ///
-    /// ## What it checks
-    /// Whether no object has the object type 0, NULL.
-    ///
-    /// ## Why it matters
-    /// A NULL object has no data: there is nothing to read or write. Tools list an object that answers nothing, or refuse the file.
-    ///
-    /// ## Example
-    /// `ObjectType=0x0`
-    ///
-    /// ## How to mend
-    /// Write the object type that the object has, or remove the object and its line in the list.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.3, table 42
-    "cia306/null-object", Warning, Object(check)
+    "cia306/null-object", Warning, Object(check);
+    summary: "an object of type NULL is described",
+    checks: "Whether no object has the object type 0, NULL.",
+    why: "A NULL object has no data: there is nothing to read or write. Tools list an object that answers nothing, or refuse the file.",
+    example: "`ObjectType=0x0`",
+    remedy: "Write the object type that the object has, or remove the object and its line in the list.",
+    source: "CiA 301 §7.4.3, table 42",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

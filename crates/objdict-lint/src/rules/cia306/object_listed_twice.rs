@@ -5,23 +5,13 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule};
 
 rule! {
-    /// an object is listed twice
-    ///
-    /// ## What it checks
-    /// Whether each index stands once in one list.
-    ///
-    /// ## Why it matters
-    /// Some tools make two objects of it, some refuse the file.
-    ///
-    /// ## Example
-    /// `0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`
-    ///
-    /// ## How to mend
-    /// Remove one of the two, number the entries behind it again and write the new count.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.1
-    "cia306/object-listed-twice", Error, Device(check), fix Unsafe
+    "cia306/object-listed-twice", Error, Device(check), fix Unsafe;
+    summary: "an object is listed twice",
+    checks: "Whether each index stands once in one list.",
+    why: "Some tools make two objects of it, some refuse the file.",
+    example: "`0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`",
+    remedy: "Remove one of the two, number the entries behind it again and write the new count.",
+    source: "CiA 306-1 §4.6.3.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

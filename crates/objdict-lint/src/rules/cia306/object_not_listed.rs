@@ -3,23 +3,13 @@ use crate::model::{Device, ObjectList, Place};
 use crate::{IndexSet, ListFixes, rule, with_members};
 
 rule! {
-    /// an object is described, but in no list
-    ///
-    /// ## What it checks
-    /// Whether each object from 1000h on is in one of the lists. Definitions of data types below need not be. Where a list is missing as a whole, that is the finding.
-    ///
-    /// ## Why it matters
-    /// Readers that go by the lists, as Lely and most C tools do, do not see the object.
-    ///
-    /// ## Example
-    /// `[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`
-    ///
-    /// ## How to mend
-    /// Add the index to the list of its range and write the new count, or remove the section.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.1
-    "cia306/object-not-listed", Error, Device(check), fix Safe
+    "cia306/object-not-listed", Error, Device(check), fix Safe;
+    summary: "an object is described, but in no list",
+    checks: "Whether each object from 1000h on is in one of the lists. Definitions of data types below need not be. Where a list is missing as a whole, that is the finding.",
+    why: "Readers that go by the lists, as Lely and most C tools do, do not see the object.",
+    example: "`[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`",
+    remedy: "Add the index to the list of its range and write the new count, or remove the section.",
+    source: "CiA 306-1 §4.6.3.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

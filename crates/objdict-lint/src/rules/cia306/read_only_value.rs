@@ -5,23 +5,13 @@ use crate::model::{Access, DeviceKind, Field};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// a DCF configures what cannot be written
-    ///
-    /// ## What it checks
-    /// Whether a `ParameterValue` that differs from the default belongs to an entry that can be written. That of a `ro` entry is a note: a tool may have stored what it read from the node, as the standard's own example does. Sub-index 0 and the identity object are left alone.
-    ///
-    /// ## Why it matters
-    /// The value never gets into the node. Whoever wrote it believes that it does.
-    ///
-    /// ## Example
-    /// `AccessType=const`, `DefaultValue=8` and `ParameterValue=9`
-    ///
-    /// ## How to mend
-    /// Remove the `ParameterValue`, or correct `AccessType`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.3.1
-    "cia306/read-only-value", Warning, Entry(check), fix Unsafe
+    "cia306/read-only-value", Warning, Entry(check), fix Unsafe;
+    summary: "a DCF configures what cannot be written",
+    checks: "Whether a `ParameterValue` that differs from the default belongs to an entry that can be written. That of a `ro` entry is a note: a tool may have stored what it read from the node, as the standard's own example does. Sub-index 0 and the identity object are left alone.",
+    why: "The value never gets into the node. Whoever wrote it believes that it does.",
+    example: "`AccessType=const`, `DefaultValue=8` and `ParameterValue=9`",
+    remedy: "Remove the `ParameterValue`, or correct `AccessType`.",
+    source: "CiA 306-1 §5.3.1",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

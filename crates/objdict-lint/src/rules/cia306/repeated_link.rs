@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a link of an object is there twice
-    ///
-    /// ## What it checks
-    /// Whether each object is linked once.
-    ///
-    /// ## Why it matters
-    /// Tools that show linked objects as one group show the object twice.
-    ///
-    /// ## Example
-    /// `1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`
-    ///
-    /// ## How to mend
-    /// Remove the link, and count one less.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.4
-    "cia306/repeated-link", Warning, Object(check)
+    "cia306/repeated-link", Warning, Object(check);
+    summary: "a link of an object is there twice",
+    checks: "Whether each object is linked once.",
+    why: "Tools that show linked objects as one group show the object twice.",
+    example: "`1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`",
+    remedy: "Remove the link, and count one less.",
+    source: "CiA 306-1 §4.6.4",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

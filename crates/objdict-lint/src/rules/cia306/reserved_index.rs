@@ -3,23 +3,13 @@ use crate::model::{Device, Object, Place};
 use crate::rule;
 
 rule! {
-    /// an object has a reserved index
-    ///
-    /// ## What it checks
-    /// Whether an object lies in 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh, or at 0000h.
-    ///
-    /// ## Why it matters
-    /// A later version of the standard may give the index a meaning, and tools of other vendors will then misunderstand the device. A conformance test fails.
-    ///
-    /// ## Example
-    /// `[C000]`
-    ///
-    /// ## How to mend
-    /// Put an object of your own in 2000h to 5FFFh.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.1, table 41; CiA 302-2 for 102Ah
-    "cia306/reserved-index", Warning, Object(check)
+    "cia306/reserved-index", Warning, Object(check);
+    summary: "an object has a reserved index",
+    checks: "Whether an object lies in 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh, or at 0000h.",
+    why: "A later version of the standard may give the index a meaning, and tools of other vendors will then misunderstand the device. A conformance test fails.",
+    example: "`[C000]`",
+    remedy: "Put an object of your own in 2000h to 5FFFh.",
+    source: "CiA 301 §7.4.1, table 41; CiA 302-2 for 102Ah",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a key of `[DeviceInfo]` is left over from EDS 3.0
-    ///
-    /// ## What it checks
-    /// Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is there.
-    ///
-    /// ## Why it matters
-    /// Version 4.0 reserves these keys and readers ignore them, so what they say reaches nobody.
-    ///
-    /// ## Example
-    /// `ExtendedBootUpMaster=0`
-    ///
-    /// ## How to mend
-    /// Remove the keys.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5
-    "cia306/reserved-key", Note, Device(check), fix Safe
+    "cia306/reserved-key", Note, Device(check), fix Safe;
+    summary: "a key of `[DeviceInfo]` is left over from EDS 3.0",
+    checks: "Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is there.",
+    why: "Version 4.0 reserves these keys and readers ignore them, so what they say reaches nobody.",
+    example: "`ExtendedBootUpMaster=0`",
+    remedy: "Remove the keys.",
+    source: "CiA 306-1 §4.5",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// an entry has one limit and lacks the other
-    ///
-    /// ## What it checks
-    /// Whether `LowLimit` and `HighLimit` are both there, or both not. A low limit of 0 or above of a signed type, and a high limit of any, leave the other side open.
-    ///
-    /// ## Why it matters
-    /// It is allowed, but tools differ in what the missing one is: 0, the end of the type's range, or no limits at all.
-    ///
-    /// ## Example
-    /// `HighLimit=100`, and no `LowLimit`
-    ///
-    /// ## How to mend
-    /// Write the other limit too.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/single-limit", Note, Entry(check)
+    "cia306/single-limit", Note, Entry(check);
+    summary: "an entry has one limit and lacks the other",
+    checks: "Whether `LowLimit` and `HighLimit` are both there, or both not. A low limit of 0 or above of a signed type, and a high limit of any, leave the other side open.",
+    why: "It is allowed, but tools differ in what the missing one is: 0, the end of the type's range, or no limits at all.",
+    example: "`HighLimit=100`, and no `LowLimit`",
+    remedy: "Write the other limit too.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// sub-index 0 is not an UNSIGNED8
-    ///
-    /// ## What it checks
-    /// Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8. 1004h, which is obsolete, held a number of PDOs there.
-    ///
-    /// ## Why it matters
-    /// It holds the highest sub-index, and managers read one byte of it.
-    ///
-    /// ## Example
-    /// `[1A00sub0]` with `DataType=0x0007`
-    ///
-    /// ## How to mend
-    /// Write `DataType=0x0005`.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.2
-    "cia306/sub-0-type", Error, Entry(check), fix Unsafe
+    "cia306/sub-0-type", Error, Entry(check), fix Unsafe;
+    summary: "sub-index 0 is not an UNSIGNED8",
+    checks: "Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8. 1004h, which is obsolete, held a number of PDOs there.",
+    why: "It holds the highest sub-index, and managers read one byte of it.",
+    example: "`[1A00sub0]` with `DataType=0x0007`",
+    remedy: "Write `DataType=0x0005`.",
+    source: "CiA 301 §7.4.7.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

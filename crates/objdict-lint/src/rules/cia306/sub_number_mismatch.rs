@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// `SubNumber` is not the number of described sub-indexes
-    ///
-    /// ## What it checks
-    /// Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT is the number of its sections, sub-index 0 counted, sub-index FFh not. Gaps are legal: `SubNumber` is not the highest sub-index plus one.
-    ///
-    /// ## Why it matters
-    /// Readers that count do not see the last sub-indexes, or look for some that are not there.
-    ///
-    /// ## Example
-    /// `SubNumber=3` where sub-indexes 0 to 3 are described
-    ///
-    /// ## How to mend
-    /// Write the number of sections.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/sub-number-mismatch", Error, Object(check), fix Safe
+    "cia306/sub-number-mismatch", Error, Object(check), fix Safe;
+    summary: "`SubNumber` is not the number of described sub-indexes",
+    checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT is the number of its sections, sub-index 0 counted, sub-index FFh not. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
+    why: "Readers that count do not see the last sub-indexes, or look for some that are not there.",
+    example: "`SubNumber=3` where sub-indexes 0 to 3 are described",
+    remedy: "Write the number of sections.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// a VAR or DOMAIN has sub-indexes
-    ///
-    /// ## What it checks
-    /// Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is tolerated, for the value of a VAR is there.
-    ///
-    /// ## Why it matters
-    /// Some tools take the object for a single value and drop its sub-indexes, others take it for a RECORD.
-    ///
-    /// ## Example
-    /// `ObjectType=0x7` in `[2000]`, and `[2000sub1]`
-    ///
-    /// ## How to mend
-    /// Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.3
-    "cia306/sub-of-var", Error, Object(check)
+    "cia306/sub-of-var", Error, Object(check);
+    summary: "a VAR or DOMAIN has sub-indexes",
+    checks: "Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is tolerated, for the value of a VAR is there.",
+    why: "Some tools take the object for a single value and drop its sub-indexes, others take it for a RECORD.",
+    example: "`ObjectType=0x7` in `[2000]`, and `[2000sub1]`",
+    remedy: "Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.",
+    source: "CiA 301 §7.4.3",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

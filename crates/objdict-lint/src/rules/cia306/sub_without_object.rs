@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule, stated, sub_0, with_members};
 
 rule! {
-    /// a sub-index belongs to no object
-    ///
-    /// ## What it checks
-    /// Whether each sub-index has the section of its object.
-    ///
-    /// ## Why it matters
-    /// Object type and name are missing; many tools refuse the file.
-    ///
-    /// ## Example
-    /// `[2001sub1]` without `[2001]`
-    ///
-    /// ## How to mend
-    /// Describe the object, or remove its sub-indexes.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/sub-without-object", Error, Device(check), fix Unsafe
+    "cia306/sub-without-object", Error, Device(check), fix Unsafe;
+    summary: "a sub-index belongs to no object",
+    checks: "Whether each sub-index has the section of its object.",
+    why: "Object type and name are missing; many tools refuse the file.",
+    example: "`[2001sub1]` without `[2001]`",
+    remedy: "Describe the object, or remove its sub-indexes.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

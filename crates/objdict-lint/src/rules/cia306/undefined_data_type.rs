@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Field, ObjectType, Part, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a data type does not exist
-    ///
-    /// ## What it checks
-    /// Whether `DataType` is a type of CiA 301, or from 0040h to 025Fh one that the file defines in a DEFTYPE or DEFSTRUCT of that index.
-    ///
-    /// ## Why it matters
-    /// Nobody knows how long the value is and what it means; it can be neither read nor written.
-    ///
-    /// ## Example
-    /// `DataType=0x0017`
-    ///
-    /// ## How to mend
-    /// Write the type that you mean, `0x0007` for UNSIGNED32, or describe your own type in a section of its index.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7, table 44
-    "cia306/undefined-data-type", Error, Entry(check)
+    "cia306/undefined-data-type", Error, Entry(check);
+    summary: "a data type does not exist",
+    checks: "Whether `DataType` is a type of CiA 301, or from 0040h to 025Fh one that the file defines in a DEFTYPE or DEFSTRUCT of that index.",
+    why: "Nobody knows how long the value is and what it means; it can be neither read nor written.",
+    example: "`DataType=0x0017`",
+    remedy: "Write the type that you mean, `0x0007` for UNSIGNED32, or describe your own type in a section of its index.",
+    source: "CiA 301 §7.4.7, table 44",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a connected module is not among the supported ones
-    ///
-    /// ## What it checks
-    /// Whether each number in `[ConnectedModules]` is that of a module that the file describes.
-    ///
-    /// ## Why it matters
-    /// Nobody knows which objects such a module brings.
-    ///
-    /// ## Example
-    /// `2=7` in `[ConnectedModules]` of a coupler with five modules
-    ///
-    /// ## How to mend
-    /// Write the number of a described module, or copy the description of the module from the EDS.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.4
-    "cia306/unknown-connected-module", Error, Device(check), fix Unsafe
+    "cia306/unknown-connected-module", Error, Device(check), fix Unsafe;
+    summary: "a connected module is not among the supported ones",
+    checks: "Whether each number in `[ConnectedModules]` is that of a module that the file describes.",
+    why: "Nobody knows which objects such a module brings.",
+    example: "`2=7` in `[ConnectedModules]` of a coupler with five modules",
+    remedy: "Write the number of a described module, or copy the description of the module from the EDS.",
+    source: "CiA 306-1 §6.4",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

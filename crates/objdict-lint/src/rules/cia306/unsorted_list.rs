@@ -3,23 +3,13 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::rule;
 
 rule! {
-    /// a list of objects is not in ascending order
-    ///
-    /// ## What it checks
-    /// Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` ascend. An index that is listed twice has a finding of its own.
-    ///
-    /// ## Why it matters
-    /// People look an object up in the list, and tools that compare two descriptions line by line show an object that has moved.
-    ///
-    /// ## Example
-    /// `1=0x1017` and `2=0x1005` in `[OptionalObjects]`
-    ///
-    /// ## How to mend
-    /// Sort the list; `objdict fmt` does it.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "cia306/unsorted-list", Note, Device(check), fix Safe
+    "cia306/unsorted-list", Note, Device(check), fix Safe;
+    summary: "a list of objects is not in ascending order",
+    checks: "Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` ascend. An index that is listed twice has a finding of its own.",
+    why: "People look an object up in the list, and tools that compare two descriptions line by line show an object that has moved.",
+    example: "`1=0x1017` and `2=0x1005` in `[OptionalObjects]`",
+    remedy: "Sort the list; `objdict fmt` does it.",
+    source: "Not in a standard",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// a key says something that the object type does not support
-    ///
-    /// ## What it checks
-    /// Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, and a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` say nothing and are tolerated. `CompactSubObj` of a VAR or DOMAIN is an error.
-    ///
-    /// ## Why it matters
-    /// The key speaks of a value that is not there. Perhaps the object type is wrong, or the key stands in the wrong section.
-    ///
-    /// ## Example
-    /// `[1018]` with `ObjectType=0x9` and `DataType=0x0023`
-    ///
-    /// ## How to mend
-    /// Remove the key, move it to the sub-indexes, or correct `ObjectType`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2, obligation table
-    "cia306/unsupported-key", Warning, Entry(check), fix Unsafe
+    "cia306/unsupported-key", Warning, Entry(check), fix Unsafe;
+    summary: "a key says something that the object type does not support",
+    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, and a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` say nothing and are tolerated. `CompactSubObj` of a VAR or DOMAIN is an error.",
+    why: "The key speaks of a value that is not there. Perhaps the object type is wrong, or the key stands in the wrong section.",
+    example: "`[1018]` with `ObjectType=0x9` and `DataType=0x0023`",
+    remedy: "Remove the key, move it to the sub-indexes, or correct `ObjectType`.",
+    source: "CiA 306-1 §4.6.3.2, obligation table",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

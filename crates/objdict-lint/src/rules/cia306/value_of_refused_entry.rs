@@ -3,23 +3,13 @@ use crate::model::{Access, Field};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a DCF configures what tools must not write
-    ///
-    /// ## What it checks
-    /// Whether a writable entry whose `ObjFlags` refuse writing (bit 0) has a `ParameterValue` other than its default.
-    ///
-    /// ## Why it matters
-    /// Tools leave such entries out of a download, so the value never gets into the node; a tool that does not know the flag stores, restores or erases something.
-    ///
-    /// ## Example
-    /// `ObjFlags=0x1` and `ParameterValue=0x65766173` in `[1010sub1]`
-    ///
-    /// ## How to mend
-    /// Remove the `ParameterValue`.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.3
-    "cia306/value-of-refused-entry", Warning, Entry(check), fix Unsafe
+    "cia306/value-of-refused-entry", Warning, Entry(check), fix Unsafe;
+    summary: "a DCF configures what tools must not write",
+    checks: "Whether a writable entry whose `ObjFlags` refuse writing (bit 0) has a `ParameterValue` other than its default.",
+    why: "Tools leave such entries out of a download, so the value never gets into the node; a tool that does not know the flag stores, restores or erases something.",
+    example: "`ObjFlags=0x1` and `ParameterValue=0x65766173` in `[1010sub1]`",
+    remedy: "Remove the `ParameterValue`.",
+    source: "CiA 306-1 §4.6.3.3",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

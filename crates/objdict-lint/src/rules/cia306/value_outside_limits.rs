@@ -5,23 +5,13 @@ use crate::model::{Entry, Field, Part, Place, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    /// a value lies outside its limits
-    ///
-    /// ## What it checks
-    /// Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are tried with the node-IDs 1 and 127, or with that of the DCF. 1010h and 1011h are left alone: their limits are those of the signature that is written, and what is read is something else.
-    ///
-    /// ## Why it matters
-    /// The device refuses the value when it is written; a tool that restores it gets an abort.
-    ///
-    /// ## Example
-    /// `DefaultValue=5` and `HighLimit=4`
-    ///
-    /// ## How to mend
-    /// Correct the value or the limit.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2, §5.3.1
-    "cia306/value-outside-limits", Error, Entry(check)
+    "cia306/value-outside-limits", Error, Entry(check);
+    summary: "a value lies outside its limits",
+    checks: "Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are tried with the node-IDs 1 and 127, or with that of the DCF. 1010h and 1011h are left alone: their limits are those of the signature that is written, and what is read is something else.",
+    why: "The device refuses the value when it is written; a tool that restores it gets an abort.",
+    example: "`DefaultValue=5` and `HighLimit=4`",
+    remedy: "Correct the value or the limit.",
+    source: "CiA 306-1 §4.6.3.2, §5.3.1",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

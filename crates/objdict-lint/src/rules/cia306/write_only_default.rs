@@ -3,23 +3,13 @@ use crate::model::{Access, Field, Value};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// an entry that cannot be read has a default
-    ///
-    /// ## What it checks
-    /// Whether entries with `AccessType=wo` have no `DefaultValue` other than 0.
-    ///
-    /// ## Why it matters
-    /// Nobody can read back what was written, so a tool that restores or compares defaults fails at the entry; mostly it is a command, and writing its default would carry it out.
-    ///
-    /// ## Example
-    /// `AccessType=wo` and `DefaultValue=1`
-    ///
-    /// ## How to mend
-    /// Remove the value, or correct the access type.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.2
-    "cia306/write-only-default", Note, Entry(check)
+    "cia306/write-only-default", Note, Entry(check);
+    summary: "an entry that cannot be read has a default",
+    checks: "Whether entries with `AccessType=wo` have no `DefaultValue` other than 0.",
+    why: "Nobody can read back what was written, so a tool that restores or compares defaults fails at the entry; mostly it is a command, and writing its default would carry it out.",
+    example: "`AccessType=wo` and `DefaultValue=1`",
+    remedy: "Remove the value, or correct the access type.",
+    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `CompactPDO` implies PDOs that cannot be
-    ///
-    /// ## What it checks
-    /// Whether `CompactPDO` has the bits 0 and 1 (COB-ID and transmission type, which every PDO has), not the bits 6 and 7 (there are no sub-indexes 7 and 8), nor bit 3 (sub-index 4 is reserved; many masters have it, so it is a note), and whether there is any PDO for it.
-    ///
-    /// ## Why it matters
-    /// Tools make the communication records of all implied PDOs from this one mask.
-    ///
-    /// ## Example
-    /// `CompactPDO=0x1`
-    ///
-    /// ## How to mend
-    /// Add up 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. A device without implied PDOs writes 0.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1
-    "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe
+    "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe;
+    summary: "`CompactPDO` implies PDOs that cannot be",
+    checks: "Whether `CompactPDO` has the bits 0 and 1 (COB-ID and transmission type, which every PDO has), not the bits 6 and 7 (there are no sub-indexes 7 and 8), nor bit 3 (sub-index 4 is reserved; many masters have it, so it is a note), and whether there is any PDO for it.",
+    why: "Tools make the communication records of all implied PDOs from this one mask.",
+    example: "`CompactPDO=0x1`",
+    remedy: "Add up 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. A device without implied PDOs writes 0.",
+    source: "CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1",
 }
 
 const MANDATORY: u8 = 0x03;

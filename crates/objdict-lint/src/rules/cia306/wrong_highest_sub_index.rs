@@ -3,23 +3,13 @@ use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    /// sub-index 0 does not hold the highest sub-index
-    ///
-    /// ## What it checks
-    /// Whether the value of sub-index 0 is the highest described sub-index, FFh not counted. A smaller value is an error; a larger one, or none, is a warning. Left alone are objects whose sub-index 0 can be written or counts entries in use: the error history, PDO and SRDO mappings, the lists for multiplexed PDOs.
-    ///
-    /// ## Why it matters
-    /// A manager reads as many entries as sub-index 0 says. It never sees those beyond, and gets an abort for those that are not there.
-    ///
-    /// ## Example
-    /// `[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`
-    ///
-    /// ## How to mend
-    /// Write the highest sub-index, or describe the missing entries.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2
-    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe
+    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe;
+    summary: "sub-index 0 does not hold the highest sub-index",
+    checks: "Whether the value of sub-index 0 is the highest described sub-index, FFh not counted. A smaller value is an error; a larger one, or none, is a warning. Left alone are objects whose sub-index 0 can be written or counts entries in use: the error history, PDO and SRDO mappings, the lists for multiplexed PDOs.",
+    why: "A manager reads as many entries as sub-index 0 says. It never sees those beyond, and gets an abort for those that are not there.",
+    example: "`[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`",
+    remedy: "Write the highest sub-index, or describe the missing entries.",
+    source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule, with_members};
 
 rule! {
-    /// an object stands in the wrong list
-    ///
-    /// ## What it checks
-    /// Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and everything else in neither. Objects from 6000h on may be mandatory, as a device profile says. A mandatory object in another list is an error.
-    ///
-    /// ## Why it matters
-    /// Tools take the list for what the object is: they refuse a device whose mandatory objects are optional, and check an optional one as if every device had it.
-    ///
-    /// ## Example
-    /// `0x2001` in `[OptionalObjects]`
-    ///
-    /// ## How to mend
-    /// Move the entry, and write the new count of both lists.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.6.3.1
-    "cia306/wrong-object-list", Warning, Device(check), fix Safe
+    "cia306/wrong-object-list", Warning, Device(check), fix Safe;
+    summary: "an object stands in the wrong list",
+    checks: "Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and everything else in neither. Objects from 6000h on may be mandatory, as a device profile says. A mandatory object in another list is an error.",
+    why: "Tools take the list for what the object is: they refuse a device whose mandatory objects are optional, and check an optional one as if every device had it.",
+    example: "`0x2001` in `[OptionalObjects]`",
+    remedy: "Move the entry, and write the new count of both lists.",
+    source: "CiA 306-1 §4.6.3.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

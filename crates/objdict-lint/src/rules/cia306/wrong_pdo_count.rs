@@ -3,23 +3,13 @@ use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `NrOfRXPDO` or `NrOfTXPDO` is not the number of PDOs
-    ///
-    /// ## What it checks
-    /// Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` that of 1800h to 19FFh. With `CompactPDO` the number may be larger: the others are implied.
-    ///
-    /// ## Why it matters
-    /// Configuration tools offer so many PDOs as the number says; what lies beyond is never configured, or writing to it fails.
-    ///
-    /// ## Example
-    /// `NrOfRXPDO=2` where only 1400h is described
-    ///
-    /// ## How to mend
-    /// Write the number of communication parameter objects, or describe the missing ones.
-    ///
-    /// ## Source
-    /// CiA 306-1 §4.5, §4.6.3.4.1
-    "cia306/wrong-pdo-count", Error, Device(check), fix Safe
+    "cia306/wrong-pdo-count", Error, Device(check), fix Safe;
+    summary: "`NrOfRXPDO` or `NrOfTXPDO` is not the number of PDOs",
+    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` that of 1800h to 19FFh. With `CompactPDO` the number may be larger: the others are implied.",
+    why: "Configuration tools offer so many PDOs as the number says; what lies beyond is never configured, or writing to it fails.",
+    example: "`NrOfRXPDO=2` where only 1400h is described",
+    remedy: "Write the number of communication parameter objects, or describe the missing ones.",
+    source: "CiA 306-1 §4.5, §4.6.3.4.1",
 }
 
 /// The PDOs of one direction: what they are called, where their number is stated, and their communication records.

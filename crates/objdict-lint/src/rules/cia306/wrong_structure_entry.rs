@@ -3,23 +3,13 @@ use crate::model::{DataType, Device, Entry, Field, Object, ObjectType, Place, Va
 use crate::{rule, stated};
 
 rule! {
-    /// sub-index FFh does not say what the object is
-    ///
-    /// ## What it checks
-    /// Whether each sub-index FFh, which describes the structure of its object, is an UNSIGNED32 whose value, where there is one, has the object code in its lowest byte and a data type above it. It is not looked at in a DEFSTRUCT.
-    ///
-    /// ## Why it matters
-    /// A master reads FFh to learn object type and data type, and takes the object for another one.
-    ///
-    /// ## Example
-    /// `[2000subFF]` with `DefaultValue=0x00000509` in an ARRAY
-    ///
-    /// ## How to mend
-    /// Write `0x00` for nothing, four digits of the data type and two of the object code: `0x00000508` is an ARRAY of UNSIGNED8.
-    ///
-    /// ## Source
-    /// CiA 301 §7.4.7.2
-    "cia306/wrong-structure-entry", Error, Object(check)
+    "cia306/wrong-structure-entry", Error, Object(check);
+    summary: "sub-index FFh does not say what the object is",
+    checks: "Whether each sub-index FFh, which describes the structure of its object, is an UNSIGNED32 whose value, where there is one, has the object code in its lowest byte and a data type above it. It is not looked at in a DEFSTRUCT.",
+    why: "A master reads FFh to learn object type and data type, and takes the object for another one.",
+    example: "`[2000subFF]` with `DefaultValue=0x00000509` in an ARRAY",
+    remedy: "Write `0x00` for nothing, four digits of the data type and two of the object code: `0x00000508` is an ARRAY of UNSIGNED8.",
+    source: "CiA 301 §7.4.7.2",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

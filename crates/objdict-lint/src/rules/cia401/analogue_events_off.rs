@@ -5,23 +5,13 @@ use crate::profile::index_in;
 use crate::{Facts, rule};
 
 rule! {
-    /// a node was configured to send analogue inputs when they change, and the switch for that is off
-    ///
-    /// ## What it checks
-    /// Whether a configuration (DCF or XDC) sets 6423h when a TPDO that is valid and event-driven (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description it is not a finding, for the profile has the switch off by default.
-    ///
-    /// ## Why it matters
-    /// The TPDO is not sent at all: until 6423h is true, no change of an analogue input is an event. It is the most common reason for analogue values that never come.
-    ///
-    /// ## Example
-    /// `[1801sub2]` with 255, `[1801sub5]` with 0, and `[6423]` with `DefaultValue=0` and no `ParameterValue`
-    ///
-    /// ## How to mend
-    /// Set `ParameterValue=1` at 6423h, or an event timer, or send the TPDO on SYNC.
-    ///
-    /// ## Source
-    /// CiA 401 (6423h)
-    "cia401/analogue-events-off", Note, Applied(check)
+    "cia401/analogue-events-off", Note, Applied(check);
+    summary: "a node was configured to send analogue inputs when they change, and the switch for that is off",
+    checks: "Whether a configuration (DCF or XDC) sets 6423h when a TPDO that is valid and event-driven (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description it is not a finding, for the profile has the switch off by default.",
+    why: "The TPDO is not sent at all: until 6423h is true, no change of an analogue input is an event. It is the most common reason for analogue values that never come.",
+    example: "`[1801sub2]` with 255, `[1801sub5]` with 0, and `[6423]` with `DefaultValue=0` and no `ParameterValue`",
+    remedy: "Set `ParameterValue=1` at 6423h, or an event timer, or send the TPDO on SYNC.",
+    source: "CiA 401 (6423h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::profile::{device_type_index, number_of};
 use crate::{Facts, channels, rule};
 
 rule! {
-    /// the module has channels that its device type does not name
-    ///
-    /// ## What it checks
-    /// Whether each kind of channel that the description has objects for is named in 1000h: digital inputs by bit 16, digital outputs by bit 17, analogue inputs by bit 18, analogue outputs by bit 19.
-    ///
-    /// ## Why it matters
-    /// A master that goes by the device type does not look for the channels.
-    ///
-    /// ## Example
-    /// `[6401]`, and `[1000]` with `DefaultValue=0x00030191`
-    ///
-    /// ## How to mend
-    /// Set the bit, in the description and in the device.
-    ///
-    /// ## Source
-    /// CiA 401 (1000h)
-    "cia401/channels-not-in-device-type", Warning, Applied(check), fix Unsafe
+    "cia401/channels-not-in-device-type", Warning, Applied(check), fix Unsafe;
+    summary: "the module has channels that its device type does not name",
+    checks: "Whether each kind of channel that the description has objects for is named in 1000h: digital inputs by bit 16, digital outputs by bit 17, analogue inputs by bit 18, analogue outputs by bit 19.",
+    why: "A master that goes by the device type does not look for the channels.",
+    example: "`[6401]`, and `[1000]` with `DefaultValue=0x00030191`",
+    remedy: "Set the bit, in the description and in the device.",
+    source: "CiA 401 (1000h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

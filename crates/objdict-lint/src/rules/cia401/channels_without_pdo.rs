@@ -4,23 +4,13 @@ use crate::model::{MappedObject, PdoKind};
 use crate::{Facts, channels, rule};
 
 rule! {
-    /// channels of an I/O module have no PDO
-    ///
-    /// ## What it checks
-    /// Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, has the last of them in a PDO, or has any PDO above PDO 4. What modules bring is not counted.
-    ///
-    /// ## Why it matters
-    /// The default PDOs have no room for the others, so they can be reached by SDO only, which is too slow for process data.
-    ///
-    /// ## Example
-    /// `[6000sub0]` with `DefaultValue=12`, and no TPDO above TPDO 4
-    ///
-    /// ## How to mend
-    /// Add PDOs from PDO 5 on, not valid by default, for the other channels.
-    ///
-    /// ## Source
-    /// CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)
-    "cia401/channels-without-pdo", Warning, Applied(check)
+    "cia401/channels-without-pdo", Warning, Applied(check);
+    summary: "channels of an I/O module have no PDO",
+    checks: "Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, has the last of them in a PDO, or has any PDO above PDO 4. What modules bring is not counted.",
+    why: "The default PDOs have no room for the others, so they can be reached by SDO only, which is too slow for process data.",
+    example: "`[6000sub0]` with `DefaultValue=12`, and no TPDO above TPDO 4",
+    remedy: "Add PDOs from PDO 5 on, not valid by default, for the other channels.",
+    source: "CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)",
 }
 
 /// Elements that the default PDOs carry: PDO 1, and PDOs 2 to 4.

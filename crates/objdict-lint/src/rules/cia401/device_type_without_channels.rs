@@ -4,23 +4,13 @@ use crate::profile::{device_type_index, number_of};
 use crate::{Facts, channels, rule};
 
 rule! {
-    /// the device type names channels that the module does not have
-    ///
-    /// ## What it checks
-    /// Whether there is an object for each kind of channel that 1000h names, in any width: bit 16 for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a module of several logical devices the types are those of 67FFh and each 800h behind it. What a module may bring is not missed.
-    ///
-    /// ## Why it matters
-    /// A master goes by the device type: it looks for the channels, and for the PDOs that carry them. In real files it is nearly always that of a sibling that has more, so nothing works by it.
-    ///
-    /// ## Example
-    /// `[1000]` with `DefaultValue=0x000F0191`, and no analogue channels
-    ///
-    /// ## How to mend
-    /// Clear the bit, or describe the channels.
-    ///
-    /// ## Source
-    /// CiA 401 (1000h)
-    "cia401/device-type-without-channels", Error, Applied(check), fix Unsafe
+    "cia401/device-type-without-channels", Error, Applied(check), fix Unsafe;
+    summary: "the device type names channels that the module does not have",
+    checks: "Whether there is an object for each kind of channel that 1000h names, in any width: bit 16 for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a module of several logical devices the types are those of 67FFh and each 800h behind it. What a module may bring is not missed.",
+    why: "A master goes by the device type: it looks for the channels, and for the PDOs that carry them. In real files it is nearly always that of a sibling that has more, so nothing works by it.",
+    example: "`[1000]` with `DefaultValue=0x000F0191`, and no analogue channels",
+    remedy: "Clear the bit, or describe the channels.",
+    source: "CiA 401 (1000h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::profile::index_in;
 use crate::rule;
 
 rule! {
-    /// an error mode has no error value
-    ///
-    /// ## What it checks
-    /// Whether outputs that have an error mode have the error value that it switches to: 6207h beside 6206h, 6307h beside 6306h, 6327h beside 6326h, 6260h to 6267h beside 6250h to 6257h, 6444h or 6445h beside 6443h. What a module may bring is not missed.
-    ///
-    /// ## Why it matters
-    /// The error mode says that an output takes its error value when the master is gone. Without one nobody knows what that is.
-    ///
-    /// ## Example
-    /// `[6206]` and no `[6207]`
-    ///
-    /// ## How to mend
-    /// Describe the error value, or leave the error mode out.
-    ///
-    /// ## Source
-    /// CiA 401 (6206h, 6207h, 6443h to 6445h)
-    "cia401/error-mode-without-value", Warning, Against(check)
+    "cia401/error-mode-without-value", Warning, Against(check);
+    summary: "an error mode has no error value",
+    checks: "Whether outputs that have an error mode have the error value that it switches to: 6207h beside 6206h, 6307h beside 6306h, 6327h beside 6326h, 6260h to 6267h beside 6250h to 6257h, 6444h or 6445h beside 6443h. What a module may bring is not missed.",
+    why: "The error mode says that an output takes its error value when the master is gone. Without one nobody knows what that is.",
+    example: "`[6206]` and no `[6207]`",
+    remedy: "Describe the error value, or leave the error mode out.",
+    source: "CiA 401 (6206h, 6207h, 6443h to 6445h)",
 }
 
 /// The error values that go with an error mode, of the first logical device.

@@ -4,23 +4,13 @@ use crate::model::{Device, MappedObject};
 use crate::{Facts, PdoFacts, Target, channels, rule};
 
 rule! {
-    /// a PDO of an I/O module carries by default what CiA 401 has elsewhere
-    ///
-    /// ## What it checks
-    /// Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries some of its channels and nothing else is a note. It is silent when bit 23 of 1000h says that the manufacturer maps them, for modules of several logical devices, and for PDOs that carry nothing or whose entries are wrong in themselves.
-    ///
-    /// ## Why it matters
-    /// The default mapping is what makes modules of different manufacturers exchangeable: a master that knows the profile works with it and configures nothing. In real files most PDOs that differ carry fewer channels than there are, which costs only those.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x64010110`
-    ///
-    /// ## How to mend
-    /// Use the mapping of the profile, or set bit 23 of 1000h.
-    ///
-    /// ## Source
-    /// CiA 401, default PDOs
-    "cia401/wrong-default-mapping", Warning, Applied(check), fix Unsafe
+    "cia401/wrong-default-mapping", Warning, Applied(check), fix Unsafe;
+    summary: "a PDO of an I/O module carries by default what CiA 401 has elsewhere",
+    checks: "Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries some of its channels and nothing else is a note. It is silent when bit 23 of 1000h says that the manufacturer maps them, for modules of several logical devices, and for PDOs that carry nothing or whose entries are wrong in themselves.",
+    why: "The default mapping is what makes modules of different manufacturers exchangeable: a master that knows the profile works with it and configures nothing. In real files most PDOs that differ carry fewer channels than there are, which costs only those.",
+    example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
+    remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
+    source: "CiA 401, default PDOs",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

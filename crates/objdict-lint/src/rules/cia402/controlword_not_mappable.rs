@@ -4,23 +4,13 @@ use crate::model::{Field, PdoKind};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// controlword or statusword cannot be mapped
-    ///
-    /// ## What it checks
-    /// Whether 6040h and 6041h are marked as mappable on a drive with RPDOs and TPDOs.
-    ///
-    /// ## Why it matters
-    /// Masters drive the state machine with PDOs. Where the words cannot be mapped, each step costs an SDO transfer, and most masters do not know how.
-    ///
-    /// ## Example
-    /// `PDOMapping=0` in `[6040]`
-    ///
-    /// ## How to mend
-    /// Write `PDOMapping=1`, if the drive can do it.
-    ///
-    /// ## Source
-    /// CiA 402-2, controlword and statusword; CiA 402-3, default PDOs
-    "cia402/controlword-not-mappable", Warning, Applied(check)
+    "cia402/controlword-not-mappable", Warning, Applied(check);
+    summary: "controlword or statusword cannot be mapped",
+    checks: "Whether 6040h and 6041h are marked as mappable on a drive with RPDOs and TPDOs.",
+    why: "Masters drive the state machine with PDOs. Where the words cannot be mapped, each step costs an SDO transfer, and most masters do not know how.",
+    example: "`PDOMapping=0` in `[6040]`",
+    remedy: "Write `PDOMapping=1`, if the drive can do it.",
+    source: "CiA 402-2, controlword and statusword; CiA 402-3, default PDOs",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

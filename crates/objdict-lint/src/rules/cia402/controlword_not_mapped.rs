@@ -4,23 +4,13 @@ use crate::model::{Entry, PdoKind};
 use crate::{Drive, Facts, PdoFacts, rule};
 
 rule! {
-    /// no PDO carries the controlword or the statusword by default
-    ///
-    /// ## What it checks
-    /// Whether, on a drive whose RPDOs map something by default, one of them maps 6040h, and of its TPDOs one maps 6041h. Only the words of the first axis are looked at, and neither mappings that leave it open nor words that cannot be mapped.
-    ///
-    /// ## Why it matters
-    /// The default PDOs of CiA 402-3 begin with the words, and a master that changes no mapping counts on them.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x607A0020` in `[1600sub1]`, and no RPDO with 60400010h
-    ///
-    /// ## How to mend
-    /// Map the words by default, first of all in RPDO 1 and TPDO 1; or leave it, when every master configures the mapping. It is a note because the drive works with a master that maps for itself.
-    ///
-    /// ## Source
-    /// CiA 402-3, default PDOs
-    "cia402/controlword-not-mapped", Note, Applied(check)
+    "cia402/controlword-not-mapped", Note, Applied(check);
+    summary: "no PDO carries the controlword or the statusword by default",
+    checks: "Whether, on a drive whose RPDOs map something by default, one of them maps 6040h, and of its TPDOs one maps 6041h. Only the words of the first axis are looked at, and neither mappings that leave it open nor words that cannot be mapped.",
+    why: "The default PDOs of CiA 402-3 begin with the words, and a master that changes no mapping counts on them.",
+    example: "`DefaultValue=0x607A0020` in `[1600sub1]`, and no RPDO with 60400010h",
+    remedy: "Map the words by default, first of all in RPDO 1 and TPDO 1; or leave it, when every master configures the mapping. It is a note because the drive works with a master that maps for itself.",
+    source: "CiA 402-3, default PDOs",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

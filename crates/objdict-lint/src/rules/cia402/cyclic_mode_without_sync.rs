@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
-    /// a drive with cyclic modes has no SYNC
-    ///
-    /// ## What it checks
-    /// Whether a drive whose 6502h names a cyclic synchronous mode has 1005h, the COB-ID of SYNC.
-    ///
-    /// ## Why it matters
-    /// In these modes drive and master interpolate in step, and on CANopen SYNC is the step. Without 1005h the drive cannot know when a target holds.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x00000080` in `[6502]`, and no `[1005]`
-    ///
-    /// ## How to mend
-    /// Add 1005h with the default 80h, or take the modes out of 6502h.
-    ///
-    /// ## Source
-    /// CiA 402-2, cyclic synchronous modes; CiA 301 §7.5.2.5
-    "cia402/cyclic-mode-without-sync", Warning, Applied(check)
+    "cia402/cyclic-mode-without-sync", Warning, Applied(check);
+    summary: "a drive with cyclic modes has no SYNC",
+    checks: "Whether a drive whose 6502h names a cyclic synchronous mode has 1005h, the COB-ID of SYNC.",
+    why: "In these modes drive and master interpolate in step, and on CANopen SYNC is the step. Without 1005h the drive cannot know when a target holds.",
+    example: "`DefaultValue=0x00000080` in `[6502]`, and no `[1005]`",
+    remedy: "Add 1005h with the default 80h, or take the modes out of 6502h.",
+    source: "CiA 402-2, cyclic synchronous modes; CiA 301 §7.5.2.5",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

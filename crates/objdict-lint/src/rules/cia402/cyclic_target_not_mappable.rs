@@ -4,23 +4,13 @@ use crate::model::Field;
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// the target of a cyclic mode cannot be mapped
-    ///
-    /// ## What it checks
-    /// Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable when 6502h names the cyclic synchronous mode that they belong to.
-    ///
-    /// ## Why it matters
-    /// A cyclic mode gets a target with every SYNC. By SDO it comes too late and too seldom.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x00000080` in `[6502]`, and `PDOMapping=0` in `[607A]`
-    ///
-    /// ## How to mend
-    /// Write `PDOMapping=1`, or take the bit of the mode out of 6502h.
-    ///
-    /// ## Source
-    /// CiA 402-2, cyclic synchronous modes
-    "cia402/cyclic-target-not-mappable", Warning, Applied(check)
+    "cia402/cyclic-target-not-mappable", Warning, Applied(check);
+    summary: "the target of a cyclic mode cannot be mapped",
+    checks: "Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable when 6502h names the cyclic synchronous mode that they belong to.",
+    why: "A cyclic mode gets a target with every SYNC. By SDO it comes too late and too seldom.",
+    example: "`DefaultValue=0x00000080` in `[6502]`, and `PDOMapping=0` in `[607A]`",
+    remedy: "Write `PDOMapping=1`, or take the bit of the mode out of 6502h.",
+    source: "CiA 402-2, cyclic synchronous modes",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

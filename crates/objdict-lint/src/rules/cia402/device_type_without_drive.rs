@@ -4,23 +4,13 @@ use crate::profile;
 use crate::{Facts, rule};
 
 rule! {
-    /// the device type of a drive does not say what it drives
-    ///
-    /// ## What it checks
-    /// Whether 1000h, or 67FFh of an axis, has one of the bits 16 (frequency converter), 17 (servo drive) and 18 (stepper motor) set when it names profile 402. Bits 24 to 31 belong to the manufacturer, and FFFFh in the high word stands for several devices.
-    ///
-    /// ## Why it matters
-    /// Masters choose the default PDOs by these bits.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x00000192` in `[1000]`
-    ///
-    /// ## How to mend
-    /// Set the bit: `0x00020192` for a servo drive.
-    ///
-    /// ## Source
-    /// CiA 402-3, device type
-    "cia402/device-type-without-drive", Note, Applied(check)
+    "cia402/device-type-without-drive", Note, Applied(check);
+    summary: "the device type of a drive does not say what it drives",
+    checks: "Whether 1000h, or 67FFh of an axis, has one of the bits 16 (frequency converter), 17 (servo drive) and 18 (stepper motor) set when it names profile 402. Bits 24 to 31 belong to the manufacturer, and FFFFh in the high word stands for several devices.",
+    why: "Masters choose the default PDOs by these bits.",
+    example: "`DefaultValue=0x00000192` in `[1000]`",
+    remedy: "Set the bit: `0x00020192` for a servo drive.",
+    source: "CiA 402-3, device type",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

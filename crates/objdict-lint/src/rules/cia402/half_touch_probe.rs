@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say, series};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a touch probe is described by half
-    ///
-    /// ## What it checks
-    /// Whether 60B8h (touch probe function) and 60B9h (touch probe status) come together, and whether they are there when 60BAh to 60BDh (positions of touch probes) are.
-    ///
-    /// ## Why it matters
-    /// Without the function nobody can switch the probe on; without the status nobody knows whether the position is one that was sampled.
-    ///
-    /// ## Example
-    /// `[60B8]` and `[60BA]`, and no `[60B9]`
-    ///
-    /// ## How to mend
-    /// Describe the missing object.
-    ///
-    /// ## Source
-    /// CiA 402-2, touch probe
-    "cia402/half-touch-probe", Warning, Applied(check)
+    "cia402/half-touch-probe", Warning, Applied(check);
+    summary: "a touch probe is described by half",
+    checks: "Whether 60B8h (touch probe function) and 60B9h (touch probe status) come together, and whether they are there when 60BAh to 60BDh (positions of touch probes) are.",
+    why: "Without the function nobody can switch the probe on; without the status nobody knows whether the position is one that was sampled.",
+    example: "`[60B8]` and `[60BA]`, and no `[60B9]`",
+    remedy: "Describe the missing object.",
+    source: "CiA 402-2, touch probe",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

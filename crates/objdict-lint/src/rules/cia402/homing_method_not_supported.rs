@@ -4,23 +4,13 @@ use crate::model::Value;
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a drive is set to a homing method that it does not list
-    ///
-    /// ## What it checks
-    /// Whether the value of 6098h (homing method), configured or default, is among those of 60E3h (supported homing methods), where all of these have a value. 0, no homing, is not looked at.
-    ///
-    /// ## Why it matters
-    /// The drive refuses to home with the method that it starts with.
-    ///
-    /// ## Example
-    /// `DefaultValue=17` in `[6098]`, and `[60E3]` with the methods 35 and 37
-    ///
-    /// ## How to mend
-    /// Choose a method of the list, or complete the list.
-    ///
-    /// ## Source
-    /// CiA 402-2, homing method and supported homing methods (version 4)
-    "cia402/homing-method-not-supported", Error, Applied(check)
+    "cia402/homing-method-not-supported", Error, Applied(check);
+    summary: "a drive is set to a homing method that it does not list",
+    checks: "Whether the value of 6098h (homing method), configured or default, is among those of 60E3h (supported homing methods), where all of these have a value. 0, no homing, is not looked at.",
+    why: "The drive refuses to home with the method that it starts with.",
+    example: "`DefaultValue=17` in `[6098]`, and `[60E3]` with the methods 35 and 37",
+    remedy: "Choose a method of the list, or complete the list.",
+    source: "CiA 402-2, homing method and supported homing methods (version 4)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// the interpolation time is not the period of SYNC
-    ///
-    /// ## What it checks
-    /// Whether the time that 60C2h gives, value times ten to the power of its index in seconds, is a multiple or a whole part of 1006h (communication cycle period), where both have values other than 0.
-    ///
-    /// ## Why it matters
-    /// The drive interpolates towards the next target for 60C2h, and the next target comes with SYNC: with another time the axis stutters.
-    ///
-    /// ## Example
-    /// `DefaultValue=3` in `[60C2sub1]` and `-3` in `[60C2sub2]`, which is 3 ms, and `DefaultValue=2000` in `[1006]`
-    ///
-    /// ## How to mend
-    /// Give both the same time.
-    ///
-    /// ## Source
-    /// CiA 402-2, interpolation time period; CiA 301 §7.5.2.6
-    "cia402/interpolation-time-differs", Warning, Applied(check)
+    "cia402/interpolation-time-differs", Warning, Applied(check);
+    summary: "the interpolation time is not the period of SYNC",
+    checks: "Whether the time that 60C2h gives, value times ten to the power of its index in seconds, is a multiple or a whole part of 1006h (communication cycle period), where both have values other than 0.",
+    why: "The drive interpolates towards the next target for 60C2h, and the next target comes with SYNC: with another time the axis stutters.",
+    example: "`DefaultValue=3` in `[60C2sub1]` and `-3` in `[60C2sub2]`, which is 3 ms, and `DefaultValue=2000` in `[1006]`",
+    remedy: "Give both the same time.",
+    source: "CiA 402-2, interpolation time period; CiA 301 §7.5.2.6",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

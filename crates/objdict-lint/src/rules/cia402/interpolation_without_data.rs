@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// interpolation is described without the record that takes its positions
-    ///
-    /// ## What it checks
-    /// Whether a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h (interpolation data record).
-    ///
-    /// ## Why it matters
-    /// Set-points of interpolated position mode are written to 60C1h. Sub mode and buffer are of no use without it.
-    ///
-    /// ## Example
-    /// `[60C0]` and `[60C4]`, and no `[60C1]`
-    ///
-    /// ## How to mend
-    /// Describe 60C1h (ARRAY of INTEGER32), or take the others out.
-    ///
-    /// ## Source
-    /// CiA 402-2, interpolated position mode
-    "cia402/interpolation-without-data", Warning, Applied(check)
+    "cia402/interpolation-without-data", Warning, Applied(check);
+    summary: "interpolation is described without the record that takes its positions",
+    checks: "Whether a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h (interpolation data record).",
+    why: "Set-points of interpolated position mode are written to 60C1h. Sub mode and buffer are of no use without it.",
+    example: "`[60C0]` and `[60C4]`, and no `[60C1]`",
+    remedy: "Describe 60C1h (ARRAY of INTEGER32), or take the others out.",
+    source: "CiA 402-2, interpolated position mode",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

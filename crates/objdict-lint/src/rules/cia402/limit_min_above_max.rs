@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a lower limit of a drive is above the upper one
-    ///
-    /// ## What it checks
-    /// Whether, of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount), sub-index 1 is not greater than sub-index 2, as configured or by default.
-    ///
-    /// ## Why it matters
-    /// No position lies between the limits, so the drive refuses each target or takes the limits for switched off, as its maker likes.
-    ///
-    /// ## Example
-    /// `DefaultValue=1000` in `[607Dsub1]`, `DefaultValue=-1000` in `[607Dsub2]`
-    ///
-    /// ## How to mend
-    /// Exchange the values. Two equal ones, mostly 0, are not looked at: many drives switch the limits off so.
-    ///
-    /// ## Source
-    /// CiA 402-2, IEC 61800-7-201
-    "cia402/limit-min-above-max", Error, Applied(check)
+    "cia402/limit-min-above-max", Error, Applied(check);
+    summary: "a lower limit of a drive is above the upper one",
+    checks: "Whether, of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount), sub-index 1 is not greater than sub-index 2, as configured or by default.",
+    why: "No position lies between the limits, so the drive refuses each target or takes the limits for switched off, as its maker likes.",
+    example: "`DefaultValue=1000` in `[607Dsub1]`, `DefaultValue=-1000` in `[607Dsub2]`",
+    remedy: "Exchange the values. Two equal ones, mostly 0, are not looked at: many drives switch the limits off so.",
+    source: "CiA 402-2, IEC 61800-7-201",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

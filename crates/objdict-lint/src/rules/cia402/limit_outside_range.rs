@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a software limit lies outside the range of positions
-    ///
-    /// ## What it checks
-    /// Whether the limits of 607Dh (software position limit) lie within 607Bh (position range limit), where both have a lower limit below the upper one.
-    ///
-    /// ## Why it matters
-    /// Positions wrap at the range before they reach the limit, so the limit never stops the axis.
-    ///
-    /// ## Example
-    /// `DefaultValue=100000` in `[607Dsub2]`, `DefaultValue=36000` in `[607Bsub2]`
-    ///
-    /// ## How to mend
-    /// Put the software limit inside the range, or widen the range.
-    ///
-    /// ## Source
-    /// CiA 402-2, position range limit and software position limit
-    "cia402/limit-outside-range", Warning, Applied(check)
+    "cia402/limit-outside-range", Warning, Applied(check);
+    summary: "a software limit lies outside the range of positions",
+    checks: "Whether the limits of 607Dh (software position limit) lie within 607Bh (position range limit), where both have a lower limit below the upper one.",
+    why: "Positions wrap at the range before they reach the limit, so the limit never stops the axis.",
+    example: "`DefaultValue=100000` in `[607Dsub2]`, `DefaultValue=36000` in `[607Bsub2]`",
+    remedy: "Put the software limit inside the range, or widen the range.",
+    source: "CiA 402-2, position range limit and software position limit",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

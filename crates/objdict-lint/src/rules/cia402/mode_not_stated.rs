@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a drive has the objects of a mode that 6502h does not name
-    ///
-    /// ## What it checks
-    /// Whether the bit of a mode is set in 6502h when the objects are there that only this mode has: 6042h and 6044h of velocity, 6081h and 607Ah of profile position, 6071h and 6087h of torque, 6098h and 6099h of homing, 60C0h and 60C1h of interpolated position; 60FFh and 606Ch belong to profile velocity or cyclic synchronous velocity. One finding for each mode; nothing when 6502h has no mode at all.
-    ///
-    /// ## Why it matters
-    /// A master asks 6502h and does not offer the mode, though the drive has it; or the objects are left over and do nothing.
-    ///
-    /// ## Example
-    /// `[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`
-    ///
-    /// ## How to mend
-    /// Set the bit of the mode, or take its objects out. Files that are made for a family of drives may have the objects on purpose; then say so with `allow`.
-    ///
-    /// ## Source
-    /// CiA 402-2, supported drive modes
-    "cia402/mode-not-stated", Warning, Applied(check)
+    "cia402/mode-not-stated", Warning, Applied(check);
+    summary: "a drive has the objects of a mode that 6502h does not name",
+    checks: "Whether the bit of a mode is set in 6502h when the objects are there that only this mode has: 6042h and 6044h of velocity, 6081h and 607Ah of profile position, 6071h and 6087h of torque, 6098h and 6099h of homing, 60C0h and 60C1h of interpolated position; 60FFh and 606Ch belong to profile velocity or cyclic synchronous velocity. One finding for each mode; nothing when 6502h has no mode at all.",
+    why: "A master asks 6502h and does not offer the mode, though the drive has it; or the objects are left over and do nothing.",
+    example: "`[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`",
+    remedy: "Set the bit of the mode, or take its objects out. Files that are made for a family of drives may have the objects on purpose; then say so with `allow`.",
+    source: "CiA 402-2, supported drive modes",
 }
 
 /// A mode with the objects that show it, and the bits of 6502h of which one has to be set.

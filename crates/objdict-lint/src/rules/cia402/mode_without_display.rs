@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
-    /// only one of modes of operation and modes of operation display is there
-    ///
-    /// ## What it checks
-    /// Whether 6060h (modes of operation) and 6061h (modes of operation display) come together. A drive of several modes without 6060h is the matter of `cia402/no-mode-selection`.
-    ///
-    /// ## Why it matters
-    /// A drive changes its mode when it can, not when it is told: a master waits until 6061h shows the mode before it sends targets.
-    ///
-    /// ## Example
-    /// `[6060]`, and no `[6061]`
-    ///
-    /// ## How to mend
-    /// Describe the other object.
-    ///
-    /// ## Source
-    /// CiA 402-2, modes of operation
-    "cia402/mode-without-display", Warning, Applied(check)
+    "cia402/mode-without-display", Warning, Applied(check);
+    summary: "only one of modes of operation and modes of operation display is there",
+    checks: "Whether 6060h (modes of operation) and 6061h (modes of operation display) come together. A drive of several modes without 6060h is the matter of `cia402/no-mode-selection`.",
+    why: "A drive changes its mode when it can, not when it is told: a master waits until 6061h shows the mode before it sends targets.",
+    example: "`[6060]`, and no `[6061]`",
+    remedy: "Describe the other object.",
+    source: "CiA 402-2, modes of operation",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// 6502h names no mode at all
-    ///
-    /// ## What it checks
-    /// Whether at least one bit of 6502h (supported drive modes) is set, be it one of the manufacturer.
-    ///
-    /// ## Why it matters
-    /// A master finds nothing that the drive could do.
-    ///
-    /// ## Example
-    /// `DefaultValue=0` in `[6502]`
-    ///
-    /// ## How to mend
-    /// Set the bits of the modes that the drive has.
-    ///
-    /// ## Source
-    /// CiA 402-2, supported drive modes
-    "cia402/no-drive-mode", Warning, Applied(check)
+    "cia402/no-drive-mode", Warning, Applied(check);
+    summary: "6502h names no mode at all",
+    checks: "Whether at least one bit of 6502h (supported drive modes) is set, be it one of the manufacturer.",
+    why: "A master finds nothing that the drive could do.",
+    example: "`DefaultValue=0` in `[6502]`",
+    remedy: "Set the bits of the modes that the drive has.",
+    source: "CiA 402-2, supported drive modes",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
-    /// a drive of several modes has no object to choose one
-    ///
-    /// ## What it checks
-    /// Whether a drive whose 6502h names more than one mode of operation has 6060h.
-    ///
-    /// ## Why it matters
-    /// Without 6060h (modes of operation) nobody can leave the mode that the drive starts in.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x00000005` in `[6502]`, and no `[6060]`
-    ///
-    /// ## How to mend
-    /// Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or name only the mode that the drive is always in.
-    ///
-    /// ## Source
-    /// CiA 402-2, modes of operation and supported drive modes
-    "cia402/no-mode-selection", Warning, Applied(check)
+    "cia402/no-mode-selection", Warning, Applied(check);
+    summary: "a drive of several modes has no object to choose one",
+    checks: "Whether a drive whose 6502h names more than one mode of operation has 6060h.",
+    why: "Without 6060h (modes of operation) nobody can leave the mode that the drive starts in.",
+    example: "`DefaultValue=0x00000005` in `[6502]`, and no `[6060]`",
+    remedy: "Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or name only the mode that the drive is always in.",
+    source: "CiA 402-2, modes of operation and supported drive modes",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a drive does not say which modes it has
-    ///
-    /// ## What it checks
-    /// Whether a drive with the controlword 6040h has 6502h (supported drive modes).
-    ///
-    /// ## Why it matters
-    /// Masters read 6502h before they choose a mode, and many give the axis up when they cannot. Version 2 left the object to the drive, from version 3 on it is mandatory: of the real drives that were looked at more than a quarter lacks it, so it is a warning.
-    ///
-    /// ## Example
-    /// `[6040]`, and no `[6502]`
-    ///
-    /// ## How to mend
-    /// Describe 6502h (UNSIGNED32, `ro`) with the bits of the modes.
-    ///
-    /// ## Source
-    /// CiA 402-2, supported drive modes
-    "cia402/no-supported-modes", Warning, Applied(check)
+    "cia402/no-supported-modes", Warning, Applied(check);
+    summary: "a drive does not say which modes it has",
+    checks: "Whether a drive with the controlword 6040h has 6502h (supported drive modes).",
+    why: "Masters read 6502h before they choose a mode, and many give the axis up when they cannot. Version 2 left the object to the drive, from version 3 on it is mandatory: of the real drives that were looked at more than a quarter lacks it, so it is a warning.",
+    example: "`[6040]`, and no `[6502]`",
+    remedy: "Describe 6502h (UNSIGNED32, `ro`) with the bits of the modes.",
+    source: "CiA 402-2, supported drive modes",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

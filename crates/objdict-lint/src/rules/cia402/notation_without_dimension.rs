@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// only one of notation index and dimension index is there
-    ///
-    /// ## What it checks
-    /// Whether the objects of version 2 that say a unit come together: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.
-    ///
-    /// ## Why it matters
-    /// The notation index is a power of ten, the dimension index a unit: one alone says nothing.
-    ///
-    /// ## Example
-    /// `[6089]`, and no `[608A]`
-    ///
-    /// ## How to mend
-    /// Describe the other, or use 60A8h to 60ABh of version 4.
-    ///
-    /// ## Source
-    /// CiA 402 version 2, factor group
-    "cia402/notation-without-dimension", Warning, Applied(check)
+    "cia402/notation-without-dimension", Warning, Applied(check);
+    summary: "only one of notation index and dimension index is there",
+    checks: "Whether the objects of version 2 that say a unit come together: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
+    why: "The notation index is a power of ten, the dimension index a unit: one alone says nothing.",
+    example: "`[6089]`, and no `[608A]`",
+    remedy: "Describe the other, or use 60A8h to 60ABh of version 4.",
+    source: "CiA 402 version 2, factor group",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, series};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// 6502h has a reserved bit set
-    ///
-    /// ## What it checks
-    /// Whether bits 4 and 11 to 15 of 6502h (supported drive modes) are 0.
-    ///
-    /// ## Why it matters
-    /// Bit 4 was never given to a mode, and the others wait for a later version. Mostly the numbers of modes were taken for the numbers of bits: the bit of homing, mode 6, is 5.
-    ///
-    /// ## Example
-    /// `DefaultValue=0x00000010` in `[6502]`
-    ///
-    /// ## How to mend
-    /// Set the bits of the modes, each one below the number of the mode; what is your own belongs to bits 16 to 31.
-    ///
-    /// ## Source
-    /// CiA 402-2, supported drive modes
-    "cia402/reserved-drive-mode", Warning, Applied(check)
+    "cia402/reserved-drive-mode", Warning, Applied(check);
+    summary: "6502h has a reserved bit set",
+    checks: "Whether bits 4 and 11 to 15 of 6502h (supported drive modes) are 0.",
+    why: "Bit 4 was never given to a mode, and the others wait for a later version. Mostly the numbers of modes were taken for the numbers of bits: the bit of homing, mode 6, is 5.",
+    example: "`DefaultValue=0x00000010` in `[6502]`",
+    remedy: "Set the bits of the modes, each one below the number of the mode; what is your own belongs to bits 16 to 31.",
+    source: "CiA 402-2, supported drive modes",
 }
 
 const RESERVED: u32 = 1 << 4 | 0xF800;

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a set-point of a drive is above its limit
-    ///
-    /// ## What it checks
-    /// Whether 6081h (profile velocity) is not above 607Fh (max profile velocity), 6083h and 6084h (profile acceleration and deceleration) not above 60C5h and 60C6h, and 6071h (target torque) not above 6072h (max torque), as configured or by default. A limit of 0 or without a value is none.
-    ///
-    /// ## Why it matters
-    /// The drive moves slower than it is told, or refuses the set-point.
-    ///
-    /// ## Example
-    /// `DefaultValue=5000` in `[6081]`, `DefaultValue=3000` in `[607F]`
-    ///
-    /// ## How to mend
-    /// Lower the set-point, or raise the limit.
-    ///
-    /// ## Source
-    /// CiA 402-2, IEC 61800-7-201
-    "cia402/set-point-above-limit", Warning, Applied(check)
+    "cia402/set-point-above-limit", Warning, Applied(check);
+    summary: "a set-point of a drive is above its limit",
+    checks: "Whether 6081h (profile velocity) is not above 607Fh (max profile velocity), 6083h and 6084h (profile acceleration and deceleration) not above 60C5h and 60C6h, and 6071h (target torque) not above 6072h (max torque), as configured or by default. A limit of 0 or without a value is none.",
+    why: "The drive moves slower than it is told, or refuses the set-point.",
+    example: "`DefaultValue=5000` in `[6081]`, `DefaultValue=3000` in `[607F]`",
+    remedy: "Lower the set-point, or raise the limit.",
+    source: "CiA 402-2, IEC 61800-7-201",
 }
 
 const PAIRS: [(u16, u16, &str); 4] = [

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a target position lies outside the software limits
-    ///
-    /// ## What it checks
-    /// Whether the value of 607Ah (target position), configured or default, lies within 607Dh (software position limit), where that has a lower limit below the upper one.
-    ///
-    /// ## Why it matters
-    /// The axis stops at the limit with a warning or an error as soon as the first set-point is taken over.
-    ///
-    /// ## Example
-    /// `DefaultValue=5000` in `[607A]`, `DefaultValue=1000` in `[607Dsub2]`
-    ///
-    /// ## How to mend
-    /// Correct the target or the limits.
-    ///
-    /// ## Source
-    /// CiA 402-2, target position and software position limit
-    "cia402/target-outside-limits", Warning, Applied(check)
+    "cia402/target-outside-limits", Warning, Applied(check);
+    summary: "a target position lies outside the software limits",
+    checks: "Whether the value of 607Ah (target position), configured or default, lies within 607Dh (software position limit), where that has a lower limit below the upper one.",
+    why: "The axis stops at the limit with a warning or an error as soon as the first set-point is taken over.",
+    example: "`DefaultValue=5000` in `[607A]`, `DefaultValue=1000` in `[607Dsub2]`",
+    remedy: "Correct the target or the limits.",
+    source: "CiA 402-2, target position and software position limit",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a target is there without its actual value
-    ///
-    /// ## What it checks
-    /// Whether the actual value belongs to each target: 6044h to 6042h, 6064h to 607Ah, 606Ch to 60FFh, 6077h to 6071h. Where 6502h names a mode that cannot do without the actual value, its lack is the matter of `cia402/missing-object`.
-    ///
-    /// ## Why it matters
-    /// A master that cannot read what the axis does knows neither when it has arrived nor that it follows.
-    ///
-    /// ## Example
-    /// `[607A]`, and no `[6064]`
-    ///
-    /// ## How to mend
-    /// Describe the actual value.
-    ///
-    /// ## Source
-    /// CiA 402-2, IEC 61800-7-201
-    "cia402/target-without-actual-value", Warning, Applied(check)
+    "cia402/target-without-actual-value", Warning, Applied(check);
+    summary: "a target is there without its actual value",
+    checks: "Whether the actual value belongs to each target: 6044h to 6042h, 6064h to 607Ah, 606Ch to 60FFh, 6077h to 6071h. Where 6502h names a mode that cannot do without the actual value, its lack is the matter of `cia402/missing-object`.",
+    why: "A master that cannot read what the axis does knows neither when it has arrived nor that it follows.",
+    example: "`[607A]`, and no `[6064]`",
+    remedy: "Describe the actual value.",
+    source: "CiA 402-2, IEC 61800-7-201",
 }
 
 const PAIRS: [(u16, u16, &str); 4] = [

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule};
 
 rule! {
-    /// a time belongs to a window that is not there
-    ///
-    /// ## What it checks
-    /// Whether 6065h (following error window) is there with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.
-    ///
-    /// ## Why it matters
-    /// The time says how long the value may lie outside or has to lie inside of a window that nobody can set.
-    ///
-    /// ## Example
-    /// `[6068]`, and no `[6067]`
-    ///
-    /// ## How to mend
-    /// Describe the window, or take the time out.
-    ///
-    /// ## Source
-    /// CiA 402-2, IEC 61800-7-201
-    "cia402/time-without-window", Note, Applied(check)
+    "cia402/time-without-window", Note, Applied(check);
+    summary: "a time belongs to a window that is not there",
+    checks: "Whether 6065h (following error window) is there with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
+    why: "The time says how long the value may lie outside or has to lie inside of a window that nobody can set.",
+    example: "`[6068]`, and no `[6067]`",
+    remedy: "Describe the window, or take the time out.",
+    source: "CiA 402-2, IEC 61800-7-201",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

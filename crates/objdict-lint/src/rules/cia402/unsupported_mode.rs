@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, MODES, rule};
 
 rule! {
-    /// a drive starts in a mode that it does not have
-    ///
-    /// ## What it checks
-    /// Whether the bit of the mode that 6060h or 6061h has as value, configured or default, is set in 6502h. Modes of the manufacturer (below 0) and 0, no mode, are not looked at.
-    ///
-    /// ## Why it matters
-    /// One of the two is wrong: a master that believes 6502h never uses the mode, one that believes 6060h sends targets that the drive does not take.
-    ///
-    /// ## Example
-    /// `DefaultValue=8` in `[6060]`, and `DefaultValue=0x00000005` in `[6502]`
-    ///
-    /// ## How to mend
-    /// Correct the mode, or set its bit in 6502h.
-    ///
-    /// ## Source
-    /// CiA 402-2, modes of operation and supported drive modes
-    "cia402/unsupported-mode", Warning, Applied(check)
+    "cia402/unsupported-mode", Warning, Applied(check);
+    summary: "a drive starts in a mode that it does not have",
+    checks: "Whether the bit of the mode that 6060h or 6061h has as value, configured or default, is set in 6502h. Modes of the manufacturer (below 0) and 0, no mode, are not looked at.",
+    why: "One of the two is wrong: a master that believes 6502h never uses the mode, one that believes 6060h sends targets that the drive does not take.",
+    example: "`DefaultValue=8` in `[6060]`, and `DefaultValue=0x00000005` in `[6502]`",
+    remedy: "Correct the mode, or set its bit in 6502h.",
+    source: "CiA 402-2, modes of operation and supported drive modes",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Drive, Facts, rule, with_others};
 
 rule! {
-    /// a factor or resolution of a drive is 0
-    ///
-    /// ## What it checks
-    /// Whether the sub-indexes 1 and 2 of the factors have values other than 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.
-    ///
-    /// ## Why it matters
-    /// The drive divides by the one and multiplies with the other: with 0 it knows no position.
-    ///
-    /// ## Example
-    /// `DefaultValue=0` in `[6091sub2]`
-    ///
-    /// ## How to mend
-    /// Write 1 where nothing is to be scaled, or leave the default out when the value belongs to the motor.
-    ///
-    /// ## Source
-    /// CiA 402-2, factor group
-    "cia402/zero-factor", Error, Applied(check)
+    "cia402/zero-factor", Error, Applied(check);
+    summary: "a factor or resolution of a drive is 0",
+    checks: "Whether the sub-indexes 1 and 2 of the factors have values other than 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.",
+    why: "The drive divides by the one and multiplies with the other: with 0 it knows no position.",
+    example: "`DefaultValue=0` in `[6091sub2]`",
+    remedy: "Write 1 where nothing is to be scaled, or leave the default out when the value belongs to the motor.",
+    source: "CiA 402-2, factor group",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -4,23 +4,13 @@ use crate::model::Place;
 use crate::{Facts, rule};
 
 rule! {
-    /// the scaling of a channel is described by half
-    ///
-    /// ## What it checks
-    /// Whether the four objects that scale a field value to a process value by two points come together: x120h to x123h of analogue inputs, x320h to x323h of analogue outputs.
-    ///
-    /// ## Why it matters
-    /// A line needs two points of two numbers each: with less nobody can change the scale.
-    ///
-    /// ## Example
-    /// `[7120]`, `[7121]` and `[7122]`, and no `[7123]`
-    ///
-    /// ## How to mend
-    /// Describe the missing object.
-    ///
-    /// ## Source
-    /// CiA 404-1, analogue inputs and analogue outputs
-    "cia404/half-scaling", Warning, Applied(check)
+    "cia404/half-scaling", Warning, Applied(check);
+    summary: "the scaling of a channel is described by half",
+    checks: "Whether the four objects that scale a field value to a process value by two points come together: x120h to x123h of analogue inputs, x320h to x323h of analogue outputs.",
+    why: "A line needs two points of two numbers each: with less nobody can change the scale.",
+    example: "`[7120]`, `[7121]` and `[7122]`, and no `[7123]`",
+    remedy: "Describe the missing object.",
+    source: "CiA 404-1, analogue inputs and analogue outputs",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: &mut Findings) {

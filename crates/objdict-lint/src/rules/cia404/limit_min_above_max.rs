@@ -4,23 +4,13 @@ use crate::model::Object;
 use crate::{Facts, rule, with_others};
 
 rule! {
-    /// a lower limit of a channel is above the upper one
-    ///
-    /// ## What it checks
-    /// Whether, channel by channel, the lower limit of the interrupt (x134h, x144h), of the set-point (x404h), and of the controller output (6413h) is not greater than the upper one (x135h, x145h, x405h, 6414h), as configured or by default.
-    ///
-    /// ## Why it matters
-    /// No value lies between the limits: the interrupt comes always or never, the controller cannot follow its set-point.
-    ///
-    /// ## Example
-    /// `DefaultValue=1000` in `[7134sub1]`, `DefaultValue=-1000` in `[7135sub1]`
-    ///
-    /// ## How to mend
-    /// Exchange the values.
-    ///
-    /// ## Source
-    /// CiA 404-1, analogue inputs and controllers
-    "cia404/limit-min-above-max", Error, Applied(check)
+    "cia404/limit-min-above-max", Error, Applied(check);
+    summary: "a lower limit of a channel is above the upper one",
+    checks: "Whether, channel by channel, the lower limit of the interrupt (x134h, x144h), of the set-point (x404h), and of the controller output (6413h) is not greater than the upper one (x135h, x145h, x405h, 6414h), as configured or by default.",
+    why: "No value lies between the limits: the interrupt comes always or never, the controller cannot follow its set-point.",
+    example: "`DefaultValue=1000` in `[7134sub1]`, `DefaultValue=-1000` in `[7135sub1]`",
+    remedy: "Exchange the values.",
+    source: "CiA 404-1, analogue inputs and controllers",
 }
 
 /// The lower limits, as offsets from 6000h, 7000h, 8000h or 9000h; the upper one is next to each.

@@ -3,23 +3,13 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::{Facts, rule};
 
 rule! {
-    /// the cyclic timer and the event timer of TPDO 1 differ
-    ///
-    /// ## What it checks
-    /// Whether 6200h and 1800h sub-index 5 have the same value when both are there.
-    ///
-    /// ## Why it matters
-    /// They are one timer under two indexes, so one of the values is wrong, and which one the encoder starts with nobody knows.
-    ///
-    /// ## Example
-    /// `[6200]` with `DefaultValue=100`, `[1800sub5]` with `DefaultValue=0`
-    ///
-    /// ## How to mend
-    /// Write the same time, in milliseconds.
-    ///
-    /// ## Source
-    /// CiA 406 (6200h, 1800h)
-    "cia406/cyclic-timer-mismatch", Error, Applied(check)
+    "cia406/cyclic-timer-mismatch", Error, Applied(check);
+    summary: "the cyclic timer and the event timer of TPDO 1 differ",
+    checks: "Whether 6200h and 1800h sub-index 5 have the same value when both are there.",
+    why: "They are one timer under two indexes, so one of the values is wrong, and which one the encoder starts with nobody knows.",
+    example: "`[6200]` with `DefaultValue=100`, `[1800sub5]` with `DefaultValue=0`",
+    remedy: "Write the same time, in milliseconds.",
+    source: "CiA 406 (6200h, 1800h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
 rule! {
-    /// the measuring range is not what resolution and revolutions make
-    ///
-    /// ## What it checks
-    /// Whether the default of 6002h in an EDS is resolution (6501h) times revolutions (6502h) for an encoder that turns. What does not fit into 32 bits is not compared.
-    ///
-    /// ## Why it matters
-    /// As it comes from its maker, an encoder does not scale; the range that it states is the one that it has.
-    ///
-    /// ## Example
-    /// `[6501]` with `DefaultValue=8192`, `[6502]` with `DefaultValue=4096`, `[6002]` with `DefaultValue=4096`
-    ///
-    /// ## How to mend
-    /// Write the product, in the description and in the device.
-    ///
-    /// ## Source
-    /// CiA 406 (6002h, 6501h, 6502h)
-    "cia406/different-measuring-range", Warning, Applied(check), fix Unsafe
+    "cia406/different-measuring-range", Warning, Applied(check), fix Unsafe;
+    summary: "the measuring range is not what resolution and revolutions make",
+    checks: "Whether the default of 6002h in an EDS is resolution (6501h) times revolutions (6502h) for an encoder that turns. What does not fit into 32 bits is not compared.",
+    why: "As it comes from its maker, an encoder does not scale; the range that it states is the one that it has.",
+    example: "`[6501]` with `DefaultValue=8192`, `[6502]` with `DefaultValue=4096`, `[6002]` with `DefaultValue=4096`",
+    remedy: "Write the product, in the description and in the device.",
+    source: "CiA 406 (6002h, 6501h, 6502h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
 rule! {
-    /// an encoder has functions of class C2, and not all of them
-    ///
-    /// ## What it checks
-    /// Whether an encoder that has scaling and preset (6002h and 6003h), which only class C2 has to have, has the rest of that class: 6001h when it turns or 6005h when it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors are not looked at, nor those that lack only one half of the two.
-    ///
-    /// ## Why it matters
-    /// An encoder of class C1 may have any of them, so nothing fails; a master that takes the encoder for one of class C2 is answered with aborts.
-    ///
-    /// ## Example
-    /// `[6002]` and `[6003]`, and no `[6503]`
-    ///
-    /// ## How to mend
-    /// Describe the other objects too, or call it an encoder of class C1 with scaling.
-    ///
-    /// ## Source
-    /// CiA 406, class C2; manuals of encoders
-    "cia406/incomplete-class-2", Warning, Applied(check)
+    "cia406/incomplete-class-2", Warning, Applied(check);
+    summary: "an encoder has functions of class C2, and not all of them",
+    checks: "Whether an encoder that has scaling and preset (6002h and 6003h), which only class C2 has to have, has the rest of that class: 6001h when it turns or 6005h when it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors are not looked at, nor those that lack only one half of the two.",
+    why: "An encoder of class C1 may have any of them, so nothing fails; a master that takes the encoder for one of class C2 is answered with aborts.",
+    example: "`[6002]` and `[6003]`, and no `[6503]`",
+    remedy: "Describe the other objects too, or call it an encoder of class C1 with scaling.",
+    source: "CiA 406, class C2; manuals of encoders",
 }
 
 /// What class C2 has beside class C1, scaling and preset, whatever its type.

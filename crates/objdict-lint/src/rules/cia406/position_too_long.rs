@@ -4,23 +4,13 @@ use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
 rule! {
-    /// the positions of an encoder do not fit into 32 bits
-    ///
-    /// ## What it checks
-    /// Whether resolution (6501h) times revolutions (6502h) of an encoder that turns is at most 2^32, unless it has a position of high precision (6008h).
-    ///
-    /// ## Why it matters
-    /// The position starts again from 0 before the encoder has turned as often as it can.
-    ///
-    /// ## Example
-    /// `[6501]` with `DefaultValue=0x01000000`, `[6502]` with `DefaultValue=4096`: 36 bits
-    ///
-    /// ## How to mend
-    /// Correct resolution or revolutions, or offer 6008h.
-    ///
-    /// ## Source
-    /// CiA 406 (6004h, 6008h, 6501h, 6502h)
-    "cia406/position-too-long", Warning, Applied(check)
+    "cia406/position-too-long", Warning, Applied(check);
+    summary: "the positions of an encoder do not fit into 32 bits",
+    checks: "Whether resolution (6501h) times revolutions (6502h) of an encoder that turns is at most 2^32, unless it has a position of high precision (6008h).",
+    why: "The position starts again from 0 before the encoder has turned as often as it can.",
+    example: "`[6501]` with `DefaultValue=0x01000000`, `[6502]` with `DefaultValue=4096`: 36 bits",
+    remedy: "Correct resolution or revolutions, or offer 6008h.",
+    source: "CiA 406 (6004h, 6008h, 6501h, 6502h)",
 }
 
 /// Positions that 32 bits can tell apart.

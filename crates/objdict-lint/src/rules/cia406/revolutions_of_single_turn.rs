@@ -4,23 +4,13 @@ use crate::profile::{device_type_index, index_in};
 use crate::{Facts, rule};
 
 rule! {
-    /// a single-turn encoder has more than one revolution
-    ///
-    /// ## What it checks
-    /// Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not looked at, for it counts revolutions.
-    ///
-    /// ## Why it matters
-    /// Either the type is wrong, or a master that multiplies resolution and revolutions gets a measuring range that the encoder does not have.
-    ///
-    /// ## Example
-    /// `[1000]` with `DefaultValue=0x00010196`, `[6502]` with `DefaultValue=4096`
-    ///
-    /// ## How to mend
-    /// Write 1, or the type of a multi-turn encoder.
-    ///
-    /// ## Source
-    /// CiA 406 (1000h, 6502h)
-    "cia406/revolutions-of-single-turn", Warning, Applied(check)
+    "cia406/revolutions-of-single-turn", Warning, Applied(check);
+    summary: "a single-turn encoder has more than one revolution",
+    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not looked at, for it counts revolutions.",
+    why: "Either the type is wrong, or a master that multiplies resolution and revolutions gets a measuring range that the encoder does not have.",
+    example: "`[1000]` with `DefaultValue=0x00010196`, `[6502]` with `DefaultValue=4096`",
+    remedy: "Write 1, or the type of a multi-turn encoder.",
+    source: "CiA 406 (1000h, 6502h)",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

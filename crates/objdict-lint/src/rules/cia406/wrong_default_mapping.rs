@@ -4,23 +4,13 @@ use crate::model::{DeviceKind, MappedObject, PdoKind};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    /// a TPDO of an encoder does not carry the position
-    ///
-    /// ## What it checks
-    /// Whether TPDO 1 and TPDO 2 of an EDS carry the position and nothing else: 6004h with 32 bits, 6008h with 64 bits in encoders of high precision, 6020h sub-index 1 in those with several sensors. What follows behind the position is a warning. It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3, and about PDOs whose entries are wrong in themselves.
-    ///
-    /// ## Why it matters
-    /// That the position is in the first four bytes of TPDO 1 is what makes encoders exchangeable.
-    ///
-    /// ## Example
-    /// `[1A00sub1]` with `DefaultValue=0x65030010`
-    ///
-    /// ## How to mend
-    /// Write `0x60040020`, in the description and in the device.
-    ///
-    /// ## Source
-    /// CiA 406 (1A00h, 1A01h)
-    "cia406/wrong-default-mapping", Error, Applied(check), fix Unsafe
+    "cia406/wrong-default-mapping", Error, Applied(check), fix Unsafe;
+    summary: "a TPDO of an encoder does not carry the position",
+    checks: "Whether TPDO 1 and TPDO 2 of an EDS carry the position and nothing else: 6004h with 32 bits, 6008h with 64 bits in encoders of high precision, 6020h sub-index 1 in those with several sensors. What follows behind the position is a warning. It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3, and about PDOs whose entries are wrong in themselves.",
+    why: "That the position is in the first four bytes of TPDO 1 is what makes encoders exchangeable.",
+    example: "`[1A00sub1]` with `DefaultValue=0x65030010`",
+    remedy: "Write `0x60040020`, in the description and in the device.",
+    source: "CiA 406 (1A00h, 1A01h)",
 }
 
 /// The object that holds the position, in one of its forms.

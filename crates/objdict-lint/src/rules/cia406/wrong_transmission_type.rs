@@ -4,23 +4,13 @@ use crate::model::{DeviceKind, PdoKind};
 use crate::{Facts, rule};
 
 rule! {
-    /// a TPDO of an encoder is sent at other times than CiA 406 says
-    ///
-    /// ## What it checks
-    /// Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is tolerated) and TPDO 2 on each SYNC (type 1). It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3.
-    ///
-    /// ## Why it matters
-    /// A master that knows the profile takes the position of TPDO 1 as it comes, and that of TPDO 2 with the others of the same SYNC.
-    ///
-    /// ## Example
-    /// `[1800sub2]` with `DefaultValue=1`
-    ///
-    /// ## How to mend
-    /// Write 254 for TPDO 1 and 1 for TPDO 2.
-    ///
-    /// ## Source
-    /// CiA 406 (1800h, 1801h)
-    "cia406/wrong-transmission-type", Warning, Applied(check), fix Unsafe
+    "cia406/wrong-transmission-type", Warning, Applied(check), fix Unsafe;
+    summary: "a TPDO of an encoder is sent at other times than CiA 406 says",
+    checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is tolerated) and TPDO 2 on each SYNC (type 1). It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3.",
+    why: "A master that knows the profile takes the position of TPDO 1 as it comes, and that of TPDO 2 with the others of the same SYNC.",
+    example: "`[1800sub2]` with `DefaultValue=1`",
+    remedy: "Write 254 for TPDO 1 and 1 for TPDO 2.",
+    source: "CiA 406 (1800h, 1801h)",
 }
 
 /// A TPDO with the type that it should have and those that it may have.

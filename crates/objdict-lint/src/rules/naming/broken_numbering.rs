@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, Place};
 use crate::rule;
 
 rule! {
-    /// the numbers in the names of an object's elements are in another order than the sub-indexes
-    ///
-    /// ## What it checks
-    /// Whether, in an object from 2000h on whose elements all have the same name with numbers in a row behind it, the numbers go up with the sub-indexes, wherever they start. Numbers with gaps or repetitions mean something else, and are left alone.
-    ///
-    /// ## Why it matters
-    /// Mostly lines were swapped: whoever sets element 3 by its name sets another one.
-    ///
-    /// ## Example
-    /// `[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`
-    ///
-    /// ## How to mend
-    /// Number the names like the sub-indexes.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/broken-numbering", Note, Object(check)
+    "naming/broken-numbering", Note, Object(check);
+    summary: "the numbers in the names of an object's elements are in another order than the sub-indexes",
+    checks: "Whether, in an object from 2000h on whose elements all have the same name with numbers in a row behind it, the numbers go up with the sub-indexes, wherever they start. Numbers with gaps or repetitions mean something else, and are left alone.",
+    why: "Mostly lines were swapped: whoever sets element 3 by its name sets another one.",
+    example: "`[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`",
+    remedy: "Number the names like the sub-indexes.",
+    source: "Not in a standard",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

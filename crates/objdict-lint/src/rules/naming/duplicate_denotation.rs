@@ -5,23 +5,13 @@ use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// two entries have the same denotation
-    ///
-    /// ## What it checks
-    /// Whether the denotations of a DCF, the names of the entries in the application, differ. The first repetition is shown, with the others.
-    ///
-    /// ## Why it matters
-    /// An application that finds its variables by their denotation gets the first of the two.
-    ///
-    /// ## Example
-    /// `Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`
-    ///
-    /// ## How to mend
-    /// Give each its own name.
-    ///
-    /// ## Source
-    /// CiA 306-1 §5.3
-    "naming/duplicate-denotation", Note, Device(check)
+    "naming/duplicate-denotation", Note, Device(check);
+    summary: "two entries have the same denotation",
+    checks: "Whether the denotations of a DCF, the names of the entries in the application, differ. The first repetition is shown, with the others.",
+    why: "An application that finds its variables by their denotation gets the first of the two.",
+    example: "`Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`",
+    remedy: "Give each its own name.",
+    source: "CiA 306-1 §5.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::rule;
 
 rule! {
-    /// two modules have the same name and order code
-    ///
-    /// ## What it checks
-    /// Whether no two modules have both the same `ProductName` and the same `OrderCode`.
-    ///
-    /// ## Why it matters
-    /// Whoever puts a station together by the names cannot tell which of the two is plugged in.
-    ///
-    /// ## Example
-    /// `ProductName=DI8` and `OrderCode=750-430` in `[M1ModuleInfo]` and in `[M2ModuleInfo]`
-    ///
-    /// ## How to mend
-    /// Add the version to the name, or remove one of the two.
-    ///
-    /// ## Source
-    /// CiA 306-1 §6.3
-    "naming/duplicate-module", Note, Device(check)
+    "naming/duplicate-module", Note, Device(check);
+    summary: "two modules have the same name and order code",
+    checks: "Whether no two modules have both the same `ProductName` and the same `OrderCode`.",
+    why: "Whoever puts a station together by the names cannot tell which of the two is plugged in.",
+    example: "`ProductName=DI8` and `OrderCode=750-430` in `[M1ModuleInfo]` and in `[M2ModuleInfo]`",
+    remedy: "Add the version to the name, or remove one of the two.",
+    source: "CiA 306-1 §6.3",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -5,23 +5,13 @@ use crate::model::{Device, Field, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// two objects have the same name
-    ///
-    /// ## What it checks
-    /// Whether the names of the objects from 2000h on differ. Objects with the same name in ranges of eight hundred hex, which are the same object of several axes or channels, are left alone, and so are 5800h to 5FFFh, where masters keep what they know of the PDOs of other nodes. The first repetition is shown, with the others.
-    ///
-    /// ## Why it matters
-    /// People cannot tell the objects apart, libraries that find objects by name return the first one, and code generators have to make up numbers.
-    ///
-    /// ## Example
-    /// `ParameterName=Setpoint` in `[2000]` and in `[2001]`
-    ///
-    /// ## How to mend
-    /// Add a number or a word to the names.
-    ///
-    /// ## Source
-    /// Not in a standard; python-canopen, for one, finds objects by name
-    "naming/duplicate-object-name", Note, Device(check)
+    "naming/duplicate-object-name", Note, Device(check);
+    summary: "two objects have the same name",
+    checks: "Whether the names of the objects from 2000h on differ. Objects with the same name in ranges of eight hundred hex, which are the same object of several axes or channels, are left alone, and so are 5800h to 5FFFh, where masters keep what they know of the PDOs of other nodes. The first repetition is shown, with the others.",
+    why: "People cannot tell the objects apart, libraries that find objects by name return the first one, and code generators have to make up numbers.",
+    example: "`ParameterName=Setpoint` in `[2000]` and in `[2001]`",
+    remedy: "Add a number or a word to the names.",
+    source: "Not in a standard; python-canopen, for one, finds objects by name",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -6,23 +6,13 @@ use crate::{EntryAt, rule};
 const LONGEST: usize = 100;
 
 rule! {
-    /// a name is longer than a line of text
-    ///
-    /// ## What it checks
-    /// Whether each name has at most 100 characters. The limit of CiA 306-1, 241, is that of the line and has a rule of its own.
-    ///
-    /// ## Why it matters
-    /// Tools show names in columns and cut them off, identifiers made of them lose their end, and often what stands there is a description.
-    ///
-    /// ## Example
-    /// A `ParameterName` of two sentences
-    ///
-    /// ## How to mend
-    /// Shorten it; what it explains goes into a comment or the manual.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/long-name", Note, Entry(check)
+    "naming/long-name", Note, Entry(check);
+    summary: "a name is longer than a line of text",
+    checks: "Whether each name has at most 100 characters. The limit of CiA 306-1, 241, is that of the line and has a rule of its own.",
+    why: "Tools show names in columns and cut them off, identifiers made of them lose their end, and often what stands there is a description.",
+    example: "A `ParameterName` of two sentences",
+    remedy: "Shorten it; what it explains goes into a comment or the manual.",
+    source: "Not in a standard",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -20,23 +20,13 @@ const PLACEHOLDERS: [&str; 14] = [
 ];
 
 rule! {
-    /// a name is a placeholder
-    ///
-    /// ## What it checks
-    /// Whether no name is one that a tool gives to something new, or that somebody writes to come back to it: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`.
-    ///
-    /// ## Why it matters
-    /// Nobody has come back to it, and the user of the device cannot know what the entry is.
-    ///
-    /// ## Example
-    /// `ParameterName=New object`
-    ///
-    /// ## How to mend
-    /// Write what the entry is.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/placeholder", Note, Entry(check)
+    "naming/placeholder", Note, Entry(check);
+    summary: "a name is a placeholder",
+    checks: "Whether no name is one that a tool gives to something new, or that somebody writes to come back to it: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`.",
+    why: "Nobody has come back to it, and the user of the device cannot know what the entry is.",
+    example: "`ParameterName=New object`",
+    remedy: "Write what the entry is.",
+    source: "Not in a standard",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

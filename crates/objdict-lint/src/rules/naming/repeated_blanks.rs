@@ -3,23 +3,13 @@ use crate::model::Field;
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a name has blanks that nobody sees
-    ///
-    /// ## What it checks
-    /// Whether no name starts or ends with a blank, or has two of them in a row.
-    ///
-    /// ## Why it matters
-    /// Tools that look an entry up by its name do not find it under the name that people read, and comparisons show a change where nobody sees one.
-    ///
-    /// ## Example
-    /// `ParameterName=Motor  speed`
-    ///
-    /// ## How to mend
-    /// Remove the blanks.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/repeated-blanks", Note, Entry(check), fix Unsafe
+    "naming/repeated-blanks", Note, Entry(check), fix Unsafe;
+    summary: "a name has blanks that nobody sees",
+    checks: "Whether no name starts or ends with a blank, or has two of them in a row.",
+    why: "Tools that look an entry up by its name do not find it under the name that people read, and comparisons show a change where nobody sees one.",
+    example: "`ParameterName=Motor  speed`",
+    remedy: "Remove the blanks.",
+    source: "Not in a standard",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Object, Place};
 use crate::rule;
 
 rule! {
-    /// two names of an object give the same identifier
-    ///
-    /// ## What it checks
-    /// Whether the names of an object's sub-indexes from 2000h on differ in more than capitals, blanks and signs. Equal names have a finding of their own. The first pair in an object is shown.
-    ///
-    /// ## Why it matters
-    /// Generated code has letters, digits and `_` only: `Gain +` and `gain -` are the same there, and the generator has to make up numbers, which change when an entry comes between.
-    ///
-    /// ## Example
-    /// `ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`
-    ///
-    /// ## How to mend
-    /// Say the difference in words: `Limit positive` and `Limit negative`.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/same-identifier", Note, Object(check)
+    "naming/same-identifier", Note, Object(check);
+    summary: "two names of an object give the same identifier",
+    checks: "Whether the names of an object's sub-indexes from 2000h on differ in more than capitals, blanks and signs. Equal names have a finding of their own. The first pair in an object is shown.",
+    why: "Generated code has letters, digits and `_` only: `Gain +` and `gain -` are the same there, and the generator has to make up numbers, which change when an entry comes between.",
+    example: "`ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`",
+    remedy: "Say the difference in words: `Limit positive` and `Limit negative`.",
+    source: "Not in a standard",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{DataType, Field, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    /// a name speaks of another type than the entry has
-    ///
-    /// ## What it checks
-    /// Whether the name of an entry that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, is of that width and kind.
-    ///
-    /// ## Why it matters
-    /// The type was changed and the name was not, or the other way round. Programs that go by the name read the wrong number of bytes.
-    ///
-    /// ## Example
-    /// `ParameterName=Speed_U16` with `DataType=0x0007`
-    ///
-    /// ## How to mend
-    /// Correct the type or the name.
-    ///
-    /// ## Source
-    /// Not in a standard
-    "naming/type-in-name", Note, Entry(check)
+    "naming/type-in-name", Note, Entry(check);
+    summary: "a name speaks of another type than the entry has",
+    checks: "Whether the name of an entry that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, is of that width and kind.",
+    why: "The type was changed and the name was not, or the other way round. Programs that go by the name read the wrong number of bytes.",
+    example: "`ParameterName=Speed_U16` with `DataType=0x0007`",
+    remedy: "Correct the type or the name.",
+    source: "Not in a standard",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -6,23 +6,13 @@ const RECEIVE: [&str; 3] = ["rpdo", "receive", "rxpdo"];
 const TRANSMIT: [&str; 3] = ["tpdo", "transmit", "txpdo"];
 
 rule! {
-    /// a PDO is named after the other direction
-    ///
-    /// ## What it checks
-    /// Whether the names of the objects of RPDOs (14xxh and 16xxh) do not speak of a transmit PDO or TPDO only, and those of TPDOs (18xxh and 1Axxh) of a receive PDO or RPDO only.
-    ///
-    /// ## Why it matters
-    /// Whoever configures the device by the names configures the wrong PDO. Mostly the object was copied.
-    ///
-    /// ## Example
-    /// `ParameterName=Receive PDO 1 parameter` in `[1800]`
-    ///
-    /// ## How to mend
-    /// Correct the name, or the index.
-    ///
-    /// ## Source
-    /// CiA 301 §7.5.2.35 to §7.5.2.38
-    "naming/wrong-pdo-direction", Warning, Pdo(check)
+    "naming/wrong-pdo-direction", Warning, Pdo(check);
+    summary: "a PDO is named after the other direction",
+    checks: "Whether the names of the objects of RPDOs (14xxh and 16xxh) do not speak of a transmit PDO or TPDO only, and those of TPDOs (18xxh and 1Axxh) of a receive PDO or RPDO only.",
+    why: "Whoever configures the device by the names configures the wrong PDO. Mostly the object was copied.",
+    example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
+    remedy: "Correct the name, or the index.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
 
 fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `BaudRate_auto` is unknown to a tool
-    ///
-    /// ## What it checks
-    /// Whether `[DeviceInfo]` has the key `BaudRate_auto`.
-    ///
-    /// ## Why it matters
-    /// dcf-tools has the keys of the first edition of CiA 306 and refuses a file with another one.
-    ///
-    /// ## Example
-    /// `BaudRate_auto=0`
-    ///
-    /// ## How to mend
-    /// Remove the key where it is 0; else give the tool a copy without it.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2
-    "portability/auto-baud-rate", Warning, Device(check)
+    "portability/auto-baud-rate", Warning, Device(check);
+    summary: "`BaudRate_auto` is unknown to a tool",
+    checks: "Whether `[DeviceInfo]` has the key `BaudRate_auto`.",
+    why: "dcf-tools has the keys of the first edition of CiA 306 and refuses a file with another one.",
+    example: "`BaudRate_auto=0`",
+    remedy: "Remove the key where it is 0; else give the tool a copy without it.",
+    source: "dcf-tools 2.4.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

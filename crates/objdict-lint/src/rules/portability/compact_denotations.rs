@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// denotations of a compact object are unknown to a tool
-    ///
-    /// ## What it checks
-    /// Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.
-    ///
-    /// ## Example
-    /// `[2000Denotation]`
-    ///
-    /// ## How to mend
-    /// Use `[xxxxName]`, or describe the sub-indexes one by one.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/compact-denotations", Warning, Device(check)
+    "portability/compact-denotations", Warning, Device(check);
+    summary: "denotations of a compact object are unknown to a tool",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown, others are named.",
+    why: "dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.",
+    example: "`[2000Denotation]`",
+    remedy: "Use `[xxxxName]`, or describe the sub-indexes one by one.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Compact, Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// names of a compact object are lost to a tool
-    ///
-    /// ## What it checks
-    /// Whether an object with `CompactSubObj` has a section `[xxxxName]` without a gap. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// CANopenEditor does not read the section: its sub-indexes have the name of the object with a number in hex behind it.
-    ///
-    /// ## Example
-    /// `[2000Name]`
-    ///
-    /// ## How to mend
-    /// Describe the sub-indexes one by one where their names matter.
-    ///
-    /// ## Source
-    /// CANopenEditor of 2026
-    "portability/compact-names", Warning, Device(check)
+    "portability/compact-names", Warning, Device(check);
+    summary: "names of a compact object are lost to a tool",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxName]` without a gap. The first one is shown, others are named.",
+    why: "CANopenEditor does not read the section: its sub-indexes have the name of the object with a number in hex behind it.",
+    example: "`[2000Name]`",
+    remedy: "Describe the sub-indexes one by one where their names matter.",
+    source: "CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

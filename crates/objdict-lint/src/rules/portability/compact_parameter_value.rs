@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// a compact object has one configured value for all
-    ///
-    /// ## What it checks
-    /// Whether an object with `CompactSubObj` has a `ParameterValue`, and no section `[xxxxValue]`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools takes the presence of the key for its value, and crashes.
-    ///
-    /// ## Example
-    /// `CompactSubObj=8` and `ParameterValue=1`
-    ///
-    /// ## How to mend
-    /// Write the value of each sub-index into `[xxxxValue]`.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2
-    "portability/compact-parameter-value", Warning, Device(check)
+    "portability/compact-parameter-value", Warning, Device(check);
+    summary: "a compact object has one configured value for all",
+    checks: "Whether an object with `CompactSubObj` has a `ParameterValue`, and no section `[xxxxValue]`. The first one is shown, others are named.",
+    why: "dcf-tools takes the presence of the key for its value, and crashes.",
+    example: "`CompactSubObj=8` and `ParameterValue=1`",
+    remedy: "Write the value of each sub-index into `[xxxxValue]`.",
+    source: "dcf-tools 2.4.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

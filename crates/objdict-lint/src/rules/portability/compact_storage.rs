@@ -3,23 +3,13 @@ use crate::model::{Compact, Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// `CompactSubObj` is not understood by a tool
-    ///
-    /// ## What it checks
-    /// Whether an object has `CompactSubObj`, without a section of names, values or denotations: other rules speak of those. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// CANopenEditor makes the sub-indexes, but loses their default and mapping, and gives them the low limit as the high one. python-canopen makes those of an ARRAY when they are asked for, without a value in sub-index 0, and none of a RECORD.
-    ///
-    /// ## Example
-    /// `CompactSubObj=8`
-    ///
-    /// ## How to mend
-    /// Describe the sub-indexes one by one.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/compact-storage", Warning, Device(check)
+    "portability/compact-storage", Warning, Device(check);
+    summary: "`CompactSubObj` is not understood by a tool",
+    checks: "Whether an object has `CompactSubObj`, without a section of names, values or denotations: other rules speak of those. The first one is shown, others are named.",
+    why: "CANopenEditor makes the sub-indexes, but loses their default and mapping, and gives them the low limit as the high one. python-canopen makes those of an ARRAY when they are asked for, without a value in sub-index 0, and none of a RECORD.",
+    example: "`CompactSubObj=8`",
+    remedy: "Describe the sub-indexes one by one.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// values of a compact object are lost to a tool
-    ///
-    /// ## What it checks
-    /// Whether an object with `CompactSubObj` has a section `[xxxxValue]`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// python-canopen and CANopenEditor do not read the section: they know the default and nothing of what is configured.
-    ///
-    /// ## Example
-    /// `[2000Value]`
-    ///
-    /// ## How to mend
-    /// Describe the sub-indexes one by one, each with its `ParameterValue`.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/compact-values", Warning, Device(check)
+    "portability/compact-values", Warning, Device(check);
+    summary: "values of a compact object are lost to a tool",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxValue]`. The first one is shown, others are named.",
+    why: "python-canopen and CANopenEditor do not read the section: they know the default and nothing of what is configured.",
+    example: "`[2000Value]`",
+    remedy: "Describe the sub-indexes one by one, each with its `ParameterValue`.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// a denotation is lost to a tool
-    ///
-    /// ## What it checks
-    /// Whether an entry of a DCF has a `Denotation`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// python-canopen does not read it and writes files without it: the name in the application is gone.
-    ///
-    /// ## Example
-    /// `Denotation=Pump 3`
-    ///
-    /// ## How to mend
-    /// Repeat in `ParameterName` what a reader of the other tool must know.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1
-    "portability/denotation", Note, Device(check)
+    "portability/denotation", Note, Device(check);
+    summary: "a denotation is lost to a tool",
+    checks: "Whether an entry of a DCF has a `Denotation`. The first one is shown, others are named.",
+    why: "python-canopen does not read it and writes files without it: the name in the application is gone.",
+    example: "`Denotation=Pump 3`",
+    remedy: "Repeat in `ParameterName` what a reader of the other tool must know.",
+    source: "python-canopen 2.4.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

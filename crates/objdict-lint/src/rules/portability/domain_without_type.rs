@@ -3,23 +3,13 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, Origin, rule, stated};
 
 rule! {
-    /// a DOMAIN without data type or access
-    ///
-    /// ## What it checks
-    /// Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not ask for them: a DOMAIN is of type DOMAIN, and `rw`.
-    ///
-    /// ## Why it matters
-    /// dcf-tools and python-canopen ask each object with a value for both keys and stop where one is missing.
-    ///
-    /// ## Example
-    /// `ObjectType=0x2` without `DataType`
-    ///
-    /// ## How to mend
-    /// Write `DataType=0x000F` and `AccessType=rw`, which is what their absence means.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1
-    "portability/domain-without-type", Warning, Entry(check), fix Safe
+    "portability/domain-without-type", Warning, Entry(check), fix Safe;
+    summary: "a DOMAIN without data type or access",
+    checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not ask for them: a DOMAIN is of type DOMAIN, and `rw`.",
+    why: "dcf-tools and python-canopen ask each object with a value for both keys and stop where one is missing.",
+    example: "`ObjectType=0x2` without `DataType`",
+    remedy: "Write `DataType=0x000F` and `AccessType=rw`, which is what their absence means.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::rule;
 
 rule! {
-    /// `[DynamicChannels]` is unknown to a tool
-    ///
-    /// ## What it checks
-    /// Whether the file has a section `[DynamicChannels]`.
-    ///
-    /// ## Why it matters
-    /// dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.
-    ///
-    /// ## Example
-    /// `[DynamicChannels]`
-    ///
-    /// ## How to mend
-    /// Give the tool a copy without the section; then the network variables have no place to go.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/dynamic-channels", Warning, Device(check)
+    "portability/dynamic-channels", Warning, Device(check);
+    summary: "`[DynamicChannels]` is unknown to a tool",
+    checks: "Whether the file has a section `[DynamicChannels]`.",
+    why: "dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.",
+    example: "`[DynamicChannels]`",
+    remedy: "Give the tool a copy without the section; then the network variables have no place to go.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Entry, Field};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// the file of a DOMAIN is lost to a tool
-    ///
-    /// ## What it checks
-    /// Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// python-canopen and CANopenEditor neither load the file nor write its name again.
-    ///
-    /// ## Example
-    /// `DownloadFile=firmware.bin`
-    ///
-    /// ## How to mend
-    /// Let the application load the file, or use a tool that does.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/file-reference", Note, Device(check)
+    "portability/file-reference", Note, Device(check);
+    summary: "the file of a DOMAIN is lost to a tool",
+    checks: "Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown, others are named.",
+    why: "python-canopen and CANopenEditor neither load the file nor write its name again.",
+    example: "`DownloadFile=firmware.bin`",
+    remedy: "Let the application load the file, or use a tool that does.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

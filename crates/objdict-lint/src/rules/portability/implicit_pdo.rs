@@ -3,23 +3,13 @@ use crate::model::{Device, Field, Part, PdoKind, Place};
 use crate::rule;
 
 rule! {
-    /// a PDO that only `CompactPDO` implies
-    ///
-    /// ## What it checks
-    /// Whether `CompactPDO` and the numbers of PDOs in `[DeviceInfo]` imply PDOs that have no objects in the file.
-    ///
-    /// ## Why it matters
-    /// python-canopen and CANopenEditor do not look at `CompactPDO` (CANopenEditor: unless there are modules), so these PDOs do not exist for them.
-    ///
-    /// ## Example
-    /// `NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`
-    ///
-    /// ## How to mend
-    /// Describe the objects of the PDOs; `objdict convert` writes them.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/implicit-pdo", Note, Device(check)
+    "portability/implicit-pdo", Note, Device(check);
+    summary: "a PDO that only `CompactPDO` implies",
+    checks: "Whether `CompactPDO` and the numbers of PDOs in `[DeviceInfo]` imply PDOs that have no objects in the file.",
+    why: "python-canopen and CANopenEditor do not look at `CompactPDO` (CANopenEditor: unless there are modules), so these PDOs do not exist for them.",
+    example: "`NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`",
+    remedy: "Describe the objects of the PDOs; `objdict convert` writes them.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

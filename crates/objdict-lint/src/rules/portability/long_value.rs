@@ -3,23 +3,13 @@ use crate::model::{Access, DataType, Device, Entry, Field};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// a value to be configured is longer than four bytes
-    ///
-    /// ## What it checks
-    /// Whether an entry that can be written has a default or configured value and a type of more than four bytes, or of any length. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// CODESYS lists entries of up to four bytes for the configuration of a node by SDO; longer ones must be written by the application.
-    ///
-    /// ## Example
-    /// A writable UNSIGNED64 with a default
-    ///
-    /// ## How to mend
-    /// Let the application write the entry, or split it into entries of four bytes.
-    ///
-    /// ## Source
-    /// Manual of CODESYS, tab `SDOs` of a CANopen remote device
-    "portability/long-value", Note, Device(check)
+    "portability/long-value", Note, Device(check);
+    summary: "a value to be configured is longer than four bytes",
+    checks: "Whether an entry that can be written has a default or configured value and a type of more than four bytes, or of any length. The first one is shown, others are named.",
+    why: "CODESYS lists entries of up to four bytes for the configuration of a node by SDO; longer ones must be written by the application.",
+    example: "A writable UNSIGNED64 with a default",
+    remedy: "Let the application write the entry, or split it into entries of four bytes.",
+    source: "Manual of CODESYS, tab `SDOs` of a CANopen remote device",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// `ObjFlags` is for tools that do not look at it
-    ///
-    /// ## What it checks
-    /// Whether an entry has an `ObjFlags` that is not 0. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools accepts the key and writes what it must not write; python-canopen does not know it and writes files without it.
-    ///
-    /// ## Example
-    /// `ObjFlags=1`, which refuses the entry to a download
-    ///
-    /// ## How to mend
-    /// Check what the tool writes to these entries, or do not give them a value.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1
-    "portability/object-flags", Note, Device(check)
+    "portability/object-flags", Note, Device(check);
+    summary: "`ObjFlags` is for tools that do not look at it",
+    checks: "Whether an entry has an `ObjFlags` that is not 0. The first one is shown, others are named.",
+    why: "dcf-tools accepts the key and writes what it must not write; python-canopen does not know it and writes files without it.",
+    example: "`ObjFlags=1`, which refuses the entry to a download",
+    remedy: "Check what the tool writes to these entries, or do not give them a value.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

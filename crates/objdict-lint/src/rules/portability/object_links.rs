@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// object links are unknown to a tool
-    ///
-    /// ## What it checks
-    /// Whether an object has a section `[xxxxObjectLinks]`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.
-    ///
-    /// ## Example
-    /// `[2000ObjectLinks]`
-    ///
-    /// ## How to mend
-    /// Give the tool a copy without the section: it only says what belongs together.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/object-links", Warning, Device(check)
+    "portability/object-links", Warning, Device(check);
+    summary: "object links are unknown to a tool",
+    checks: "Whether an object has a section `[xxxxObjectLinks]`. The first one is shown, others are named.",
+    why: "dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.",
+    example: "`[2000ObjectLinks]`",
+    remedy: "Give the tool a copy without the section: it only says what belongs together.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

@@ -3,23 +3,13 @@ use crate::model::{Device, Field};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// a reference designator is lost to a tool
-    ///
-    /// ## What it checks
-    /// Whether an entry of a DCF has a `ParamRefd`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// python-canopen and CANopenEditor write files without it.
-    ///
-    /// ## Example
-    /// `ParamRefd=-A1.X3`
-    ///
-    /// ## How to mend
-    /// Keep the original, and do not edit it with the tool.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/parameter-reference", Note, Device(check)
+    "portability/parameter-reference", Note, Device(check);
+    summary: "a reference designator is lost to a tool",
+    checks: "Whether an entry of a DCF has a `ParamRefd`. The first one is shown, others are named.",
+    why: "python-canopen and CANopenEditor write files without it.",
+    example: "`ParamRefd=-A1.X3`",
+    remedy: "Keep the original, and do not edit it with the tool.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

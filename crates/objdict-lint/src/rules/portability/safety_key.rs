@@ -3,23 +3,13 @@ use crate::model::{Device, Entry, Field, Part, Place};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// the keys of CANopen Safety are unknown to a tool
-    ///
-    /// ## What it checks
-    /// Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools refuses a file with keys that it does not know; python-canopen and CANopenEditor write files without them.
-    ///
-    /// ## Example
-    /// `SRDOMapping=1`
-    ///
-    /// ## How to mend
-    /// Give the tool a copy of the file without these keys.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026
-    "portability/safety-key", Warning, Device(check)
+    "portability/safety-key", Warning, Device(check);
+    summary: "the keys of CANopen Safety are unknown to a tool",
+    checks: "Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown, others are named.",
+    why: "dcf-tools refuses a file with keys that it does not know; python-canopen and CANopenEditor write files without them.",
+    example: "`SRDOMapping=1`",
+    remedy: "Give the tool a copy of the file without these keys.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

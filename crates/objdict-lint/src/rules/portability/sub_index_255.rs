@@ -3,23 +3,13 @@ use crate::model::{Device, Place};
 use crate::rule;
 
 rule! {
-    /// an object describes its structure in sub-index FFh
-    ///
-    /// ## What it checks
-    /// Whether an object has sub-index FFh, which CiA 301 gives to the object type and data type of the object.
-    ///
-    /// ## Why it matters
-    /// dcf-tools takes 254 for the last sub-index and refuses the file.
-    ///
-    /// ## Example
-    /// `[2000subFF]`
-    ///
-    /// ## How to mend
-    /// Remove the sub-index where the device need not have it; else give the tool a copy without it.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2
-    "portability/sub-index-255", Warning, Device(check)
+    "portability/sub-index-255", Warning, Device(check);
+    summary: "an object describes its structure in sub-index FFh",
+    checks: "Whether an object has sub-index FFh, which CiA 301 gives to the object type and data type of the object.",
+    why: "dcf-tools takes 254 for the last sub-index and refuses the file.",
+    example: "`[2000subFF]`",
+    remedy: "Remove the sub-index where the device need not have it; else give the tool a copy without it.",
+    source: "dcf-tools 2.4.2",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

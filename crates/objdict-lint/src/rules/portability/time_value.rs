@@ -3,23 +3,13 @@ use crate::model::{Device, Entry, Field, Value};
 use crate::{rule, stated, with_others};
 
 rule! {
-    /// a time of day or a duration has a value
-    ///
-    /// ## What it checks
-    /// Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// python-canopen knows no such type and reads an integer: the blank between days and milliseconds is removed, and `1 2` is 12.
-    ///
-    /// ## Example
-    /// `DefaultValue=1 0x36EE80` of a TIME_OF_DAY
-    ///
-    /// ## How to mend
-    /// Remove the value where 0 does.
-    ///
-    /// ## Source
-    /// python-canopen 2.4.1
-    "portability/time-value", Warning, Device(check)
+    "portability/time-value", Warning, Device(check);
+    summary: "a time of day or a duration has a value",
+    checks: "Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown, others are named.",
+    why: "python-canopen knows no such type and reads an integer: the blank between days and milliseconds is removed, and `1 2` is 12.",
+    example: "`DefaultValue=1 0x36EE80` of a TIME_OF_DAY",
+    remedy: "Remove the value where 0 does.",
+    source: "python-canopen 2.4.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

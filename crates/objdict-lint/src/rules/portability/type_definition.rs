@@ -3,23 +3,13 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    /// the file defines data types
-    ///
-    /// ## What it checks
-    /// Whether there are objects below 1000h, which define types. The first one is shown, others are named.
-    ///
-    /// ## Why it matters
-    /// dcf-tools knows no section for them and refuses the file; python-canopen skips them, and takes what is of such a type for a DOMAIN.
-    ///
-    /// ## Example
-    /// `[40]` with `ObjectType=0x5`
-    ///
-    /// ## How to mend
-    /// Use static types, and remove the definitions.
-    ///
-    /// ## Source
-    /// dcf-tools 2.4.2, python-canopen 2.4.1
-    "portability/type-definition", Warning, Device(check)
+    "portability/type-definition", Warning, Device(check);
+    summary: "the file defines data types",
+    checks: "Whether there are objects below 1000h, which define types. The first one is shown, others are named.",
+    why: "dcf-tools knows no section for them and refuses the file; python-canopen skips them, and takes what is of such a type for a DOMAIN.",
+    example: "`[40]` with `ObjectType=0x5`",
+    remedy: "Use static types, and remove the definitions.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {
