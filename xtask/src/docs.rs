@@ -124,7 +124,7 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
         let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} |", group.len());
         let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");
         group.iter().for_each(|rule| list(rule, shares, &mut tables));
-        let mut page = format!("# {name}: {about}\n\n{}\n", GENERATED);
+        let mut page = format!("# {name}: {about}\n\n{GENERATED}\n");
         group.iter().for_each(|rule| describe(rule, &mut page));
         pages.insert(format!("rules/{name}.md"), page);
     }
