@@ -3,8 +3,10 @@
 
 use std::fs;
 use std::io::{Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+use crate::page::{from_trycmd, to_trycmd};
 
 #[test]
 fn sessions() {
@@ -15,32 +17,37 @@ fn sessions() {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
-    for page in [
-        "README.md",
-        "docs/ci.md",
-        "docs/cli.md",
-        "docs/dcf.md",
-        "docs/docs.md",
-        "docs/json.md",
-        "docs/formats.md",
-        "docs/profiles.md",
-        "docs/storage.md",
-    ] {
+    for page in markdown_pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        if !text.contains("```console\n") {
+            continue;
+        }
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
-        fs::copy(page, &case).unwrap();
+        fs::write(&case, to_trycmd(&text)).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
+        let input = folder.path().join("page.in");
         for fixtures in
             ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles", "concise"]
         {
-            copy_folder(fixtures, &folder.path().join("page.in/fixtures"));
+            copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
         }
+        copy_folder(Path::new("examples"), &input.join("examples"));
         let cases = trycmd::TestCases::new();
         cases.env("NO_COLOR", "1").case(&case).run();
         if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
-            fs::copy(&case, page).unwrap();
+            fs::write(page, from_trycmd(&fs::read_to_string(&case).unwrap())).unwrap();
         }
     }
+}
+
+/// The pages for users, which may have sessions.
+fn markdown_pages() -> Vec<PathBuf> {
+    let docs = fs::read_dir("docs").unwrap().map(|entry| entry.unwrap().path());
+    let mut pages: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
+    pages.push(PathBuf::from("README.md"));
+    pages.sort();
+    pages
 }
 
 /// The example on the page about profiles is the file that its sessions use.
@@ -51,42 +58,12 @@ fn the_profile_on_the_page() {
     assert_eq!(example, fs::read_to_string("fixtures/profiles/house-drives.toml").unwrap());
 }
 
-fn copy_folder(name: &str, to: &Path) {
-    fs::create_dir_all(to.join(name)).unwrap();
-    for file in fs::read_dir(Path::new("fixtures").join(name)).unwrap() {
-        let file = file.unwrap();
-        fs::copy(file.path(), to.join(name).join(file.file_name())).unwrap();
+/// Copies the files of a folder, not those in folders below.
+fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for file in fs::read_dir(from).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
+        fs::copy(&file, to.join(file.file_name().unwrap())).unwrap();
     }
-}
-
-/// The README's first command prints what the README says. Sizes change with every template, so they are not compared.
-#[test]
-fn the_first_command_of_the_readme() {
-    let readme = fs::read_to_string("README.md").unwrap();
-    let block = |language: &str| {
-        let rest = readme.split_once(&format!("```{language}\n")).unwrap().1;
-        rest.split_once("```").unwrap().0
-    };
-    let command = block("sh").trim().strip_prefix("cargo run -- ").unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    let mut arguments: Vec<&str> = command.split(' ').collect();
-    let out = arguments.iter().position(|argument| *argument == "--out").unwrap() + 1;
-    let shown = std::mem::replace(&mut arguments[out], folder.path().to_str().unwrap());
-    let output = objdict().args(&arguments).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
-    let printed = printed.replace(folder.path().to_str().unwrap(), shown);
-    assert_eq!(without_sizes(&printed), without_sizes(block("text")));
-}
-
-fn without_sizes(text: &str) -> String {
-    let is_size = |pair: &[&str]| pair.get(1) == Some(&"bytes");
-    let line = |line: &str| {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let shown = (0..words.len()).map(|at| if is_size(&words[at..]) { "N" } else { words[at] });
-        shown.collect::<Vec<_>>().join(" ")
-    };
-    text.trim().lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn objdict() -> Command {

@@ -9,6 +9,7 @@ mod building;
 mod ci;
 mod cli;
 mod limits;
+mod page;
 mod reports;
 #[path = "../support/mod.rs"]
 mod support;

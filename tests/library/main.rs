@@ -23,6 +23,7 @@ mod mend;
 mod mutations;
 mod namesakes;
 mod new;
+mod pages;
 mod rules;
 mod structure;
 #[path = "../support/mod.rs"]

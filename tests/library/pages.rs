@@ -1,0 +1,213 @@
+//! The Markdown of the project as its readers meet it: links lead somewhere, the site has every page, and the words are
+//! those of CONTRIBUTING.md.
+
+use std::collections::{BTreeSet, HashMap};
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+
+/// Whether pages have to keep to the words of CONTRIBUTING.md: a page or a folder with everything below it. The longest path
+/// that matches decides.
+const SCOPES: [(&str, bool); 6] = [
+    (".", false),
+    ("CONTRIBUTING.md", true),
+    ("README.md", true),
+    ("docs", false),
+    // made of the pages of the rules, in the sources
+    ("docs/portability.md", false),
+    ("docs/rules", false),
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The pages of the project, by their paths.
+fn pages() -> Vec<PathBuf> {
+    let folders = ["docs", "examples", "fixtures", "crates"].map(|folder| root().join(folder));
+    let mut pages: Vec<PathBuf> = folders.iter().flat_map(|folder| below(folder)).collect();
+    pages.extend(files(root()).into_iter().filter(|path| is_page(path)));
+    let is_template = |path: &PathBuf| path.components().any(|part| part.as_os_str() == "templates");
+    pages.retain(|path| !is_template(path));
+    let mut pages: Vec<PathBuf> =
+        pages.iter().map(|path| path.strip_prefix(root()).unwrap().to_owned()).collect();
+    pages.sort();
+    pages
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect()
+}
+
+fn below(folder: &Path) -> Vec<PathBuf> {
+    let mut pages = Vec::new();
+    for path in files(folder) {
+        if path.is_dir() && !path.ends_with("target") {
+            pages.extend(below(&path));
+        } else if is_page(&path) {
+            pages.push(path);
+        }
+    }
+    pages
+}
+
+fn is_page(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "md")
+}
+
+fn read(page: &Path) -> String {
+    fs::read_to_string(root().join(page)).unwrap()
+}
+
+/// What a page says in prose, a piece each with its line: no code.
+fn prose(text: &str) -> Vec<(usize, String)> {
+    let mut pieces = Vec::new();
+    let mut in_block = false;
+    for (event, range) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
+        match event {
+            Event::Start(Tag::CodeBlock(_)) => in_block = true,
+            Event::End(TagEnd::CodeBlock) => in_block = false,
+            Event::Text(piece) if !in_block => {
+                pieces.push((text[..range.start].matches('\n').count() + 1, piece.into_string()));
+            }
+            _ => {}
+        }
+    }
+    pieces
+}
+
+/// The links and pictures of a page with their lines.
+fn links(text: &str) -> Vec<(usize, String)> {
+    let events = Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter();
+    let links = events.filter_map(|(event, range)| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+            Some((text[..range.start].matches('\n').count() + 1, dest_url.into_string()))
+        }
+        _ => None,
+    });
+    links.collect()
+}
+
+/// The anchors of a page's headings, made as GitHub and mdBook make them.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let mut anchors = BTreeSet::new();
+    let mut times: HashMap<String, usize> = HashMap::new();
+    let mut heading: Option<String> = None;
+    for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
+        match event {
+            Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+            Event::Text(piece) | Event::Code(piece) => heading.iter_mut().for_each(|text| *text += &piece),
+            Event::End(TagEnd::Heading(_)) => {
+                let name = heading.take().unwrap().to_lowercase().replace(' ', "-");
+                let is_kept = |c: &char| c.is_alphanumeric() || "-_".contains(*c);
+                let name: String = name.chars().filter(is_kept).collect();
+                let time = times.entry(name.clone()).or_default();
+                anchors.insert(if *time == 0 { name } else { format!("{name}-{time}") });
+                *time += 1;
+            }
+            _ => {}
+        }
+    }
+    anchors
+}
+
+/// A path without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => assert!(plain.pop(), "{} leaves the project", path.display()),
+            Component::CurDir => {}
+            part => plain.push(part),
+        }
+    }
+    plain
+}
+
+/// Links without a scheme lead to a file or folder of the project, and their anchors to a heading in it. Pages of the site
+/// link to pages of the site only.
+#[test]
+fn links_lead_somewhere() {
+    let mut dead = Vec::new();
+    let mut known: HashMap<PathBuf, BTreeSet<String>> = HashMap::new();
+    for page in pages() {
+        let text = read(&page);
+        for (line, link) in links(&text) {
+            if link.contains("://") || link.starts_with("mailto:") {
+                continue;
+            }
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let target = match path {
+                "" => page.clone(),
+                path => plain(&page.parent().unwrap().join(path)),
+            };
+            let mut has_anchor = |target: &PathBuf| {
+                let anchors = known.entry(target.clone()).or_insert_with(|| anchors(&read(target)));
+                anchors.contains(anchor)
+            };
+            let is_alive = root().join(&target).exists()
+                && (anchor.is_empty() || (is_page(&target) && has_anchor(&target)));
+            let leaves_site = page.starts_with("docs") && !target.starts_with("docs");
+            if !is_alive || leaves_site {
+                dead.push(format!("{}:{line}: {link}", page.display()));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "dead links, or links out of the site:\n{}", dead.join("\n"));
+}
+
+/// What is not in `SUMMARY.md` is no part of the site.
+#[test]
+fn the_site_has_every_page() {
+    let summary = read(Path::new("docs/SUMMARY.md"));
+    let listed: BTreeSet<PathBuf> =
+        links(&summary).into_iter().map(|(_, link)| Path::new("docs").join(link)).collect();
+    let pages = pages().into_iter().filter(|page| page.starts_with("docs") && !page.ends_with("SUMMARY.md"));
+    assert_eq!(listed, pages.collect());
+}
+
+/// The words to avoid, and what is said instead: the table in CONTRIBUTING.md.
+fn words_to_avoid() -> Vec<(String, String)> {
+    let page = read(Path::new("CONTRIBUTING.md"));
+    let table = page.split_once("| avoid | use |\n|---|---|\n").expect("the table").1;
+    let rows = table.lines().take_while(|line| line.starts_with('|'));
+    let words = rows.flat_map(|row| {
+        let mut cells = row.trim_matches('|').split('|');
+        let (avoided, used) = (cells.next().unwrap(), cells.next().unwrap().trim().to_owned());
+        let words = avoided.split(',').map(|word| word.trim().trim_matches('`').to_lowercase());
+        words.map(move |word| (word, used.clone())).collect::<Vec<_>>()
+    });
+    words.collect()
+}
+
+/// The first of the words to avoid that a text has as a word of its own.
+fn avoided<'a>(text: &str, words: &'a [(String, String)]) -> Option<&'a (String, String)> {
+    let text = text.to_lowercase();
+    let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
+    words.iter().find(|(word, _)| {
+        let mut places = text.match_indices(word.as_str());
+        places.any(|(at, _)| {
+            !is_letter(text[..at].chars().next_back()) && !is_letter(text[at + word.len()..].chars().next())
+        })
+    })
+}
+
+#[test]
+fn the_words_are_those_of_engineers() {
+    let words = words_to_avoid();
+    assert!(words.len() > 30, "{words:?}");
+    let mut found = Vec::new();
+    let is_in_scope = |page: &PathBuf| {
+        let scopes = SCOPES.iter().filter(|(scope, _)| *scope == "." || page.starts_with(scope));
+        scopes.max_by_key(|(scope, _)| scope.len()).is_some_and(|(_, is_in)| *is_in)
+    };
+    for page in pages().iter().filter(|page| is_in_scope(page)) {
+        for (line, piece) in prose(&read(page)) {
+            if let Some((word, used)) = avoided(&piece, &words) {
+                found.push(format!("{}:{line}: `{word}`, say {used}: {piece}", page.display()));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{} words to avoid:\n{}", found.len(), found.join("\n"));
+}
