@@ -86,7 +86,7 @@ fn frame(device: &Device) -> Map<String, Value> {
 
 /// Brings the sections that the model does not know into an order, so that paths into them mean the same in two devices.
 fn sort_extra(device: &mut Device) {
-    device.extra.sort_by(|a, b| a.name.cmp(&b.name));
+    device.extra.sort_by(|a, b| a.name().cmp(b.name()));
 }
 
 /// The JSON of a part of the model, which always has one: its keys are texts.

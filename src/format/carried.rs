@@ -71,7 +71,7 @@ pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
                     entries.push(&key, &piece);
                 }
             }
-            device.extra.push(ExtraSection { name: CARRIED_SECTION.into(), entries });
+            device.extra.push(ExtraSection::new(CARRIED_SECTION, &entries));
         }
         Room::Properties => {
             let mut characteristics = Vec::new();
@@ -104,8 +104,8 @@ pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
 pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     let mut changes = Vec::new();
     device.extra.retain(|section| {
-        let ours = &*section.name == CARRIED_SECTION;
-        !(ours && from_section(&section.entries).map(|found| changes.extend(found)).is_some())
+        let ours = section.name() == CARRIED_SECTION;
+        !(ours && from_section(section.entries()).map(|found| changes.extend(found)).is_some())
     });
     for function in &mut device.functions {
         function.characteristics.retain(|list| {
@@ -124,9 +124,9 @@ pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     changes
 }
 
-fn from_section(entries: &Extra) -> Option<Vec<DatumChange>> {
+fn from_section<'a>(entries: impl Iterator<Item = (&'a str, &'a str)>) -> Option<Vec<DatumChange>> {
     let mut texts: Vec<(&str, String)> = Vec::new();
-    for (key, value) in entries.iter() {
+    for (key, value) in entries {
         match (key.rsplit_once('#'), texts.last_mut()) {
             (Some((path, number)), Some((last, text))) if *last == path && number.parse::<u32>().is_ok() => {
                 text.push_str(value);
@@ -287,7 +287,7 @@ mod tests {
         let value = change("/comments", None, Some(json!([" ".repeat(1000)])));
         let mut device = Device::default();
         embed(&mut device, std::slice::from_ref(&value), Room::Section);
-        for (key, value) in device.extra[0].entries.iter() {
+        for (key, value) in device.extra[0].entries() {
             assert!(key.len() + value.len() < 200 && value.trim() == value, "{key}={value}");
         }
         assert_eq!(extract(&mut device), [value]);
@@ -297,10 +297,8 @@ mod tests {
     fn what_is_not_ours_stays() {
         let mut entries = Extra::default();
         entries.push("/comments", "no JSON");
-        let mut device = Device {
-            extra: vec![ExtraSection { name: CARRIED_SECTION.into(), entries }],
-            ..Device::default()
-        };
+        let mut device =
+            Device { extra: vec![ExtraSection::new(CARRIED_SECTION, &entries)], ..Device::default() };
         assert_eq!(extract(&mut device), []);
         assert_eq!(device.extra.len(), 1);
     }

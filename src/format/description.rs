@@ -310,7 +310,7 @@ impl Description {
 fn says_the_same(one: &Device, other: &Device) -> bool {
     let sorted = |device: &Device| {
         let mut device = device.clone();
-        device.extra.sort_by_key(|section| section.name.to_ascii_lowercase());
+        device.extra.sort_by_key(|section| section.name().to_ascii_lowercase());
         device
     };
     one == other || sorted(one) == sorted(other)

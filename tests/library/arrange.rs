@@ -59,7 +59,7 @@ fn what_is_read_stays_the_same() {
         let arranged = read(&description, bytes.unwrap());
         let sorted = |description: &Description| {
             let mut device = description.device().clone();
-            device.extra.sort_by_key(|section| section.name.to_ascii_lowercase());
+            device.extra.sort_by_key(|section| section.name().to_ascii_lowercase());
             device
         };
         assert_eq!(sorted(&arranged), sorted(&description), "{name}");

@@ -148,7 +148,7 @@ fn what_the_standard_does_not_have_is_kept() {
     let unknown = device("05_unknown_key");
     let extra = &unknown.object(0x2000).unwrap().main.extra;
     assert!(extra.get("Unit").is_some() && extra.get("AcmeColour").is_some());
-    assert!(device("06_unknown_section").extra.iter().any(|section| &*section.name == "AcmePrivate"));
+    assert!(device("06_unknown_section").extra.iter().any(|section| section.name() == "AcmePrivate"));
     let info = device("27_baudrate100").device_info.unwrap();
     assert_eq!(info.extra.get("BaudRate_100"), Some("1"));
 }

@@ -64,8 +64,8 @@ fn with_all_names(device: &Device) -> Device {
 /// The device as any text of it is read: what is unknown has no order of its own.
 fn sorted(mut device: Device) -> Device {
     // `[]` without keys says nothing
-    device.extra.retain(|section| !section.name.is_empty() || !section.entries.is_empty());
-    device.extra.sort_by(|a, b| a.name.cmp(&b.name));
+    device.extra.retain(|section| !section.name().is_empty() || section.entries().next().is_some());
+    device.extra.sort_by(|a, b| a.name().cmp(b.name()));
     device
 }
 
@@ -295,7 +295,7 @@ fn no_text_leaves_its_line() {
     device.comments = Some(vec![evil.to_owned()]);
     let mut entries = objdict::model::Extra::default();
     entries.push("[2002]\rx", evil);
-    device.extra.push(ExtraSection { name: "A]\n[2003".into(), entries });
+    device.extra.push(ExtraSection::new("A]\n[2003", &entries));
     let written = write(&device, &WriteOptions::default());
     let again = read(&written.bytes, Format::Eds);
     assert_eq!(again.objects.keys().copied().collect::<Vec<_>>(), [0x2000]);

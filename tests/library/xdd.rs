@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use objdict::compare::differences;
 use objdict::format::{self, Description, Format, WriteOptions, XddVersion};
 use objdict::model::{
-    Access, Commissioning, DataType, Device, DeviceKind, Entry, Field, Object, ObjectType, Part, PdoMapping,
-    Place, Reason, Value,
+    Access, Commissioning, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectType,
+    Part, PdoMapping, Place, Reason, Value,
 };
 use objdict::source::{SourceFile, SourceOptions};
 use proptest::prelude::*;
@@ -257,7 +257,7 @@ fn the_first_of_two_counts_and_the_second_is_kept() {
     let device = fixture("broken/duplicates.xdd").into_device();
     assert_eq!(only_entry(&device, 0x2000).data_type, Some(DataType::UNSIGNED8));
     assert_eq!(&*device.entry(0x2001, 1).unwrap().name, "First");
-    let names: Vec<&str> = device.extra.iter().map(|section| &*section.name).collect();
+    let names: Vec<&str> = device.extra.iter().map(ExtraSection::name).collect();
     let expected = [
         "xml:ApplicationLayers/CANopenObjectList/CANopenObject[5]",
         "xml:ApplicationLayers/CANopenObjectList/CANopenObject[6]/CANopenSubObject[3]",
@@ -272,7 +272,7 @@ fn the_first_of_two_counts_and_the_second_is_kept() {
 fn what_nobody_reads_is_kept() {
     let device = fixture("broken/unknown-parts.xdd").into_device();
     let sections: Vec<(&str, Vec<(&str, &str)>)> =
-        device.extra.iter().map(|section| (&*section.name, section.entries.iter().collect())).collect();
+        device.extra.iter().map(|section| (section.name(), section.entries().collect())).collect();
     let expected = [
         ("xml:DeviceManual", vec![("pages", "200"), ("#text", "Read it")]),
         ("xml:DeviceManual/chapter", vec![("#text", "1")]),

@@ -437,7 +437,7 @@ fn extra_sections(texts: Texts) -> BoxedStrategy<Vec<ExtraSection>> {
     (names, vec(texts.extra(), 2))
         .prop_map(|(names, entries)| {
             let sections = names.into_iter().zip(entries);
-            sections.map(|(name, entries)| ExtraSection { name: name.into(), entries }).collect()
+            sections.map(|(name, entries)| ExtraSection::new(name, &entries)).collect()
         })
         .boxed()
 }

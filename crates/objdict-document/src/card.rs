@@ -3,7 +3,7 @@
 use super::Subject;
 use super::page::Context;
 use crate::Language;
-use crate::model::{ClockTime, Date, Device, DeviceInfo, Extra, FileInfo, Part, PdoKind};
+use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 
 /// The facts about a device and its file.
 #[derive(Debug)]
@@ -212,11 +212,14 @@ fn sections(device: &Device) -> Vec<Section> {
     let of_parts = device.extras().into_iter().filter_map(|(part, extra)| match part {
         // those stand beside their objects
         Part::Object(_) | Part::Entry(..) => None,
-        part => Some((part.to_string(), extra)),
+        part => Some(section(part.to_string(), extra.iter())),
     });
-    let unknown = device.extra.iter().map(|section| (section.name.to_string(), &section.entries));
-    let keys = |extra: &Extra| extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
-    of_parts.chain(unknown).map(|(name, extra)| Section { keys: keys(extra), name }).collect()
+    let unknown = device.extra.iter().map(|unknown| section(unknown.name().to_owned(), unknown.entries()));
+    of_parts.chain(unknown).collect()
+}
+
+fn section<'a>(name: String, keys: impl Iterator<Item = (&'a str, &'a str)>) -> Section {
+    Section { name, keys: keys.map(|(key, value)| (key.to_owned(), value.to_owned())).collect() }
 }
 
 /// `2024-03-04 14:40, A. Nobody`.

@@ -173,7 +173,9 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
         ([], _) => LineKind::Blank,
         ([b';' | b'#', ..] | [b'/', b'/', ..], _) => LineKind::Comment,
         ([b'[', ..], _) => {
-            let close = memchr::memchr(b']', &bytes[start..end]).map_or(end, |length| start + length);
+            // names are so short that a search through vectors takes longer to begin
+            let close = bytes[start..end].iter().position(|byte| *byte == b']');
+            let close = close.map_or(end, |length| start + length);
             let (from, to) = trim(bytes, start + 1, close);
             LineKind::Section { name: span(from, to) }
         }

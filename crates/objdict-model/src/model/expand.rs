@@ -61,8 +61,7 @@ impl Device {
         let mut device = self.clone();
         for (index, object) in &mut device.objects {
             if let Some(compact) = object.compact.as_ref().filter(|compact| !compact.extra.is_empty()) {
-                let name = format!("{index:X}Value").into();
-                device.extra.push(ExtraSection { name, entries: compact.extra.clone() });
+                device.extra.push(ExtraSection::new(&format!("{index:X}Value"), &compact.extra));
             }
             if let Cow::Owned(expanded) = object.expanded() {
                 *object = expanded;

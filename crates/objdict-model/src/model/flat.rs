@@ -3,11 +3,11 @@
 //! serde can write a field flat but, reading it back, forgets where the text stands and passes over unknown names. So
 //! what is read has a form of its own with the same names.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::{
-    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, Misfits, ObjFlags,
-    Object, ObjectType, Parameter, PdoMapping, SafetyMapping, StackOptions, Subs, Value,
+    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, ExtraSection, Misfits,
+    ObjFlags, Object, ObjectType, Parameter, PdoMapping, SafetyMapping, StackOptions, Subs, Value,
 };
 
 macro_rules! form {
@@ -76,6 +76,27 @@ form!(ExtensionForm {
     count: Option<ExtensionCount>;
     obj_extend: Option<u8>;
 });
+
+/// A section that the model does not know.
+#[derive(Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SectionForm {
+    name: Box<str>,
+    #[serde(default, skip_serializing_if = "Extra::is_empty")]
+    entries: Extra,
+}
+
+impl From<SectionForm> for ExtraSection {
+    fn from(SectionForm { name, entries }: SectionForm) -> Self {
+        Self::new(&name, &entries)
+    }
+}
+
+impl From<ExtraSection> for SectionForm {
+    fn from(section: ExtraSection) -> Self {
+        Self { name: section.name().into(), entries: section.entries().collect() }
+    }
+}
 
 /// Why fields do not go together.
 #[derive(Debug, thiserror::Error)]

@@ -37,26 +37,56 @@ impl Extra {
 
     /// All keys with their values.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
-        let text = self.0.as_ref().map_or("", |text| text.as_str());
-        text.split_terminator('\n').filter_map(|line| line.split_once('='))
+        entries(self.text())
     }
 
     /// The value of a key, whatever the case of its letters.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, value)| value)
     }
+
+    fn text(&self) -> &str {
+        self.0.as_ref().map_or("", |text| text.as_str())
+    }
 }
 
-/// A section that the model does not know.
+fn entries(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.split_terminator('\n').filter_map(|line| line.split_once('='))
+}
+
+impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
+    fn from_iter<I: IntoIterator<Item = (&'a str, &'a str)>>(entries: I) -> Self {
+        let mut extra = Self::default();
+        entries.into_iter().for_each(|(key, value)| extra.push(key, value));
+        extra
+    }
+}
+
+/// A section that the model does not know. Name and keys are one text, for a file may have a million such sections.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+#[cfg_attr(feature = "serde", serde(from = "super::flat::SectionForm", into = "super::flat::SectionForm"))]
 pub struct ExtraSection {
+    text: Box<str>,
+    /// The length of the name, with which the text starts.
+    name: usize,
+}
+
+impl ExtraSection {
+    /// A section of a name without brackets.
+    pub fn new(name: &str, entries: &Extra) -> Self {
+        Self { text: [name, entries.text()].concat().into(), name: name.len() }
+    }
+
     /// The name, without brackets.
-    pub name: Box<str>,
-    /// What stands in it.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Extra::is_empty"))]
-    pub entries: Extra,
+    pub fn name(&self) -> &str {
+        &self.text[..self.name]
+    }
+
+    /// Its keys with their values.
+    pub fn entries(&self) -> impl Iterator<Item = (&str, &str)> {
+        entries(&self.text[self.name..])
+    }
 }
 
 /// Why a text is no value of its field.

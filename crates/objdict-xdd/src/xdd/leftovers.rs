@@ -53,18 +53,15 @@ impl<'a> Leftovers<'a> {
     pub(crate) fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
         let mut paths = Paths::new(self.found.first().map_or(0, |(element, _)| element.tree().text().len()));
-        let mut sections: Vec<ExtraSection> = Vec::new();
-        let mut last = None;
-        for (element, extra) in self.found {
-            match sections.last_mut() {
-                Some(section) if last == Some(element.id()) => {
-                    extra.iter().for_each(|(key, value)| section.entries.push(key, value));
-                }
-                _ => sections.push(ExtraSection { name: paths.name(element), entries: extra }),
+        self.found.dedup_by(|(element, extra), (last, entries)| {
+            let is_same = element.id() == last.id();
+            if is_same {
+                extra.iter().for_each(|(key, value)| entries.push(key, value));
             }
-            last = Some(element.id());
-        }
-        sections
+            is_same
+        });
+        let sections = self.found.iter();
+        sections.map(|(element, extra)| ExtraSection::new(&paths.name(*element), extra)).collect()
     }
 
     fn extra(&mut self, element: Element<'a>) -> &mut Extra {
@@ -113,16 +110,15 @@ impl<'a> Paths<'a> {
     }
 
     /// The name of an element's section.
-    fn name(&mut self, element: Element<'a>) -> Box<str> {
+    fn name(&mut self, element: Element<'a>) -> String {
         self.go_to(element);
         let path = &self.path[self.start()..];
         let is_short = path.len() <= self.room;
         self.room = self.room.saturating_sub(path.len());
-        let name = match path.rsplit_once('/') {
+        match path.rsplit_once('/') {
             Some((_, last)) if !is_short => format!("xml:.../{last}"),
             _ => format!("xml:{path}"),
-        };
-        name.into()
+        }
     }
 
     /// Where the part of the path begins that is below the `ProfileBody`, else below the root.
@@ -203,7 +199,7 @@ mod tests {
         elements.into_iter().for_each(|element| leftovers.element(element));
         let sections = leftovers.into_sections().into_iter();
         let owned = |(key, value): (&str, &str)| (key.to_owned(), value.to_owned());
-        sections.map(|section| (section.name.into(), section.entries.iter().map(owned).collect())).collect()
+        sections.map(|section| (section.name().into(), section.entries().map(owned).collect())).collect()
     }
 
     fn names_of(sections: &[(String, Vec<(String, String)>)]) -> Vec<&str> {
@@ -255,8 +251,7 @@ mod tests {
             }
         }
         let sections = leftovers.into_sections();
-        let entries: Vec<_> =
-            sections.iter().map(|section| section.entries.iter().collect::<Vec<_>>()).collect();
+        let entries: Vec<_> = sections.iter().map(|section| section.entries().collect::<Vec<_>>()).collect();
         assert_eq!(entries, [vec![("b", "2"), ("a", "1")], vec![("d", "3")]]);
     }
 

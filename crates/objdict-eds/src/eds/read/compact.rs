@@ -40,7 +40,7 @@ impl Reader<'_> {
             let mut extra = Extra::default();
             items.each(|_, item| extra.push(item.name, item.value));
             self.findings.push(findings::stray_compact_section(name, at, object_type));
-            return self.keep(name, extra);
+            return self.keep(name, &extra);
         };
         read_compact(&mut items, &pending.part, data_type, compact);
     }

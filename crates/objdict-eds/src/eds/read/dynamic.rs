@@ -55,7 +55,7 @@ impl Reader<'_> {
         for misfit in misfits.iter() {
             extra.push(&misfit.field.name(), &misfit.text);
         }
-        self.keep("Tools", extra);
+        self.keep("Tools", &extra);
     }
 
     /// The tools are numbered from 1, and come in that order; a gap is filled by the next.
@@ -70,7 +70,7 @@ impl Reader<'_> {
             _ => items.unknown(item, &mut extra),
         });
         self.device.tools.push(tool);
-        self.keep(name, extra);
+        self.keep(name, &extra);
     }
 }
 

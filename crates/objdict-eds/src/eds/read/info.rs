@@ -61,7 +61,7 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         let lines = comment_lines(&mut items, &mut extra);
         self.device.comments = Some(lines);
-        self.keep("Comments", extra);
+        self.keep("Comments", &extra);
     }
 
     pub(super) fn commissioning(&mut self, section: &ini::Section) {

@@ -23,7 +23,7 @@ impl Reader<'_> {
                 before.extend(indexes.into_iter().filter(|index| !known.contains(index)));
             }
         }
-        self.keep(list.name(), extra);
+        self.keep(list.name(), &extra);
     }
 
     pub(super) fn links(&mut self, index: u16, section: &ini::Section) {
@@ -31,7 +31,7 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         let links = index_list(&mut items, &Field::ObjectLinks, &mut extra);
         self.objects.get_or_insert(index).links = links;
-        self.keep(&section_name(&Part::Links(index)).unwrap_or_default(), extra);
+        self.keep(&section_name(&Part::Links(index)).unwrap_or_default(), &extra);
     }
 }
 

@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
         for entry in &section.entries {
             entries.push(entry.key.of(self.text), entry.value.of(self.text));
         }
-        self.device.extra.push(ExtraSection { name: "".into(), entries });
+        self.device.extra.push(ExtraSection::new("", &entries));
     }
 
     fn unknown_section(&mut self, section: &ini::Section) {
@@ -150,13 +150,13 @@ impl<'a> Reader<'a> {
         let mut entries = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|_, item| entries.push(item.name, item.value));
-        self.device.extra.push(ExtraSection { name: name.into(), entries });
+        self.device.extra.push(ExtraSection::new(name, &entries));
     }
 
     /// Keeps keys that a part of the model has no room for, in a section of the same name.
-    fn keep(&mut self, name: &str, entries: Extra) {
+    fn keep(&mut self, name: &str, entries: &Extra) {
         if !entries.is_empty() {
-            self.device.extra.push(ExtraSection { name: name.into(), entries });
+            self.device.extra.push(ExtraSection::new(name, entries));
         }
     }
 

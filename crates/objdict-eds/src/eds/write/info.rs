@@ -60,7 +60,7 @@ fn file_info(sheet: &mut Sheet<'_>, info: &FileInfo) {
     sheet.put_some(&Field::ModificationDate, info.modification_date.map(|date| date.to_string()));
     sheet.put_some(&Field::ModifiedBy, info.modified_by.as_ref());
     sheet.put_some(&Field::LastEds, info.last_eds.as_ref());
-    sheet.extra(&info.extra);
+    sheet.extra(info.extra.iter());
     sheet.misfits(&info.misfits);
     sheet.close();
 }
@@ -88,7 +88,7 @@ fn device_info(sheet: &mut Sheet<'_>, info: &DeviceInfo) {
     sheet.put_flag(&Field::LssSupported, info.lss_supported);
     sheet.put_some(&Field::CompactPdo, info.compact_pdo.map(|mask| format!("0x{mask:02X}")));
     sheet.put_flag(&Field::CanOpenSafetySupported, info.safety_supported);
-    sheet.extra(&info.extra);
+    sheet.extra(info.extra.iter());
     sheet.misfits(&info.misfits);
     sheet.close();
 }
@@ -98,7 +98,7 @@ fn dummy_usage(sheet: &mut Sheet<'_>, usage: &DummyUsage) {
     for (data_type, allowed) in &usage.types {
         sheet.put_flag(&Field::Named(format!("Dummy{:04X}", data_type.0).into()), Some(*allowed));
     }
-    sheet.extra(&usage.extra);
+    sheet.extra(usage.extra.iter());
     sheet.misfits(&usage.misfits);
     sheet.close();
 }
@@ -124,7 +124,7 @@ fn commissioning(sheet: &mut Sheet<'_>, node: &Commissioning) {
     sheet.put_some(&Field::NetRefd, node.net_reference_designator.as_ref());
     sheet.put_flag(&Field::CanOpenManager, node.manager);
     sheet.put_number(&Field::LssSerialNumber, node.lss_serial_number);
-    sheet.extra(&node.extra);
+    sheet.extra(node.extra.iter());
     sheet.misfits(&node.misfits);
     sheet.close();
 }
@@ -135,7 +135,7 @@ fn dynamic_channels(sheet: &mut Sheet<'_>, channels: &DynamicChannels) {
     for (number, segment) in (1..).zip(&channels.segments) {
         dynamic_segment(sheet, number, segment);
     }
-    sheet.extra(&channels.extra);
+    sheet.extra(channels.extra.iter());
     sheet.misfits(&channels.misfits);
     sheet.close();
 }

@@ -17,7 +17,7 @@ impl Writer<'_> {
         };
         sheet.open(Part::SupportedModules);
         sheet.put_number(&Field::NrOfEntries, declared);
-        sheet.extra(&modules.extra);
+        sheet.extra(modules.extra.iter());
         sheet.misfits(&modules.misfits);
         sheet.close();
         for (&number, module) in &modules.supported {
@@ -37,7 +37,7 @@ impl Writer<'_> {
         sheet.put_number(&Field::ProductVersion, module.product_version);
         sheet.put_number(&Field::ProductRevision, module.product_revision);
         sheet.put_some(&Field::OrderCode, module.order_code.as_ref());
-        sheet.extra(&module.extra);
+        sheet.extra(module.extra.iter());
         sheet.misfits(&module.misfits);
         sheet.close();
         if !module.comments.is_empty() {

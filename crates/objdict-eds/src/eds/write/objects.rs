@@ -109,7 +109,7 @@ impl Writer<'_> {
                 self.compact(sheet, index, &object, compact);
             } else if let Some(unknown) = unknown.filter(|unknown| !unknown.is_empty()) {
                 sheet.open(Part::CompactValues(index));
-                sheet.extra(unknown);
+                sheet.extra(unknown.iter());
                 sheet.close();
             }
             if !object.links.is_empty() {
@@ -164,7 +164,7 @@ impl Writer<'_> {
             sheet.put_some(&Field::DownloadFile, configured.download_file.as_ref());
             sheet.put_some(&Field::ParamRefd, configured.reference_designator.as_ref());
         }
-        sheet.extra(&entry.extra);
+        sheet.extra(entry.extra.iter());
         sheet.misfits(&entry.misfits);
         sheet.close();
     }
@@ -184,7 +184,7 @@ impl Writer<'_> {
             sub_section(sheet, Part::CompactValues(index), &compact.values, |value| {
                 literal::print(value, spelling)
             });
-            sheet.extra(&compact.extra);
+            sheet.extra(compact.extra.iter());
             sheet.misfits(&compact.misfits);
         }
         if !compact.denotations.is_empty() {

@@ -12,7 +12,7 @@ pub(super) struct Sheet<'a> {
     pub(super) options: &'a Style,
     sections: Vec<Section>,
     /// Keys that the model has no field for, by the known section that they stand in.
-    extras: Vec<(Part, &'a Extra)>,
+    extras: Vec<(Part, Extra)>,
 }
 
 /// A section; keys and values are clean.
@@ -25,9 +25,10 @@ struct Section {
 
 impl<'a> Sheet<'a> {
     /// No sections yet; `extra` are the sections that the model does not know, and keys of others.
-    pub(super) fn new(options: &'a Style, extra: &'a [ExtraSection]) -> Self {
-        let extras = extra.iter().map(|section| (SectionName::parse(&section.name).part, &section.entries));
-        let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_))).collect();
+    pub(super) fn new(options: &'a Style, extra: &[ExtraSection]) -> Self {
+        let extras = extra.iter().map(|section| (SectionName::parse(section.name()).part, section));
+        let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_)));
+        let extras = extras.map(|(part, section)| (part, section.entries().collect())).collect();
         Self { options, sections: Vec::new(), extras }
     }
 
@@ -94,8 +95,8 @@ impl<'a> Sheet<'a> {
     }
 
     /// Keys that the model does not know.
-    pub(super) fn extra(&mut self, extra: &Extra) {
-        for (key, value) in extra.iter() {
+    pub(super) fn extra<'b>(&mut self, extra: impl Iterator<Item = (&'b str, &'b str)>) {
+        for (key, value) in extra {
             let (key, value) = (self.clean_key(key), self.clean(value));
             self.push(key, value);
         }
@@ -113,19 +114,19 @@ impl<'a> Sheet<'a> {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         while let Some(position) = self.extras.iter().position(|(other, _)| *other == part) {
             let (_, extra) = self.extras.remove(position);
-            self.extra(extra);
+            self.extra(extra.iter());
         }
     }
 
     /// Sections that the model does not know, and what was kept for known ones that were not written.
-    pub(super) fn rest(&mut self, extra: &'a [ExtraSection]) {
+    pub(super) fn rest(&mut self, extra: &[ExtraSection]) {
         for section in extra {
-            let part = SectionName::parse(&section.name).part;
+            let part = SectionName::parse(section.name()).part;
             match part {
                 Part::Section(_) => {
-                    let name = self.clean_name(&section.name);
+                    let name = self.clean_name(section.name());
                     self.sections.push(Section { part, name, entries: Vec::new() });
-                    self.extra(&section.entries);
+                    self.extra(section.entries());
                 }
                 part if self.extras.iter().any(|(other, _)| *other == part) => {
                     self.open(part);
@@ -163,8 +164,8 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    fn extra_of(&self, part: &Part) -> Option<&'a Extra> {
-        self.extras.iter().find(|(other, _)| other == part).map(|(_, extra)| *extra)
+    fn extra_of(&self, part: &Part) -> Option<&Extra> {
+        self.extras.iter().find(|(other, _)| other == part).map(|(_, extra)| extra)
     }
 
     fn is_taken(&self, part: &Part, key: &str) -> bool {

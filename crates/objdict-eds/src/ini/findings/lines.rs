@@ -218,6 +218,9 @@ impl LineCheck<'_> {
     fn section(&mut self, line: &Line, name: Span) {
         self.first_section.get_or_insert(line.span);
         let text = line.span.of(self.text);
+        if text.ends_with(']') && name.start == line.span.start + 1 && name.end + 1 == line.span.end {
+            return;
+        }
         let indent = text.find('[').unwrap_or_default() as u32;
         if indent > 0 {
             let span = Span::new(line.span.start, line.span.start + indent);

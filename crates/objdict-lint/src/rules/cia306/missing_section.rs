@@ -20,7 +20,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let grave = if is_node { Severity::Note } else { Severity::Error };
     let light = if is_node { Severity::Note } else { Severity::Warning };
     // keys above all sections most likely belong to it, and that is reported
-    let headless = device.extra.iter().any(|section| section.name.is_empty());
+    let headless = device.extra.iter().any(|section| section.name().is_empty());
     if device.file_info.is_none() && !headless {
         findings.push(report(&Part::FileInfo, grave, "say who made the file and when"));
     }

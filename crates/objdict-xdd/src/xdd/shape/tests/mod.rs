@@ -58,9 +58,9 @@ fn read_whole<T: Default + 'static>(text: &str, schema: &'static Element) -> T {
 /// What is left over of an element, a line for each value.
 fn left_over<T: Default + 'static>(text: &str, schema: &'static Element) -> String {
     let mut lines = String::new();
-    for ExtraSection { name, entries } in in_body::<T>(text, schema).1 {
-        lines.push_str(&format!("[{name}]\n"));
-        entries.iter().for_each(|(key, value)| lines.push_str(&format!("{key}={value}\n")));
+    for section in in_body::<T>(text, schema).1 {
+        lines.push_str(&format!("[{}]\n", section.name()));
+        section.entries().for_each(|(key, value)| lines.push_str(&format!("{key}={value}\n")));
     }
     lines
 }
