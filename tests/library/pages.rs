@@ -9,14 +9,16 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 /// Whether pages have to keep to the words of CONTRIBUTING.md: a page or a folder with everything below it. The longest path
 /// that matches decides.
-const SCOPES: [(&str, bool); 6] = [
+const SCOPES: [(&str, bool); 8] = [
     (".", false),
     ("CONTRIBUTING.md", true),
     ("README.md", true),
-    ("docs", false),
+    ("docs", true),
     // made of the pages of the rules, in the sources
     ("docs/portability.md", false),
     ("docs/rules", false),
+    ("examples", true),
+    ("fixtures", true),
 ];
 
 fn root() -> &'static Path {
