@@ -7,19 +7,14 @@ use std::path::{Component, Path, PathBuf};
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-/// Whether pages have to keep to the words of CONTRIBUTING.md: a page or a folder with everything below it. The longest path
-/// that matches decides.
-const SCOPES: [(&str, bool); 8] = [
-    (".", false),
-    ("CONTRIBUTING.md", true),
-    ("README.md", true),
-    ("docs", true),
-    // made of the pages of the rules, in the sources
-    ("docs/portability.md", false),
-    ("docs/rules", false),
-    ("examples", true),
-    ("fixtures", true),
-];
+/// A text that a user reads, and where it is.
+type Text = (String, String);
+
+/// The texts that keep to the words of CONTRIBUTING.md.
+const SCOPES: [fn() -> Vec<Text>; 1] = [prose_of_pages];
+
+/// Pages that are made of the texts of rules, in the sources.
+const MADE_OF_RULES: [&str; 2] = ["docs/portability.md", "docs/rules"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -195,21 +190,50 @@ fn avoided<'a>(text: &str, words: &'a [(String, String)]) -> Option<&'a (String,
     })
 }
 
+/// The pages of the project, without those of single crates.
+fn prose_of_pages() -> Vec<Text> {
+    let is_in_scope = |page: &PathBuf| {
+        !page.starts_with("crates") && !MADE_OF_RULES.iter().any(|made| page.starts_with(made))
+    };
+    let texts = pages().into_iter().filter(is_in_scope).flat_map(|page| {
+        let pieces = prose(&read(&page)).into_iter();
+        pieces.map(move |(line, piece)| (format!("{}:{line}", page.display()), piece))
+    });
+    texts.collect()
+}
+
 #[test]
 fn the_words_are_those_of_engineers() {
     let words = words_to_avoid();
     assert!(words.len() > 30, "{words:?}");
-    let mut found = Vec::new();
-    let is_in_scope = |page: &PathBuf| {
-        let scopes = SCOPES.iter().filter(|(scope, _)| *scope == "." || page.starts_with(scope));
-        scopes.max_by_key(|(scope, _)| scope.len()).is_some_and(|(_, is_in)| *is_in)
-    };
-    for page in pages().iter().filter(|page| is_in_scope(page)) {
-        for (line, piece) in prose(&read(page)) {
-            if let Some((word, used)) = avoided(&piece, &words) {
-                found.push(format!("{}:{line}: `{word}`, say {used}: {piece}", page.display()));
-            }
+    let texts = SCOPES.iter().flat_map(|texts| texts());
+    let found: Vec<String> = texts
+        .filter_map(|(place, text)| {
+            let (word, used) = avoided(&text, &words)?;
+            Some(format!("{place}: `{word}`, say {used}: {text}"))
+        })
+        .collect();
+    assert!(found.is_empty(), "{} words to avoid:\n{}", found.len(), found.join("\n"));
+}
+
+/// The code in the tutorials is a piece of the examples, which are built and run.
+#[test]
+fn tutorials_show_code_of_the_examples() {
+    let code: String = ["firmware-rust", "firmware-rust/src", "firmware-c"]
+        .iter()
+        .flat_map(|folder| files(&root().join("examples").join(folder)))
+        .filter_map(|path| fs::read_to_string(path).ok())
+        .collect();
+    for page in ["docs/tutorial-rust.md", "docs/tutorial-c.md"] {
+        let text = read(Path::new(page));
+        let blocks: Vec<&str> = ["```rust,ignore\n", "```c\n", "```cmake\n"]
+            .iter()
+            .flat_map(|fence| text.split(fence).skip(1))
+            .filter_map(|rest| rest.split("```").next())
+            .collect();
+        assert!(blocks.len() > 2, "{page}: {blocks:?}");
+        for block in blocks {
+            assert!(code.contains(block), "{page}: not in the examples:\n{block}");
         }
     }
-    assert!(found.is_empty(), "{} words to avoid:\n{}", found.len(), found.join("\n"));
 }
