@@ -23,6 +23,7 @@ mod mend;
 mod mutations;
 mod namesakes;
 mod new;
+#[cfg(feature = "cli")]
 mod pages;
 mod rules;
 mod structure;

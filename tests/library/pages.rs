@@ -4,14 +4,25 @@
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+use std::process::Command;
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 /// A text that a user reads, and where it is.
 type Text = (String, String);
 
-/// The texts that keep to the words of CONTRIBUTING.md.
-const SCOPES: [fn() -> Vec<Text>; 1] = [prose_of_pages];
+/// Texts that keep to the words of CONTRIBUTING.md.
+struct Scope {
+    texts: fn() -> Vec<Text>,
+    /// How many of them do not yet: a number that only falls.
+    left: usize,
+}
+
+const SCOPES: [Scope; 3] = [
+    Scope { texts: prose_of_pages, left: 0 },
+    Scope { texts: rules, left: 613 },
+    Scope { texts: help, left: 35 },
+];
 
 /// Pages that are made of the texts of rules, in the sources.
 const MADE_OF_RULES: [&str; 2] = ["docs/portability.md", "docs/rules"];
@@ -202,18 +213,39 @@ fn prose_of_pages() -> Vec<Text> {
     texts.collect()
 }
 
+/// The pages of the rules.
+fn rules() -> Vec<Text> {
+    let texts = objdict::registry::rules()
+        .into_iter()
+        .flat_map(|rule| prose(&rule.page()).into_iter().map(move |(_, piece)| (rule.id.to_owned(), piece)));
+    texts.collect()
+}
+
+/// The help of all commands, as the manual pages have it.
+fn help() -> Vec<Text> {
+    let folder = tempfile::tempdir().unwrap();
+    let status = Command::new(env!("CARGO_BIN_EXE_objdict")).arg("man").arg(folder.path()).status().unwrap();
+    assert!(status.success());
+    let texts = files(folder.path()).into_iter().flat_map(|path| {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let text = fs::read_to_string(path).unwrap().replace('\\', "");
+        text.lines().map(|line| (name.clone(), line.to_owned())).collect::<Vec<_>>()
+    });
+    texts.collect()
+}
+
 #[test]
 fn the_words_are_those_of_engineers() {
     let words = words_to_avoid();
     assert!(words.len() > 30, "{words:?}");
-    let texts = SCOPES.iter().flat_map(|texts| texts());
-    let found: Vec<String> = texts
-        .filter_map(|(place, text)| {
+    for Scope { texts, left } in SCOPES {
+        let found = texts().into_iter().filter_map(|(place, text)| {
             let (word, used) = avoided(&text, &words)?;
             Some(format!("{place}: `{word}`, say {used}: {text}"))
-        })
-        .collect();
-    assert!(found.is_empty(), "{} words to avoid:\n{}", found.len(), found.join("\n"));
+        });
+        let found: Vec<String> = found.collect();
+        assert!(found.len() <= left, "{} words to avoid, not {left}:\n{}", found.len(), found.join("\n"));
+    }
 }
 
 /// The code in the tutorials is a piece of the examples, which are built and run.
