@@ -24,7 +24,8 @@ fn read(text: &str) -> (Description, Vec<Finding>) {
 
 fn page_of((description, findings): &(Description, Vec<Finding>), form: Form) -> String {
     let (device, findings) = (description.device(), Some(findings.as_slice()));
-    let subject = Subject { device, file: "bench.eds", format: "EDS", findings };
+    let subject =
+        Subject { device, file: "bench.eds", format: "EDS", findings, identifiers: &Default::default() };
     document::write(&subject, form, &Options::default())
 }
 

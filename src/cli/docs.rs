@@ -1,7 +1,10 @@
 //! `objdict docs`.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
+
+use serde_json::Value;
 
 use super::args::DocsArgs;
 use super::files::{self, File};
@@ -11,11 +14,12 @@ use super::save::{Saved, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::document::{self, Finding, Form, Options, Site, Subject};
+use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, Subject};
 use crate::format::Description;
 use crate::lint;
 use crate::model::Device;
 use crate::report::Location;
+use crate::{Language, generate};
 
 /// A device with all that its page needs.
 struct Documented {
@@ -24,15 +28,23 @@ struct Documented {
     format: &'static str,
     device: Device,
     findings: Vec<Finding>,
+    identifiers: Identifiers,
 }
 
 impl Documented {
+    fn new(file: String, format: &'static str, device: Device, findings: Vec<Finding>) -> Self {
+        let names = generate::identifiers(&device, &generate::Options::default()).unwrap_or_default();
+        let names = names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c }));
+        Self { file, format, device, findings, identifiers: names.collect() }
+    }
+
     fn subject(&self) -> Subject<'_> {
         Subject {
             device: &self.device,
             file: &self.file,
             format: self.format,
             findings: Some(&self.findings),
+            identifiers: &self.identifiers,
         }
     }
 }
@@ -61,6 +73,7 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
             }
         }
     }
+    require_language(args, &devices)?;
     let options =
         Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
     let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(args);
@@ -76,6 +89,36 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         Outcome::Clean if is_denied => Outcome::Findings,
         outcome => outcome,
     })
+}
+
+/// The language that was asked for is one that objdict writes in, or one that a description has texts in.
+fn require_language(args: &DocsArgs, devices: &[Documented]) -> Result<(), Failure> {
+    let Some(asked) = args.lang.as_deref().filter(|tag| Language::of_tag(tag).is_none()) else {
+        return Ok(());
+    };
+    let mut known: BTreeSet<String> = Language::ALL.map(|language| language.tag().to_owned()).into();
+    for device in devices {
+        collect_languages(&serde_json::to_value(&device.device).unwrap_or_default(), &mut known);
+    }
+    let primary = |tag: &str| tag.split(['-', '_']).next().unwrap_or_default().to_lowercase();
+    if known.iter().any(|tag| primary(tag) == primary(asked)) {
+        return Ok(());
+    }
+    let message = format!("`{asked}` is neither a language of objdict nor of the descriptions");
+    let known: Vec<String> = known.iter().map(|tag| format!("`{tag}`")).collect();
+    Err(Failure::new(message).help(format!("available are {}", known.join(", "))))
+}
+
+/// The languages of all texts of a device in JSON.
+fn collect_languages(value: &Value, known: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(fields) => {
+            known.extend(fields.get("lang").and_then(Value::as_str).map(str::to_owned));
+            fields.values().for_each(|value| collect_languages(value, known));
+        }
+        Value::Array(values) => values.iter().for_each(|value| collect_languages(value, known)),
+        _ => {}
+    }
 }
 
 fn form(args: &DocsArgs) -> Result<Form, Failure> {
@@ -106,7 +149,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
         let subject = description.into();
         let findings = told(&findings, |finding| Location::line_of(subject, finding));
         let device = args.expand.device(description.device()).into_owned();
-        Documented { file, format: description.format().name(), device, findings }
+        Documented::new(file, description.format().name(), device, findings)
     };
     match input {
         Input::Description(description) if description.device_count() > 1 && args.input.device.is_none() => {
@@ -124,7 +167,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
         Input::Device(device) => {
             let findings = options.severities.apply(lint::check(&device, &options));
             let device = args.expand.device(&device).into_owned();
-            Ok(vec![Documented { file: name, format: "JSON", device, findings: told(&findings, |_| None) }])
+            Ok(vec![Documented::new(name, "JSON", device, told(&findings, |_| None))])
         }
         Input::NodeList(_) | Input::Concise(_) => {
             let message =

@@ -46,7 +46,7 @@ fn names_stay_text() {
         let Some(page) = Page::with(&path, options, "") else { return };
         assert!(page.is("window.hacked === undefined"));
         assert_eq!(page.number("document.scripts.length"), 1.0);
-        assert_eq!(page.number("document.querySelectorAll('b:not(.findings b), img, i, textarea, [onload], [onmouseover], [onerror]').length"), 0.0);
+        assert_eq!(page.number("document.querySelectorAll('b:not(.found b), img, i, textarea, [onload], [onmouseover], [onerror]').length"), 0.0);
         assert!(page.is("[...document.links].every(link => link.getAttribute('href').startsWith('#'))"));
         let text = page.text("document.querySelector('#objects').textContent");
         for name in NAMES.iter().filter(|name| !name.contains('\0')) {

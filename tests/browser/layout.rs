@@ -43,7 +43,7 @@ fn a_site_leads_to_its_pages() {
         tab.medium("screen", scheme);
         assert_contrast(&tab, &format!("the index, {scheme}"));
     }
-    let pages = tab.texts("[...new Set([...document.links].map(link => link.href))]");
+    let pages = tab.texts("[...new Set([...document.links].map(link => link.href.split('#')[0]))]");
     assert_eq!(pages.len(), 5, "{pages:?}");
     for page in pages {
         tab.open(Path::new(page.strip_prefix("file://").unwrap()), "");
@@ -51,6 +51,30 @@ fn a_site_leads_to_its_pages() {
     }
     assert_eq!(tab.complaints(), [""; 0]);
     assert_eq!(tab.requests(), [""; 0]);
+}
+
+#[test]
+fn an_index_is_filtered_and_sorted() {
+    let Some(tab) = Tab::new() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    make(&fixtures().join("dcf"), &[], folder.path());
+    tab.open(&folder.path().join("index.html"), "");
+    let devices = "[...document.querySelectorAll('#devices tbody tr')].filter(row => !row.hidden).map(row => row.cells[0].innerText.split('\\n')[0])";
+    let all = tab.texts(devices);
+    tab.eval("document.querySelectorAll('#devices thead button')[0].click()");
+    tab.eval("document.querySelectorAll('#devices thead button')[0].click()");
+    let mut sorted = all.clone();
+    sorted.sort();
+    sorted.reverse();
+    assert_eq!(tab.texts(devices), sorted);
+    tab.eval("filter.focus()");
+    tab.write("encoder");
+    assert_eq!(tab.texts(devices), ["Multi-turn encoder 13x12"]);
+    tab.eval("filter.value = ''");
+    tab.write("6040h");
+    assert!(tab.texts("[...document.querySelectorAll('#all li')].filter(of => of.checkVisibility()).map(of => of.lastElementChild.getAttribute('href'))")
+        .contains(&"drive-402-node8.html#6040".to_owned()));
+    assert_eq!(tab.complaints(), [""; 0]);
 }
 
 #[track_caller]
@@ -79,7 +103,8 @@ fn texts_stand_out_in_light_and_dark() {
         assert_contrast(&page, &format!("{fixture}, {scheme}"));
     }
     let Some(page) = Page::open("broken/wrong-counts.eds", "") else { return };
-    assert!(page.number("document.querySelectorAll('.findings li').length") > 0.0);
+    assert!(page.number("document.querySelectorAll('.found li').length") > 0.0);
+    page.eval("document.querySelectorAll('.found').forEach(of => of.open = true)");
     for scheme in ["light", "dark"] {
         page.medium("screen", scheme);
         assert_contrast(&page, &format!("findings, {scheme}"));

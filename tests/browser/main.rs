@@ -10,6 +10,7 @@
 
 mod anchors;
 mod chromium;
+mod copying;
 mod driving;
 mod filter;
 mod hostile;

@@ -18,7 +18,7 @@ fn pictures_are_made_where_they_are_wanted() {
     let Some(page) = Page::open("dcf/drive-402-node8.dcf", "") else { return };
     page.resize(WIDTH, 1060);
     page.medium("screen", "light");
-    page.eval("scrollTo(0, document.querySelector('#pdos h2').offsetTop - 16)");
+    page.eval("document.querySelector('#pdos h2').scrollIntoView()");
     save(&page, &folder.join("page-light.png"));
 
     let Some(page) = Page::open("dcf/drive-402-node8.dcf", "") else { return };
@@ -26,7 +26,7 @@ fn pictures_are_made_where_they_are_wanted() {
     page.medium("screen", "dark");
     page.click("#filter");
     page.write("position");
-    page.eval("scrollTo(0, document.querySelector('#objects h2').offsetTop - 16)");
+    page.eval("document.querySelector('#objects h2').scrollIntoView()");
     page.settle();
     save(&page, &folder.join("page-dark.png"));
 }

@@ -21,13 +21,44 @@ impl Anchor {
         Self { index, sub: Some(sub) }
     }
 
-    /// The name in a text, as the field writes it: `6000h`, `6000h:01`.
+    /// The name in a text: `0x6000`, `0x6000:01`.
     pub(crate) fn spoken(self) -> String {
         match self.sub {
-            Some(sub) => format!("{:04X}h:{sub:02X}", self.index),
-            None => format!("{:04X}h", self.index),
+            Some(sub) => format!("0x{:04X}:{sub:02X}", self.index),
+            None => format!("0x{:04X}", self.index),
         }
     }
+}
+
+/// A sentence of objdict with its hex numbers spelled as everywhere on a page: `0x6000:01` for `6000h:01`. What it quotes
+/// stays as it is.
+pub(crate) fn in_one_spelling(sentence: &str) -> String {
+    let mut parts = sentence.split('`');
+    let mut text = spelled(parts.next().unwrap_or_default());
+    for (number, part) in parts.enumerate() {
+        text.push('`');
+        text += &if number % 2 == 0 { part.to_owned() } else { spelled(part) };
+    }
+    text
+}
+
+fn spelled(part: &str) -> String {
+    let mut text = String::with_capacity(part.len() + 8);
+    let mut rest = part;
+    while let Some(end) = rest.find('h') {
+        let (before, behind) = rest.split_at(end);
+        let is_digit = |c: char| c.is_ascii_digit() || ('A'..='F').contains(&c);
+        let digits = before.len() - before.trim_end_matches(is_digit).len();
+        let (words, number) = before.split_at(before.len() - digits);
+        let is_word = |c: char| c.is_alphanumeric() || c == '_' || c == '$';
+        let is_number = digits >= 2 && !words.ends_with(is_word) && !behind[1..].starts_with(is_word);
+        text += words;
+        text += if is_number { "0x" } else { "" };
+        text += number;
+        text += if is_number { "" } else { "h" };
+        rest = &behind[1..];
+    }
+    text + rest
 }
 
 impl fmt::Display for Anchor {
@@ -55,6 +86,14 @@ fn digit(number: u16) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn hex_numbers_have_one_spelling() {
+        let shown =
+            in_one_spelling("2000h:01 of `2000h` and 6260h to 6267h, 1F22h[3], FEh, hash, 12 h, 0x12h");
+        assert_eq!(shown, "0x2000:01 of `2000h` and 0x6260 to 0x6267, 0x1F22[3], 0xFE, hash, 12 h, 0x12h");
+        assert_eq!(in_one_spelling("größer als 10h"), "größer als 0x10");
+    }
 
     #[test]
     fn anchors_are_called_as_sections_are() {

@@ -4,10 +4,10 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use super::anchor::Anchor;
-use super::details::Details;
+use super::details::{Details, VALUES};
 use super::entry::EntryView;
 use super::escape;
 use super::object::ObjectView;
@@ -27,7 +27,7 @@ struct Row<'a> {
 type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
 /// The columns in their order. It is a promise: a column is never renamed, moved or dropped.
-const COLUMNS: [Column; 32] = [
+const COLUMNS: [Column; 33] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
     ("object_name", |row| row.object.name.as_ref().into()),
@@ -37,11 +37,11 @@ const COLUMNS: [Column; 32] = [
     ("bits", |row| row.view.and_then(|view| view.bits).map_or("".into(), |bits| bits.to_string().into())),
     ("access", |row| row.of(|view| view.access)),
     ("pdo", |row| row.of(|view| view.pdo)),
-    ("default", |row| row.value(|entry| entry.default.as_ref(), |view| &view.default)),
-    ("value", |row| row.value(Entry::configured_value, |view| view.value.as_deref().unwrap_or_default())),
+    ("default", |row| row.value(|entry| entry.default.as_ref())),
+    ("value", |row| row.value(Entry::configured_value)),
     ("changed", |row| row.changed().into()),
-    ("low_limit", |row| row.value(|entry| entry.low_limit.as_ref(), |view| &view.low)),
-    ("high_limit", |row| row.value(|entry| entry.high_limit.as_ref(), |view| &view.high)),
+    ("low_limit", |row| row.value(|entry| entry.low_limit.as_ref())),
+    ("high_limit", |row| row.value(|entry| entry.high_limit.as_ref())),
     ("unit", |row| row.of(|view| view.details.unit.as_deref().unwrap_or_default())),
     ("meaning", |row| row.of(|view| view.meaning.as_deref().unwrap_or_default())),
     ("denotation", |row| row.of(|view| view.details.denotation.as_deref().unwrap_or_default())),
@@ -60,6 +60,7 @@ const COLUMNS: [Column; 32] = [
     ("object_facts", |row| pairs(&row.object.details.facts).into()),
     ("object_keys", |row| pairs(&row.object.details.keys).into()),
     ("links", |row| links(row.object).into()),
+    ("invalid_values", |row| row.invalid_values().into()),
 ];
 
 impl<'a> Row<'a> {
@@ -67,14 +68,19 @@ impl<'a> Row<'a> {
         self.view.map(text).unwrap_or_default().into()
     }
 
-    /// A value as a spreadsheet takes it; where there is none, what a page says, which may quote a text that is none.
-    fn value<'b>(
-        &'b self,
-        value: impl FnOnce(&Entry) -> Option<&Value>,
-        shown: impl FnOnce(&'a EntryView<'a>) -> &'a str,
-    ) -> Cow<'b, str> {
+    /// The texts of the file that are no values of their fields: `DefaultValue = 300`.
+    fn invalid_values(&self) -> String {
+        let misfits = self.entry.iter().flat_map(|entry| entry.misfits.iter());
+        let invalid = misfits.filter(|misfit| VALUES.contains(&misfit.field));
+        let texts: Vec<_> =
+            invalid.map(|misfit| (misfit.field.to_string(), misfit.text.to_string())).collect();
+        pairs(&texts)
+    }
+
+    /// A value as a spreadsheet takes it; nothing where there is none or the text of the file is none.
+    fn value(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
         let Some(entry) = &self.entry else { return "".into() };
-        let Some(value) = value(entry) else { return self.of(shown) };
+        let Some(value) = value(entry) else { return "".into() };
         let resolved =
             self.node_id.zip(entry.data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
         plain(resolved.as_ref().unwrap_or(value)).into()
@@ -115,7 +121,7 @@ fn plain(value: &Value) -> String {
 }
 
 /// `0 = off; 1 = on`, with a text between them.
-fn named(values: &[(i128, &str)], between: &str) -> String {
+fn named(values: &[(impl Display, &str)], between: &str) -> String {
     values.iter().map(|(number, name)| format!("{number} = {name}")).collect::<Vec<_>>().join(between)
 }
 

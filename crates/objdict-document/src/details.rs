@@ -1,12 +1,16 @@
 //! What only some entries have: units, names of values, parts of a word, denotations, keys of a vendor.
 
+use std::ops::RangeInclusive;
+
 use super::anchor::Anchor;
 use super::page::Context;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Unit};
+use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
 
 /// The fields that have a place of their own on a page.
-const VALUES: [Field; 4] = [Field::DefaultValue, Field::ParameterValue, Field::LowLimit, Field::HighLimit];
+pub(super) const VALUES: [Field; 4] =
+    [Field::DefaultValue, Field::ParameterValue, Field::LowLimit, Field::HighLimit];
 
 /// Further things that are to be said of an entry.
 #[derive(Debug, Default)]
@@ -21,8 +25,14 @@ pub(crate) struct Details<'a> {
     pub(crate) carried_by: Option<String>,
     /// Values with names.
     pub(crate) values: Vec<(i128, &'a str)>,
-    /// Parts of a word.
+    /// Parts of a word, as the description names them.
     pub(crate) parts: Vec<Part<'a>>,
+    /// Parts of a word, as documents of CiA name them.
+    pub(crate) word: Vec<Part<'static>>,
+    /// The entry that shows them where they are the same.
+    pub(crate) word_of: Option<Anchor>,
+    /// The values that a document of CiA allows, where the description has no limits.
+    pub(crate) allowed: Option<String>,
     /// Anything else, by what it is called.
     pub(crate) facts: Vec<(&'static str, String)>,
     /// Keys of the vendor or of a tool, as they stand in the file.
@@ -30,12 +40,12 @@ pub(crate) struct Details<'a> {
 }
 
 /// A part of a word.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Part<'a> {
     pub(crate) first: u8,
     pub(crate) last: u8,
     pub(crate) name: &'a str,
-    pub(crate) values: Vec<(i128, &'a str)>,
+    pub(crate) values: Vec<(String, &'a str)>,
 }
 
 impl Part<'_> {
@@ -52,17 +62,62 @@ impl Part<'_> {
 impl Details<'_> {
     /// Whether there is nothing to be said.
     pub(crate) fn is_empty(&self) -> bool {
-        self.description.is_none() && self.has_no_facts() && self.values.is_empty() && self.parts.is_empty()
+        self.description.is_none()
+            && self.has_no_facts()
+            && self.values.is_empty()
+            && self.parts.is_empty()
+            && self.word.is_empty()
+            && self.word_of.is_none()
     }
 
     /// Whether there is nothing that stands beside its name.
     pub(crate) fn has_no_facts(&self) -> bool {
         self.unit.is_none()
+            && self.allowed.is_none()
             && self.denotation.is_none()
             && self.carried_by.is_none()
             && self.facts.is_empty()
             && self.keys.is_empty()
     }
+}
+
+impl Details<'_> {
+    /// What documents of CiA say of an entry beyond its description.
+    pub(super) fn add_documents(&mut self, sub: u8, entry: &Entry, documents: &[ObjectFacts<'static>]) {
+        let facts = || documents.iter().filter_map(|facts| facts.entry(sub));
+        if self.values.is_empty() && self.parts.is_empty() {
+            let fields = profile::bits(documents.iter().copied(), sub);
+            self.word = fields.iter().map(Part::of_document).collect();
+        }
+        if self.unit.is_none() {
+            self.unit = facts().find_map(|facts| facts.unit).map(str::to_owned);
+        }
+        let is_count = |facts: &EntryFacts<'_>| sub == 0 && !facts.name.is_empty();
+        let has_limits = entry.low_limit.is_some() || entry.high_limit.is_some();
+        if !has_limits && self.word.is_empty() {
+            let stated = facts().find(|facts| !facts.values.is_empty() && !is_count(facts));
+            self.allowed = stated.map(|facts| ranges(facts.values));
+        }
+    }
+}
+
+impl Part<'static> {
+    fn of_document(field: &BitField<'static>) -> Self {
+        let values = field.meanings().map(|(numbers, name)| match (numbers.start(), numbers.end()) {
+            (first, last) if first == last => (first.to_string(), name),
+            (first, last) => (format!("{first}–{last}"), name),
+        });
+        Self { first: field.first, last: field.last, name: field.name, values: values.collect() }
+    }
+}
+
+/// `0, 2 … 240`.
+fn ranges(values: &[RangeInclusive<i128>]) -> String {
+    let ranges = values.iter().map(|range| match (range.start(), range.end()) {
+        (first, last) if first == last => first.to_string(),
+        (first, last) => format!("{first} … {last}"),
+    });
+    ranges.collect::<Vec<_>>().join(", ")
 }
 
 /// What is said of an entry beside its name, type, access and values.
@@ -82,7 +137,7 @@ pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Entry) 
                     .values
                     .iter()
                     .flat_map(|values| &values.values)
-                    .map(|value| (value.number, value.name))
+                    .map(|value| (value.number.to_string(), value.name))
                     .collect(),
             };
             details.parts = word.fields.iter().map(part).collect();

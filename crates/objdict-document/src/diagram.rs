@@ -29,8 +29,10 @@ pub(crate) struct Diagram {
     /// The layout in words.
     pub(crate) label: String,
     pub(crate) shapes: Vec<Shape>,
-    /// The bits that carry nothing.
+    /// The bits of the last byte that carry nothing.
     pub(crate) rest: Option<Rest>,
+    /// As high as the PDO is long.
+    pub(crate) height: u32,
 }
 
 /// The bits of a frame that carry nothing.
@@ -116,7 +118,7 @@ impl Diagram {
             label += if at == 0 { "" } else { "; " };
             label += &format!("{} {}", span, name(field));
         }
-        Some(Self { label, shapes, rest: rest(layout) })
+        Some(Self { label, shapes, rest: rest(layout), height: top(layout.bytes()) + 2 })
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::borrow::Cow;
 
+use super::CodeName;
 use super::anchor::Anchor;
 use super::details::{self, Details};
 use super::page::Context;
 use crate::decoded::Reader;
 use crate::model::{DataType, Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
+use crate::profile::ObjectFacts;
 
 /// What a page says of a sub-index.
 #[derive(Debug)]
@@ -38,10 +40,17 @@ pub(crate) struct EntryView<'a> {
     /// What the value says in words.
     pub(crate) meaning: Option<String>,
     pub(crate) details: Details<'a>,
+    pub(crate) code: Option<&'a CodeName>,
 }
 
 impl<'a> EntryView<'a> {
-    pub(crate) fn new(context: &Context<'a>, index: u16, sub: u8, entry: Cow<'a, Entry>) -> Self {
+    /// What is to be said of an entry, `documents` being what those of CiA say of its object.
+    pub(crate) fn new(
+        context: &Context<'a>,
+        (index, sub): (u16, u8),
+        entry: Cow<'a, Entry>,
+        documents: &[ObjectFacts<'static>],
+    ) -> Self {
         let reader = Reader { index, node_id: context.node_id };
         let field = |field: Field, value: Option<&Value>| reader.field(&entry, &field, value);
         let value = entry.configured_value().map(|value| field(Field::ParameterValue, Some(value)));
@@ -49,7 +58,8 @@ impl<'a> EntryView<'a> {
             let value = reader.resolve(value, entry.data_type);
             context.decoder.of(index, sub, &value)
         });
-        let details = details::of(context, index, sub, &entry);
+        let mut details = details::of(context, index, sub, &entry);
+        details.add_documents(sub, &entry, documents);
         let mut view = Self {
             index,
             sub,
@@ -68,6 +78,7 @@ impl<'a> EntryView<'a> {
             high: field(Field::HighLimit, entry.high_limit.as_ref()),
             meaning,
             details,
+            code: context.identifiers.get(&(index, Some(sub))),
         };
         (view.name, view.own_name) = context.names(entry);
         view
@@ -78,14 +89,24 @@ impl<'a> EntryView<'a> {
         Anchor::entry(self.index, self.sub)
     }
 
-    /// The sub-index as two hex digits.
+    /// The sub-index: `0x0A`.
     pub(crate) fn shown_sub(&self) -> String {
-        format!("{:02X}", self.sub)
+        format!("0x{:02X}", self.sub)
     }
 
     /// Whether a page says more of it than its name, type, access, mapping and value.
     pub(crate) fn has_more(&self) -> bool {
         self.meaning.is_some() || self.has_limits() || self.own_name.is_some() || !self.details.is_empty()
+    }
+
+    /// The name that code has for it, where it is all that differs from the names of its object; and its macro in C
+    /// where that is not made of both.
+    pub(crate) fn code_names(&self, object: &CodeName) -> Option<(&'a str, Option<&'a str>)> {
+        let code = self.code?;
+        let constant = code.rust.rsplit("::").next()?;
+        let is_joined =
+            code.c.strip_prefix(object.c.trim_end_matches('_'))?.strip_prefix('_') == Some(constant);
+        Some((constant, Some(&*code.c).filter(|_| !is_joined)))
     }
 
     /// Whether a limit is stated.

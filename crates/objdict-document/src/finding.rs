@@ -1,6 +1,6 @@
 //! What `check` found, as a page tells it.
 
-use super::anchor::Anchor;
+use super::anchor::{Anchor, in_one_spelling};
 use super::texts::Texts;
 use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::model::{Part, Place};
@@ -12,6 +12,10 @@ pub struct Finding {
     pub severity: Severity,
     /// The rule, such as `cia301/pdo-length-exceeded`.
     pub rule: &'static str,
+    /// The defect that the rule finds.
+    pub title: &'static str,
+    /// The public address of the rule's page, where it has one.
+    pub address: Option<String>,
     /// What is wrong.
     pub message: String,
     /// What to do.
@@ -33,19 +37,12 @@ impl Finding {
         Self {
             severity: finding.severity,
             rule: finding.rule.id,
-            message: finding.message.to_string(),
-            help: finding.help.as_ref().map(ToString::to_string),
+            title: finding.rule.summary,
+            address: finding.rule.address(),
+            message: in_one_spelling(&finding.message.to_string()),
+            help: finding.help.as_ref().map(|help| in_one_spelling(&help.to_string())),
             place,
             line,
-        }
-    }
-
-    /// The word for its severity.
-    pub(crate) fn severity_word(&self, texts: &Texts) -> &'static str {
-        match self.severity {
-            Severity::Error => texts.error,
-            Severity::Warning => texts.warning,
-            Severity::Note => texts.note,
         }
     }
 
@@ -60,6 +57,47 @@ impl Finding {
             Part::Entry(index, sub) => Some(Anchor::entry(index, sub)),
             _ => None,
         }
+    }
+}
+
+/// What one rule found.
+#[derive(Debug)]
+pub(crate) struct Found<'a> {
+    /// The highest severity of its findings.
+    pub(crate) severity: Severity,
+    /// At least one, in the order of the description.
+    pub(crate) findings: Vec<&'a Finding>,
+}
+
+impl<'a> Found<'a> {
+    /// Findings by rule, the highest severity first.
+    pub(crate) fn by_rule(findings: &'a [Finding]) -> Vec<Self> {
+        let mut rules: Vec<Self> = Vec::new();
+        for finding in findings {
+            match rules.iter_mut().find(|found| found.findings[0].rule == finding.rule) {
+                Some(found) => {
+                    found.severity = found.severity.max(finding.severity);
+                    found.findings.push(finding);
+                }
+                None => rules.push(Self { severity: finding.severity, findings: vec![finding] }),
+            }
+        }
+        rules.sort_by_key(|found| std::cmp::Reverse(found.severity));
+        rules
+    }
+
+    /// The word for its severity.
+    pub(crate) fn severity_word(&self, texts: &Texts) -> &'static str {
+        match self.severity {
+            Severity::Error => texts.error,
+            Severity::Warning => texts.warning,
+            Severity::Note => texts.note,
+        }
+    }
+
+    /// One of them, for what they share.
+    pub(crate) fn first(&self) -> &'a Finding {
+        self.findings[0]
     }
 }
 

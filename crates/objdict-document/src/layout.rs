@@ -99,10 +99,16 @@ impl Layout {
         self.fields.iter().filter_map(|field| Some((field, field.span()?)))
     }
 
+    /// The bytes of the frame; all that it can have where the length is not known.
+    pub(crate) fn bytes(&self) -> u32 {
+        self.bits().map_or(FRAME_BITS, |bits| bits.min(FRAME_BITS)).div_ceil(8)
+    }
+
     /// The bits of the frame that carry nothing.
     pub(crate) fn rest(&self) -> Option<Span> {
         let used = self.shown().map(|(_, span)| span.end).max().unwrap_or(0);
-        (used < FRAME_BITS).then_some(Span { start: used, end: FRAME_BITS })
+        let end = 8 * self.bytes();
+        (used < end).then_some(Span { start: used, end })
     }
 }
 
@@ -238,10 +244,12 @@ pub(super) mod tests {
         assert_eq!(spans(&layout), ["0.0", "0.1–0.3", "0.4–1.7", "2.0–3.7"]);
         let kinds: Vec<FieldKind> = layout.fields.iter().map(|field| field.kind).collect();
         assert_eq!(kinds, [FieldKind::Object, FieldKind::Dummy, FieldKind::Object, FieldKind::Object]);
-        assert_eq!((layout.bits(), layout.rest()), (Some(32), Some(Span { start: 32, end: 64 })));
+        assert_eq!((layout.bits(), layout.rest()), (Some(32), None));
         let rows: Vec<_> = Span { start: 4, end: 18 }.rows().collect();
         assert_eq!(rows, [(0, 4, 8), (1, 0, 8), (2, 0, 2)]);
         assert_eq!(layout.fields[2].anchor().map(|anchor| anchor.to_string()).as_deref(), Some("6000sub2"));
+        let short = super::tests::layout(Some(1), &[0x6000_010C]);
+        assert_eq!((short.bytes(), short.rest()), (2, Some(Span { start: 12, end: 16 })));
     }
 
     #[test]

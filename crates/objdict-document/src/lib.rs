@@ -28,6 +28,8 @@ mod site;
 mod text_width;
 mod texts;
 
+use std::collections::BTreeMap;
+
 pub use self::finding::Finding;
 use self::page::{Context, Page};
 pub use self::site::{Site, SiteFile};
@@ -44,8 +46,22 @@ pub struct Subject<'a> {
     pub file: &'a str,
     /// The format of the file: `EDS`, `DCF`, `XDD`, `XDC`, `JSON`.
     pub format: &'a str,
-    /// What `check` found; `None` where nobody checked.
+    /// What `check` found; `None` where nothing was checked.
     pub findings: Option<&'a [Finding]>,
+    /// What generated code calls objects (no sub-index) and entries; empty where that is not known.
+    pub identifiers: &'a Identifiers,
+}
+
+/// What generated code calls objects (no sub-index) and entries.
+pub type Identifiers = BTreeMap<(u16, Option<u8>), CodeName>;
+
+/// What generated code calls an object or an entry.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeName {
+    /// The constant in Rust: `od::identity_object::VENDOR_ID`.
+    pub rust: String,
+    /// The macro in C: `OD_IDENTITY_OBJECT_VENDOR_ID`.
+    pub c: String,
 }
 
 /// How documentation is written down.
@@ -109,12 +125,14 @@ impl Options {
 ///
 /// # let mut device = objdict_model::model::Device::default();
 /// # device.objects.insert(0x6000, objdict_model::model::Object::default());
-/// let subject = Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None };
+/// let identifiers = Default::default();
+/// let subject =
+///     Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None, identifiers: &identifiers };
 /// let page = objdict_document::write(&subject, Form::Html, &Options { node_id: Some(5), ..Options::default() });
 /// assert!(page.contains(r#"id="6000""#));
 /// ```
 pub fn write(subject: &Subject<'_>, form: Form, options: &Options) -> String {
-    let context = Context::new(subject.device, options);
+    let context = Context::new(subject, options);
     write_page(&Page::new(subject, options, &context), subject.device, form)
 }
 

@@ -42,8 +42,10 @@ impl<'a> Line<'a> {
     }
 
     fn part(part: &Part<'a>, texts: &Texts) -> Self {
-        let values = numbers(&part.values);
-        Self { values, ..Self::key(format!("{} {}", texts.bit, part.range()), part.name) }
+        Self {
+            values: part.values.clone(),
+            ..Self::key(format!("{} {}", texts.bit, part.range()), part.name)
+        }
     }
 }
 
@@ -71,25 +73,24 @@ impl<'a> PageTemplate<'a> {
     fn add(&self, details: &'a Details<'a>, lines: &mut Vec<Line<'a>>) {
         let texts = self.page.texts;
         lines.extend(details.description.as_deref().map(|text| Line::new("", text)));
+        lines.extend(details.allowed.as_deref().map(|values| Line::new(texts.allowed, values)));
         lines.extend(details.unit.as_deref().map(|unit| Line::new(texts.unit, unit)));
         lines.extend(details.denotation.as_deref().map(|text| Line::new(texts.denotation, text)));
         lines.extend(details.carried_by.as_deref().map(|pdos| Line::new(texts.mapped, pdos)));
         lines.extend(details.facts.iter().map(|(name, text)| Line::new(*name, text)));
         lines.extend(details.keys.iter().map(|(name, text)| Line::key(name, text)));
         if !details.values.is_empty() {
-            lines.push(Line { values: numbers(&details.values), ..Line::new("", "") });
+            let values = details.values.iter().map(|&(number, name)| (number.to_string(), name));
+            lines.push(Line { values: values.collect(), ..Line::new("", "") });
         }
-        lines.extend(details.parts.iter().map(|part| Line::part(part, texts)));
+        lines.extend(details.parts.iter().chain(&details.word).map(|part| Line::part(part, texts)));
+        lines.extend(details.word_of.map(|first| Line::new(texts.bits_as, first.spoken())));
     }
 
     /// Whether an object has so many entries that are alike that it is folded.
     fn is_long(&self, object: &ObjectView<'_>) -> bool {
         object.is_array && object.entries.len() > LONG
     }
-}
-
-fn numbers<'a>(values: &[(i128, &'a str)]) -> Vec<(String, &'a str)> {
-    values.iter().map(|&(number, name)| (number.to_string(), name)).collect()
 }
 
 /// The page as Markdown.

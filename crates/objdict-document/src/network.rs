@@ -96,6 +96,16 @@ impl Network<'_> {
     }
 }
 
+impl<'a> Network<'a> {
+    /// The CAN-IDs of the PDOs that one node sends and another one waits for.
+    pub(crate) fn between(&self, from: &Node, to: &Node) -> Vec<String> {
+        let has = |ports: &[Port<'a>], node: &Node| ports.iter().any(|port| std::ptr::eq(port.node, node));
+        let frames =
+            self.frames.iter().filter(|frame| has(&frame.senders, from) && has(&frame.receivers, to));
+        frames.map(Frame::shown_can_id).collect()
+    }
+}
+
 /// A CAN-ID that PDOs are sent or received with.
 #[derive(Debug)]
 pub(crate) struct Frame<'a> {
@@ -222,6 +232,8 @@ mod tests {
         assert_eq!(network.nodes.iter().map(|node| node.id).collect::<Vec<_>>(), [1, 5, 9]);
         let [first, second] = network.frames.as_slice() else { panic!("{:?}", network.frames) };
         assert_eq!((first.shown_can_id(), first.senders[0].node.id), ("0x185".to_owned(), 5));
+        assert_eq!(network.between(&nodes[0], &nodes[1]), ["0x185"]);
+        assert_eq!(network.between(&nodes[1], &nodes[2]), [""; 0]);
         assert!(first.is_too_short(&first.receivers[0]) && !first.is_sent_twice());
         assert!(second.is_sent_twice() && !second.is_too_short(&second.receivers[0]));
         assert_eq!(super::networks(&nodes[..1]).len(), 0);

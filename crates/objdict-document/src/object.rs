@@ -1,13 +1,15 @@
 //! Objects and the areas of the dictionary that they lie in.
 
 use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
-use super::anchor::Anchor;
+use super::anchor::{Anchor, in_one_spelling};
 use super::details::{self, Details};
 use super::entry::EntryView;
 use super::page::Context;
 use super::texts::Texts;
+use super::{CodeName, profile};
 use crate::model::{Device, Object, ObjectType};
 
 /// A part of the dictionary (CiA 301 §7.4.1).
@@ -16,7 +18,7 @@ pub(crate) struct Area<'a> {
     /// What an address in the page is made of.
     pub(crate) id: &'static str,
     pub(crate) title: String,
-    /// Its indexes: `1000h–1FFFh`.
+    /// Its indexes: `0x1000–0x1FFF`.
     pub(crate) range: String,
     /// At least one.
     pub(crate) objects: Vec<ObjectView<'a>>,
@@ -42,6 +44,9 @@ pub(crate) struct ObjectView<'a> {
     pub(crate) details: Details<'a>,
     /// The objects that it names.
     pub(crate) links: Vec<Anchor>,
+    /// What it is for, as far as documents of CiA say; empty where an object before it says the same.
+    pub(crate) about: Option<String>,
+    pub(crate) code: Option<&'a CodeName>,
 }
 
 impl<'a> ObjectView<'a> {
@@ -52,6 +57,8 @@ impl<'a> ObjectView<'a> {
             true => (Cow::Borrowed(context.texts.not_described), None),
             false => context.names(Cow::Borrowed(&object.main)),
         };
+        let documents: Vec<_> = profile::of_object(context.device, index).map(|(_, facts)| facts).collect();
+        let about = documents.iter().find_map(|facts| facts.about);
         let details = match is_single {
             true => Details::default(),
             false => details::of_object(context, &object.main),
@@ -65,10 +72,12 @@ impl<'a> ObjectView<'a> {
             is_array: object_type == ObjectType::Array,
             entries: object
                 .entries()
-                .map(|(sub, entry)| EntryView::new(context, index, sub, entry))
+                .map(|(sub, entry)| EntryView::new(context, (index, sub), entry, &documents))
                 .collect(),
             details,
             links: object.links.iter().copied().map(Anchor::object).collect(),
+            about: about.map(in_one_spelling),
+            code: context.identifiers.get(&(index, None)),
         }
     }
 
@@ -97,11 +106,29 @@ pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Area<'a>> {
         Area {
             id,
             title: title(context.texts, context.device, *range.start()),
-            range: format!("{:04X}h–{:04X}h", range.start(), range.end()),
+            range: format!("0x{:04X}–0x{:04X}", range.start(), range.end()),
             objects: objects.map(|(&index, object)| ObjectView::new(context, index, object)).collect(),
         }
     });
-    areas.filter(|area| !area.objects.is_empty()).collect()
+    let mut areas: Vec<Area<'a>> = areas.filter(|area| !area.objects.is_empty()).collect();
+    say_once(&mut areas);
+    areas
+}
+
+/// Of sentences and bit tables that several objects share, only the first one shows them; the others name it.
+fn say_once(areas: &mut [Area<'_>]) {
+    let (mut sentences, mut words) = (HashSet::new(), HashMap::new());
+    for object in areas.iter_mut().flat_map(|area| &mut area.objects) {
+        object.about = object.about.take().filter(|about| sentences.insert(about.clone()));
+        for entry in object.entries.iter_mut().filter(|entry| !entry.details.word.is_empty()) {
+            let anchor = entry.anchor();
+            let first = *words.entry(entry.details.word.clone()).or_insert(anchor);
+            if first != anchor {
+                entry.details.word.clear();
+                entry.details.word_of = Some(first).filter(|first| first.index != anchor.index);
+            }
+        }
+    }
 }
 
 type Title = fn(&Texts, &Device, u16) -> String;

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 
 use super::card::Card;
 use super::communication::Communication;
+use super::finding::Found;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
 use super::texts::Texts;
-use super::{Finding, Options, Subject};
+use super::{Identifiers, Options, Subject};
 use crate::Language;
 use crate::decoded::Decoder;
 use crate::model::{Device, Entry, Meanings};
@@ -22,8 +23,8 @@ pub(crate) struct Page<'a> {
     /// The node that formulas are worked out for.
     pub(crate) node_id: Option<u8>,
     pub(crate) card: Card,
-    /// What `check` found, the gravest first; `None` where nobody checked.
-    pub(crate) findings: Option<Vec<&'a Finding>>,
+    /// What `check` found, by rule; `None` where nothing was checked.
+    pub(crate) findings: Option<Vec<Found<'a>>>,
     pub(crate) communication: Communication,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
@@ -40,23 +41,28 @@ impl<'a> Page<'a> {
             .flat_map(|area| &area.objects)
             .flat_map(|object| &object.entries)
             .any(|entry| entry.value.is_some());
-        let findings = subject.findings.map(|findings| {
-            let mut findings: Vec<&Finding> = findings.iter().collect();
-            findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
-            findings
-        });
         Self {
             language: context.language,
             texts: context.texts,
             title: options.title.clone().unwrap_or_else(|| card.title.clone()),
             node_id: context.node_id,
             card,
-            findings,
+            findings: subject.findings.map(Found::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
             groups: groups::groups(context),
             areas,
             is_configured,
         }
+    }
+
+    /// The CAN-ID of the default SDO to the device in hex; `6xx` where the node is not known (CiA 301 §7.3.5).
+    pub(crate) fn sdo_can_id(&self) -> String {
+        self.node_id.map_or_else(|| "6xx".to_owned(), |node| format!("{:X}", 0x600 + u16::from(node)))
+    }
+
+    /// How many findings there are.
+    pub(crate) fn finding_count(&self) -> usize {
+        self.findings.iter().flatten().map(|found| found.findings.len()).sum()
     }
 
     /// How many objects there are.
@@ -91,10 +97,12 @@ pub(crate) struct Context<'a> {
     pub(crate) meanings: Option<Meanings<'a>>,
     /// The PDOs that carry an entry, in words.
     carriers: BTreeMap<(u16, u8), String>,
+    pub(super) identifiers: &'a Identifiers,
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
+    pub(crate) fn new(subject: &Subject<'a>, options: &'a Options) -> Self {
+        let device = subject.device;
         let language = options.own_language();
         let says_meanings = !device.application.is_empty()
             || device.objects.values().any(|object| object.described().any(|(_, of)| of.parameter.is_some()));
@@ -108,6 +116,7 @@ impl<'a> Context<'a> {
             tag: options.tag(),
             meanings: says_meanings.then(|| device.meanings_in(options.tag())),
             carriers: carriers(device),
+            identifiers: subject.identifiers,
         }
     }
 

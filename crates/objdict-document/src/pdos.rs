@@ -34,7 +34,7 @@ pub(crate) struct Row {
     pub(crate) span: String,
     /// The entry, where the description has it.
     pub(crate) anchor: Option<Anchor>,
-    /// `6000h:01`; empty for a sub-index of the mapping that names nothing.
+    /// `0x6000:01`; empty for a sub-index of the mapping that names nothing.
     pub(crate) place: String,
     pub(crate) name: String,
     /// Empty where it is not known.
@@ -303,7 +303,7 @@ mod tests {
         assert_eq!(view.parts[0].anchor, Some(Anchor::entry(0x1800, 1)));
         let rows: Vec<_> =
             view.rows.iter().map(|row| format!("{} {} {}", row.span, row.place, row.name)).collect();
-        assert_eq!(rows, ["0.0–0.7 6000h:01 Input 1", "1.0–1.3 6000h:02 Input 2"]);
+        assert_eq!(rows, ["0.0–0.7 0x6000:01 Input 1", "1.0–1.3 0x6000:02 Input 2"]);
         assert!(view.remarks.is_empty());
     }
 

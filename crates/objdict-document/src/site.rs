@@ -7,6 +7,7 @@ use std::path::Path;
 
 use askama::Template;
 
+use super::anchor::Anchor;
 use super::network::{self, Network, Node};
 use super::page::{Context, Page};
 use super::texts::Texts;
@@ -15,7 +16,7 @@ use crate::Language;
 use crate::diagnostic::Severity;
 use crate::model::PdoKind;
 
-/// A site in the making: its pages are written one after the other, and only what the index says of them is kept.
+/// A site while it is written: one page after the other, of which only what the index says is kept.
 ///
 /// ```
 /// use objdict_document::{Form, Options, Site, Subject};
@@ -23,7 +24,10 @@ use crate::model::PdoKind;
 /// # let mut device = objdict_model::model::Device::default();
 /// # device.objects.insert(0x6000, objdict_model::model::Object::default());
 /// let mut site = Site::new(Form::Markdown, &Options::default());
-/// let page = site.add(&Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None });
+/// let identifiers = Default::default();
+/// let subject =
+///     Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None, identifiers: &identifiers };
+/// let page = site.add(&subject);
 /// assert_eq!(page.name, "io-401.md");
 /// assert!(site.index().text.contains("(io-401.md)"));
 /// ```
@@ -36,7 +40,11 @@ pub struct Site {
     taken: BTreeMap<String, usize>,
     devices: Vec<Listed>,
     nodes: Vec<Node>,
+    places: Places,
 }
+
+/// The objects and entries of all devices by place and name, each with the numbers of the devices that have it.
+type Places = BTreeMap<(u16, Option<u8>, String), Vec<usize>>;
 
 /// A file of a site.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,6 +85,7 @@ impl Site {
             taken: BTreeMap::from([("index".to_owned(), 1)]),
             devices: Vec::new(),
             nodes: Vec::new(),
+            places: BTreeMap::new(),
         }
     }
 
@@ -84,9 +93,10 @@ impl Site {
     pub fn add(&mut self, subject: &Subject<'_>) -> SiteFile {
         let name = self.page_name(subject.file);
         let link = address(&name);
-        let context = Context::new(subject.device, &self.options);
+        let context = Context::new(subject, &self.options);
         let page = Page::new(subject, &self.options, &context);
         self.nodes.extend(Node::new(&context, &page.title, &link));
+        add_places(&mut self.places, self.devices.len(), &page);
         self.devices.push(Listed::new(subject, &context, &page, link));
         SiteFile { name, text: write_page(&page, subject.device, self.form) }
     }
@@ -113,6 +123,7 @@ impl Site {
             title: self.title.as_deref().unwrap_or(Texts::of(language).devices),
             devices: &self.devices,
             networks: network::networks(&self.nodes),
+            places: &self.places,
             version: env!("CARGO_PKG_VERSION"),
         };
         // a String takes every text, and no filter of the templates fails
@@ -165,6 +176,18 @@ impl Listed {
     }
 }
 
+/// Adds the objects and entries of the page of the device with this number.
+fn add_places(places: &mut Places, number: usize, page: &Page<'_>) {
+    let mut add = |anchor: Anchor, name: &str| {
+        places.entry((anchor.index, anchor.sub, name.to_owned())).or_default().push(number);
+    };
+    for object in page.areas.iter().flat_map(|area| &area.objects) {
+        add(object.anchor(), &object.name);
+        let named = object.entries.iter().filter(|entry| !object.is_single && entry.sub != 0);
+        named.for_each(|entry| add(entry.anchor(), &entry.name));
+    }
+}
+
 /// What the index says.
 struct Index<'a> {
     language: Language,
@@ -172,10 +195,19 @@ struct Index<'a> {
     title: &'a str,
     devices: &'a [Listed],
     networks: Vec<Network<'a>>,
+    places: &'a Places,
     version: &'static str,
 }
 
 impl Index<'_> {
+    /// The objects and entries of all devices: where they are, their names, and the devices that have them.
+    fn places(&self) -> impl ExactSizeIterator<Item = (Anchor, &str, Vec<&Listed>)> {
+        self.places.iter().map(|((index, sub, name), numbers)| {
+            let devices = numbers.iter().filter_map(|&number| self.devices.get(number)).collect();
+            (Anchor { index: *index, sub: *sub }, name.as_str(), devices)
+        })
+    }
+
     /// Whether any device is a configured node.
     fn has_nodes(&self) -> bool {
         self.devices.iter().any(|device| !device.node().is_empty())

@@ -69,6 +69,7 @@ texts! {
     filter: "Filter objects", "Objekte filtern";
     filter_hint: "index, name, type, access", "Index, Name, Typ, Zugriff";
     nothing_found: "nothing found", "nichts gefunden";
+    copy: "Copy", "Kopieren";
     expand: "Expand all", "Alle aufklappen";
     collapse: "Collapse arrays", "Arrays zuklappen";
     index: "Index", "Index";
@@ -84,6 +85,9 @@ texts! {
     unit: "unit", "Einheit";
     mapped: "mapped in", "gemappt in";
     bit: "bit", "Bit";
+    bits: "Bits", "Bits";
+    bits_as: "bits as in", "Bits wie in";
+    allowed: "allowed by CiA", "nach CiA erlaubt";
     denotation: "denotation", "Bezeichnung";
     links: "see also", "siehe auch";
     not_described: "(not described)", "(nicht beschrieben)";
@@ -135,5 +139,9 @@ texts! {
     received_by: "Received by", "Empfangen von";
     doubled: "several nodes with the node-ID", "mehrere Knoten mit der Knotennummer";
     sent_twice: "sent by several", "mehrfach gesendet";
+    from_to: "From ↓ to →", "Von ↓ an →";
+    all_objects: "Objects of all devices", "Objekte aller Geräte";
+    search_all: "Filter devices, search objects", "Geräte filtern, Objekte suchen";
+    search_hint: "device, index, name", "Gerät, Index, Name";
     too_short: "waits for more", "erwartet mehr";
 }

@@ -344,6 +344,29 @@ pub fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
     without.map(note).collect()
 }
 
+/// What generated code calls an object or an entry.
+#[cfg(all(feature = "c", feature = "rust"))]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Identifier {
+    /// The index.
+    pub index: u16,
+    /// The sub-index; `None` for the index of an object.
+    pub sub: Option<u8>,
+    /// The constant in Rust: `od::identity_object::VENDOR_ID`.
+    pub rust: String,
+    /// The macro in C: `OD_IDENTITY_OBJECT_VENDOR_ID`.
+    pub c: String,
+}
+
+/// What the targets `rust` and `c` call the objects and entries of a device. An object with one value has only its index.
+///
+/// # Errors
+/// As [`generate`].
+#[cfg(all(feature = "c", feature = "rust"))]
+pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
+    c::identifiers(device, options)
+}
+
 /// What the tables of `target` take in flash and RAM, without the code that serves them, or why that is not known.
 ///
 /// # Errors

@@ -6,8 +6,9 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use objdict::document::{self, Finding, Form, Options, Site, Subject};
+use objdict::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, Subject};
 use objdict::format::Description;
+use objdict::generate;
 use objdict::model::Device;
 use objdict::report::Location;
 
@@ -23,7 +24,8 @@ fn open(path: &str) -> Description {
 fn unchecked(path: &str, form: Form, options: &Options) -> String {
     let description = open(path);
     let (device, format) = (description.device(), description.format().name());
-    document::write(&Subject { device, file: path, format, findings: None }, form, options)
+    let subject = Subject { device, file: path, format, findings: None, identifiers: &Default::default() };
+    document::write(&subject, form, options)
 }
 
 /// The documentation of a fixture with what `check` finds in it.
@@ -38,8 +40,15 @@ fn page(path: &str, form: Form, options: &Options) -> String {
         file: Path::new(path).file_name().unwrap().to_str().unwrap(),
         format: description.format().name(),
         findings: Some(&findings),
+        identifiers: &identifiers(description.device()),
     };
     document::write(&subject, form, options)
+}
+
+/// What code that is generated with defaults calls its entries.
+fn identifiers(device: &Device) -> Identifiers {
+    let names = generate::identifiers(device, &Default::default()).unwrap_or_default();
+    names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c })).collect()
 }
 
 fn german() -> Options {
@@ -174,6 +183,19 @@ fn python_reads_the_tables() {
     }
 }
 
+/// A text that is no value of its field has a column of its own, and none among the values.
+#[test]
+fn values_that_cannot_be_read_have_a_column() {
+    let table = read::csv(&page("broken/c-suffix-numbers.eds", Form::Csv, &Options::default()));
+    let of = |column: &str| {
+        let at = table[0].iter().position(|name| name == column).unwrap();
+        table[1..].iter().map(|line| &*line[at]).filter(|text| !text.is_empty()).collect::<Vec<_>>()
+    };
+    let invalid = of("invalid_values");
+    assert!(invalid.iter().any(|text| text.starts_with("DefaultValue = ")), "{invalid:?}");
+    assert!(of("default").iter().all(|text| !text.contains('`')), "{:?}", of("default"));
+}
+
 /// The columns are a promise: they may grow at the end.
 #[test]
 fn columns_stay() {
@@ -181,7 +203,7 @@ fn columns_stay() {
     let header = table.lines().next().unwrap().trim_start_matches('\u{FEFF}');
     let promised = "index,sub,object_name,name,object_type,data_type,bits,access,pdo,default,value,changed,low_limit,\
         high_limit,unit,meaning,denotation,description,object_description,name_in_file,object_name_in_file,default_formula,value_formula,mapped_in,\
-        named_values,bit_fields,groups,facts,keys,object_facts,object_keys,links";
+        named_values,bit_fields,groups,facts,keys,object_facts,object_keys,links,invalid_values";
     assert!(header.starts_with(promised), "{header}");
 }
 
@@ -214,7 +236,9 @@ fn several_devices_make_a_site() {
             let description = open(path);
             let file = Path::new(path).file_name().unwrap().to_str().unwrap();
             let format = description.format().name();
-            let page = site.add(&Subject { device: description.device(), file, format, findings: Some(&[]) });
+            let (device, identifiers) = (description.device(), Default::default());
+            let page =
+                site.add(&Subject { device, file, format, findings: Some(&[]), identifiers: &identifiers });
             assert_eq!(Path::new(&page.name).extension().unwrap().to_str().unwrap(), form.extension());
         }
         let index = site.index();

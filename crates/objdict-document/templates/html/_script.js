@@ -5,7 +5,7 @@
   const objects = [...document.querySelectorAll(".o")];
   const areas = [...document.querySelectorAll(".area")].map(area => ({ at: area, objects: [] }));
   const ACCESS = new Set(["ro", "wo", "rw", "rwr", "rww", "const"]);
-  tools.hidden = false;
+  tools.hidden = byId("fold").hidden = false;
 
   // what an object or entry is found by: its name without the remarks, the name in the file, type, access and PDO
   const words = (at, anchor, name, remarks, cells) => {
@@ -72,6 +72,9 @@
     for (const area of areas) area.at.hidden = area.objects.every(object => object.hidden);
     hits.textContent = !terms.length ? "" : count ? `${count} / ${objects.length}` : hits.dataset.none;
   }
+  // the objects are below all else: what was found is to be seen
+  const section = byId("objects");
+  const lead = () => { if (last && section.getBoundingClientRect().top > innerHeight / 2) section.scrollIntoView(); };
   const clear = () => { filter.value = ""; apply(); };
 
   // shows what an address names, though it lies in something that is closed or filtered away
@@ -92,7 +95,7 @@
     scroll();
   };
   let due;
-  filter.addEventListener("input", () => { cancelAnimationFrame(due); due = requestAnimationFrame(apply); });
+  filter.addEventListener("input", () => { cancelAnimationFrame(due); due = requestAnimationFrame(() => { apply(); lead(); }); });
   filter.addEventListener("keydown", event => { if (event.key === "Escape") clear(); });
   addEventListener("keydown", event => {
     if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || document.activeElement === filter) return;
@@ -104,6 +107,48 @@
   });
   byId("expand").addEventListener("click", () => toggle(true));
   byId("collapse").addEventListener("click", () => toggle(false));
+
+  // one button for all: it goes where the mouse or the focus is, and offers what names or reads the entry there
+  const copy = byId("copy"), copies = byId("copies");
+  const offer = event => {
+    const link = event.target.closest("tr[id],.o")?.querySelector("a");
+    if (!link || copies.matches(":popover-open")) return;
+    if (link.nextElementSibling !== copy) link.after(copy);
+    copy.hidden = false;
+  };
+  const forms = at => {
+    const object = at.closest(".o"), isWhole = at.tagName === "DETAILS", [index, sub = "0"] = at.id.split("sub");
+    const hex = sub.padStart(2, "0"), access = (at.cells ?? at.querySelectorAll("dd"))[at.cells ? 3 : 1]?.textContent;
+    const { id, c } = object.dataset, own = at === object ? null : at.dataset;
+    const found = [["CANopen", isWhole ? index : `${index}:${hex}`]];
+    if (!isWhole && access !== "wo") found.push(["SDO", `${document.body.dataset.sdo}#40${index.slice(2)}${index.slice(0, 2)}${hex}00000000`]);
+    if (id && (!own || own.id)) found.push(
+      ["C", !own ? c : own.c ?? `${c.replace(/_+$/, "")}_${own.id}`],
+      ["Rust", own ? id.replace(/INDEX$/, own.id) : id]);
+    return found;
+  };
+  section.addEventListener("pointerover", offer);
+  section.addEventListener("focusin", offer);
+  copy.addEventListener("click", event => {
+    event.preventDefault();
+    copies.replaceChildren(...forms(copy.closest("tr[id],.o")).map(([kind, text]) => {
+      const button = document.createElement("button"), code = document.createElement("code");
+      code.textContent = text;
+      button.append(`${kind} `, code);
+      button.addEventListener("click", async () => {
+        getSelection().selectAllChildren(code);
+        await (navigator.clipboard?.writeText(text) ?? Promise.reject()).catch(() => document.execCommand("copy"));
+        copies.hidePopover();
+        copy.focus();
+      });
+      return button;
+    }));
+    copies.showPopover();
+    const { left, bottom } = copy.getBoundingClientRect();
+    copies.style.left = `${Math.max(8, Math.min(left, innerWidth - copies.offsetWidth - 8))}px`;
+    copies.style.top = `${Math.min(bottom + 4, innerHeight - copies.offsetHeight - 8)}px`;
+    copies.firstElementChild.focus();
+  });
   addEventListener("hashchange", reveal);
   reveal();
   if (window.requestIdleCallback) requestIdleCallback(read);

@@ -7,10 +7,10 @@ mod stored;
 mod structs;
 mod view;
 
-use super::defaults::constants;
+#[cfg(feature = "rust")]
+use super::Identifier;
 use super::frames::frames;
 use super::hooks::has_hooks;
-use super::meanings::meanings;
 use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
@@ -19,6 +19,28 @@ use crate::model::{Device, Place};
 
 /// Tables for C.
 pub(super) struct C;
+
+/// What the targets `c` and `rust` call the objects and entries of a device.
+#[cfg(feature = "rust")]
+pub(super) fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
+    let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);
+    let table = Table::new(device, options)?;
+    let facts = view::Facts::new(device, &table, options, &mut Vec::new());
+    let header = view::Header::new(&table, &prefix, &facts);
+    let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
+    for view::ObjectView { object, name, entries } in &header.objects {
+        let mut add = |sub: Option<u8>, constant: &str, name: &str| {
+            let rust = format!("{module}::{}::{constant}", object.module);
+            let c = format!("{}_{name}", header.upper);
+            identifiers.push(Identifier { index: object.index, sub, rust, c });
+        };
+        add(None, "INDEX", name);
+        for (name, row) in entries {
+            add(Some(row.sub), &row.constant.to_ascii_uppercase(), name);
+        }
+    }
+    Ok(identifiers)
+}
 
 impl Backend for C {
     fn name(&self) -> &'static str {
@@ -48,11 +70,7 @@ impl Backend for C {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         let frames = frames(device, &table, &mut notes);
-        let facts = view::Facts {
-            constants: constants(device, &table, &mut notes),
-            named: meanings(device, &table, options, &mut notes),
-            names: options.entry_names,
-        };
+        let facts = view::Facts::new(device, &table, options, &mut notes);
         let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
         let names = options.entry_names;
         let mut files = match options.table {

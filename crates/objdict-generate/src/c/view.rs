@@ -7,14 +7,15 @@ use askama::Template;
 use super::defaults::{Defaults, take_names};
 use super::meanings::Meanings;
 use super::stored::{self, GroupView, MemberView};
-use crate::defaults::Constant;
+use crate::defaults::{Constant, constants};
 use crate::escape::filters;
 use crate::hooks;
-use crate::meanings::Named;
-use crate::model::{DataType, TypeKind};
+use crate::meanings::{Named, meanings};
+use crate::model::{DataType, Device, TypeKind};
 use crate::names::{LONGEST, Scope};
 use crate::resolve::Shape;
 use crate::table::{FieldPath, Row, Table, TableField, TableObject};
+use crate::{Note, Options};
 
 /// The header.
 #[derive(Template)]
@@ -43,6 +44,16 @@ pub(super) struct Facts {
     pub(super) constants: Vec<Constant>,
     pub(super) named: Named,
     pub(super) names: bool,
+}
+
+impl Facts {
+    pub(super) fn new(device: &Device, table: &Table, options: &Options, notes: &mut Vec<Note>) -> Self {
+        Self {
+            constants: constants(device, table, notes),
+            named: meanings(device, table, options, notes),
+            names: options.entry_names,
+        }
+    }
 }
 
 /// The source.
