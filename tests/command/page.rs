@@ -3,6 +3,7 @@
 //! * `<!-- exit 0 2 -->` in front of a block has the exit codes of its commands; without it all are 0.
 //! * `…` in an output is for any text in the line, a line `…` for any lines.
 //! * A block ends with the last line of its last output; trycmd wants an empty line behind it.
+//! * `\r\n` of JSON stays; trycmd takes backslashes for separators of paths.
 
 /// The sessions of a page as trycmd runs them.
 pub(crate) fn to_trycmd(page: &str) -> String {
@@ -26,7 +27,11 @@ pub(crate) fn to_trycmd(page: &str) -> String {
             }
             _ => {}
         }
-        text.push_str(&if in_session { line.replace('…', "[..]") } else { line.to_owned() });
+        text.push_str(&if in_session {
+            line.replace('…', "[..]").replace(r"\r\n", "/r/n")
+        } else {
+            line.to_owned()
+        });
         text.push('\n');
         if in_session && line.starts_with("$ ") {
             let code = codes.next().filter(|code| *code != "0");
@@ -65,7 +70,11 @@ fn shown(session: &[&str]) -> String {
             None if line.starts_with("$ ") => codes.push("0"),
             None => {}
         }
-        block.push_str(&if *line == "..." { "…".to_owned() } else { line.replace("[..]", "…") });
+        block.push_str(&if *line == "..." {
+            "…".to_owned()
+        } else {
+            line.replace("[..]", "…").replace("/r/n", r"\r\n")
+        });
         block.push('\n');
     }
     block.push_str("```\n");
@@ -77,8 +86,8 @@ fn shown(session: &[&str]) -> String {
 
 #[test]
 fn a_page_becomes_sessions_and_a_page_again() {
-    let page = "Text …\n\n<!-- exit 0 2 -->\n```console\n$ objdict one\n…\n10 … bytes\n\n$ objdict two\n```\n\n```sh\n…\n```\n";
-    let sessions = "Text …\n\n```console\n$ objdict one\n...\n10 [..] bytes\n\n$ objdict two\n? 2\n\n```\n\n```sh\n…\n```\n";
+    let page = "Text …\n\n<!-- exit 0 2 -->\n```console\n$ objdict one\n…\n10 … bytes \\r\\n\n\n$ objdict two\n```\n\n```sh\n…\n```\n";
+    let sessions = "Text …\n\n```console\n$ objdict one\n...\n10 [..] bytes /r/n\n\n$ objdict two\n? 2\n\n```\n\n```sh\n…\n```\n";
     assert_eq!(to_trycmd(page), sessions);
     assert_eq!(from_trycmd(sessions), page);
 }

@@ -251,14 +251,14 @@ fn the_words_are_those_of_engineers() {
 /// The code in the tutorials is a piece of the examples, which are built and run.
 #[test]
 fn tutorials_show_code_of_the_examples() {
-    let code: String = ["firmware-rust", "firmware-rust/src", "firmware-c"]
+    let code: String = ["", "firmware-rust", "firmware-rust/src", "firmware-c"]
         .iter()
         .flat_map(|folder| files(&root().join("examples").join(folder)))
         .filter_map(|path| fs::read_to_string(path).ok())
         .collect();
     for page in ["docs/tutorial-rust.md", "docs/tutorial-c.md"] {
         let text = read(Path::new(page));
-        let blocks: Vec<&str> = ["```rust,ignore\n", "```c\n", "```cmake\n"]
+        let blocks: Vec<&str> = ["```rust,ignore\n", "```c\n", "```cmake\n", "```text\n"]
             .iter()
             .flat_map(|fence| text.split(fence).skip(1))
             .filter_map(|rest| rest.split("```").next())
