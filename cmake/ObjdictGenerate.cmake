@@ -87,7 +87,7 @@ function(objdict_generate name)
   endforeach()
 
   _objdict_find(objdict)
-  set(command "${objdict}" generate "${arg_DESCRIPTION}" --out "${out_dir}")
+  set(command "${objdict}" generate "${arg_DESCRIPTION}" --output "${out_dir}")
   foreach(target IN LISTS arg_FOR)
     list(APPEND command --target "${target}")
   endforeach()

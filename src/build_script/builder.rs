@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 use super::cargo::Cargo;
 use super::{Built, Error};
-use crate::diagnostic::{Severity, Text, counted};
+use crate::diagnostic::{Selection, Severity, Text, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
 use crate::generate::{CTable, ChoiceError, Derive, Names, OptionField, StorageGroup, Target};
-use crate::lint::Level;
+use crate::lint::{Level, Severities};
 use crate::model::Address;
 #[cfg(feature = "lint")]
 use crate::production::Configuration;
@@ -19,7 +19,7 @@ use crate::production::{Judged, Production, Request, said, save};
 use crate::registry;
 use crate::source::{self, Encoding};
 
-/// So many warnings are told of a description, and so many notes of a target, unless somebody says otherwise.
+/// The default number of warnings about a description, and of notes about a target.
 const MAX_WARNINGS: usize = 20;
 
 /// Generates files from a description; see [the module](super).
@@ -31,7 +31,7 @@ pub struct Builder {
     request: Request,
     out_dir: Option<PathBuf>,
     max_warnings: usize,
-    /// The first thing that was asked for and cannot be.
+    /// The first invalid option.
     failure: Option<Error>,
 }
 
@@ -55,7 +55,7 @@ impl Builder {
         self
     }
 
-    /// Whether to generate although there are errors in the description. They become warnings of the build.
+    /// Whether to generate even if the description has errors. They become warnings of the build.
     pub fn force(mut self, force: bool) -> Self {
         self.request.force = force;
         self
@@ -79,7 +79,7 @@ impl Builder {
         self
     }
 
-    /// Works out what the tables of each target take, for [`Built::sizes`]; without it, only when there is a limit.
+    /// Computes the size of the tables of each target, for [`Built::sizes`]; without it, only if there is a limit.
     pub fn sizes(mut self) -> Self {
         self.request.sizes = true;
         self
@@ -103,7 +103,7 @@ impl Builder {
         self
     }
 
-    /// The encoding of the description, where it cannot be found out.
+    /// The encoding of the description, if it cannot be detected.
     pub fn encoding(mut self, encoding: Encoding) -> Self {
         self.request.reading.encoding = Some(encoding);
         self
@@ -122,38 +122,57 @@ impl Builder {
         self
     }
 
-    /// Looks for no configuration.
+    /// Uses no configuration.
     #[cfg(feature = "lint")]
     pub fn no_config(mut self) -> Self {
         self.request.judging.config = Configuration::Off;
         self
     }
 
-    /// How grave the findings of a rule or group are: `cia306/file-name`, `cia302`. What is said later counts more, and all
-    /// of it more than the configuration.
-    pub fn severity(mut self, rules: &str, level: Level) -> Self {
-        match registry::select(rules) {
-            Some(rules) => self.request.judging.severities.set(rules, level),
-            None => self.fail(Error::UnknownRule { name: rules.to_owned() }),
+    /// The severity of a rule or group, such as `cia306/file-name` or `cia302`. Later calls override earlier ones, and all of them
+    /// the configuration.
+    pub fn severity(self, rules: &str, level: Level) -> Self {
+        self.with_rules(rules, |severities, rules| severities.set(rules, level))
+    }
+
+    /// Reports only a rule or group; may be called several times.
+    pub fn select(self, rules: &str) -> Self {
+        self.with_rules(rules, Severities::select)
+    }
+
+    /// Does not report a rule or group; may be called several times.
+    pub fn ignore(self, rules: &str) -> Self {
+        self.severity(rules, Level::Off)
+    }
+
+    /// The lowest severity of a finding that stops the generation; without it, errors do.
+    pub fn deny(mut self, severity: Severity) -> Self {
+        self.request.deny = Some(severity);
+        self
+    }
+
+    fn with_rules(mut self, name: &str, change: impl FnOnce(&mut Severities, Selection)) -> Self {
+        match registry::select(name) {
+            Some(rules) => change(&mut self.request.judging.severities, rules),
+            None => self.fail(Error::UnknownRule { name: name.to_owned() }),
         }
         self
     }
 
-    /// A document that the device shall follow though it does not say so, such as `401`, or the path of a file with a
-    /// profile of your own; may be called several times.
+    /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
     #[cfg(feature = "lint")]
     pub fn profile(mut self, name: impl Into<String>) -> Self {
         self.request.judging.profiles.push(name.into());
         self
     }
 
-    /// So many warnings of the check, and so many notes of each target, are told to Cargo, the rest is counted; without it, 20.
+    /// The number of warnings of the check, and of notes of each target, that Cargo shows; the rest is counted. Without it, 20.
     pub fn max_warnings(mut self, most: usize) -> Self {
         self.max_warnings = most;
         self
     }
 
-    /// Checks the description, writes the files and tells Cargo on the standard output.
+    /// Checks the description, writes the files and reports to Cargo on the standard output.
     ///
     /// # Errors
     /// When there is an error in the description, or a file cannot be read or written, see [`Error`].
@@ -161,7 +180,7 @@ impl Builder {
         self.generate_to(&mut io::stdout().lock())
     }
 
-    /// As [`generate`](Self::generate); what Cargo is told goes to `cargo`.
+    /// As [`generate`](Self::generate); the lines for Cargo go to `cargo`.
     ///
     /// # Errors
     /// As [`generate`](Self::generate), and when `cargo` cannot be written to.
@@ -204,7 +223,7 @@ impl Builder {
         });
         cargo.warn(self.max_warnings, judged.of_config.iter().cloned().chain(of_file), |count| {
             let warnings = counted(count, "more warning", "more warnings");
-            format!("{file}: {warnings}; `objdict check` tells them")
+            format!("{file}: {warnings}; run `objdict check`")
         })?;
         for (target, generated) in &production.outputs {
             let target = target.name();
@@ -217,7 +236,7 @@ impl Builder {
             });
             cargo.warn(self.max_warnings, notes, |count| {
                 let notes = counted(count, "more note", "more notes");
-                format!("{file}: {notes} of the target {target}; `objdict generate` tells them")
+                format!("{file}: {notes} of the target {target}; run `objdict generate`")
             })?;
         }
         Ok(())

@@ -8,8 +8,9 @@ mod new;
 
 use std::borrow::Cow;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -24,7 +25,7 @@ use super::baseline::BaselineArgs;
 use super::fix::FixArgs;
 use super::input::{FileKind, InputArgs, SizeArgs};
 use super::output::Color;
-use super::settings::SettingsArgs;
+use super::settings::{ConfigFileArgs, SettingsArgs};
 use crate::diagnostic::Severity;
 use crate::format::literal::RealSpelling;
 use crate::format::{WriteOptions, XddVersion};
@@ -33,17 +34,30 @@ use crate::source::Encoding;
 
 /// The CANopen object-dictionary toolchain
 ///
-/// Reads EDS and DCF files, says what is wrong with them and where, and turns them into what a product needs.
+/// Checks, converts, documents and configures EDS, DCF, XDD and XDC files, and generates code from them.
 ///
-/// Exit codes: 0 all is well, 1 something was found, 2 the tool could not do its work.
+/// Exit codes: 0 success, 1 findings, 2 failure.
 #[derive(Debug, Parser)]
 #[command(name = "objdict", version, disable_help_subcommand = true)]
 pub(super) struct Args<C: Subcommand = Command> {
     #[command(subcommand)]
     pub command: C,
+    #[command(flatten)]
+    pub terminal: TerminalArgs,
+}
+
+/// What every command writes for people.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(super) struct TerminalArgs {
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
     pub color: Color,
+    /// Write no notes, summaries and progress to the standard error
+    #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 901)]
+    pub quiet: bool,
+    /// Write the name of each file that is read to the standard error
+    #[arg(short, long, global = true, display_order = 902)]
+    pub verbose: bool,
 }
 
 /// The command that is run most, alone.
@@ -57,8 +71,8 @@ impl Args {
     pub(super) fn of_process() -> Result<Self, clap::Error> {
         // to declare all commands takes longer than to check a small file
         if std::env::args_os().nth(1).is_some_and(|name| name == "check") {
-            let Args { command: OnlyCheck::Check(check), color } = Args::try_parse()?;
-            return Ok(Self { command: Command::Check(check), color });
+            let Args { command: OnlyCheck::Check(check), terminal } = Args::try_parse()?;
+            return Ok(Self { command: Command::Check(check), terminal });
         }
         Self::try_parse()
     }
@@ -84,23 +98,23 @@ pub(super) enum Command {
     Man(ManArgs),
 }
 
-/// Say what is wrong with descriptions, and where
+/// Check device descriptions
 ///
 /// Exits with 1 when there is a finding of severity warning or error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     ///
-    /// In folders all descriptions are checked, but for what is hidden or named in a `.gitignore`.
+    /// In folders all descriptions are checked except hidden files and files that a `.gitignore` names.
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// How to write the findings
+    /// The form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
-    /// Count the findings of each rule; `=only` instead of showing them. With the formats text, concise and json
+    /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json
     #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
     pub statistics: Option<Counting>,
-    /// The number of files that are checked at the same time; without it, as many as there are processors
+    /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
     #[command(flatten)]
@@ -113,16 +127,16 @@ pub(super) struct CheckArgs {
     pub mending: FixArgs,
 }
 
-/// Say what files are, from their content, and how that shows
+/// Recognise files by their content
 ///
-/// Knows the files of CANopen and those of other technologies that are taken for them. Exits with 1 when a file is none of
-/// CANopen, with 2 when a file cannot be read.
+/// Recognises CANopen files, and files of other technologies that look alike. Exits with 1 when a file is not a CANopen
+/// file, with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct IdentifyArgs {
     /// Files to look at; `-` is the standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// How to write the answers
+    /// The form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AnswerFormat,
     #[command(flatten)]
@@ -153,20 +167,20 @@ pub(super) enum ReportFormat {
     Github,
     /// A code quality report of GitLab
     Gitlab,
-    /// JUnit XML, for what shows the results of tests
+    /// JUnit XML, for viewers of test results
     Junit,
 }
 
 /// Whether the findings are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Counting {
-    /// Behind the findings
+    /// After the findings
     Also,
     /// Instead of the findings
     Only,
 }
 
-/// Show the dictionary as a table, or one object or entry of it in detail
+/// Show the object dictionary, or one object in detail
 #[derive(Debug, Parser)]
 pub(super) struct ShowArgs {
     /// The file; `-` is the standard input
@@ -174,13 +188,13 @@ pub(super) struct ShowArgs {
     /// Only this object or entry: 1018, 0x1018, 1018:1, 1018sub1; all numbers are hexadecimal
     #[arg(value_name = "INDEX[:SUB]")]
     pub address: Option<Address>,
-    /// The node that formulas such as $NODEID+0x180 are worked out for; a DCF names its own
+    /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// Only what a DCF configures to another value than the default
+    /// Only entries that a DCF sets to a value other than the default
     #[arg(long)]
     pub changed: bool,
-    /// How to write it
+    /// The form of the output
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
     #[command(flatten)]
@@ -198,47 +212,48 @@ pub(super) enum ShowFormat {
     Json,
 }
 
-/// Turn files into another format, and say what it cannot carry
+/// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF
 ///
-/// EDS to EDS and DCF to DCF keep every byte; EDS to DCF and back edit the text and keep comments, order and spelling; XDD and
-/// XDC alike. Between the two worlds everything is written anew, and what has no place in the other is carried in
-/// properties or sections of its own (docs/formats.md). Exits with 1 when --deny-loss is given and something is lost.
+/// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
+/// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
+/// properties or sections of objdict (docs/formats.md). Exits with 1 when --deny-loss is given and data are lost.
 #[derive(Debug, Parser)]
 pub(super) struct ConvertArgs {
-    /// The files to convert; `-` is the standard input
+    /// Files to convert; `-` is the standard input
     #[arg(required = true, value_name = "IN")]
-    pub files: Vec<PathBuf>,
-    /// The file to write; its ending says what: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt. `-` is the standard output.
-    /// Or the folder for several files, with --to
-    pub out: PathBuf,
-    /// What to write, where the name does not say it
+    files: Vec<PathBuf>,
+    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt; `-` is the standard output. For several files a
+    /// folder, with --to
+    #[arg(short, long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// The format to write [default: by the extension of the output]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<WrittenKind>,
-    /// Write what is lost, left out and carried to this file, as JSON (docs/json.md); `-` is the standard output
+    /// Write lost, omitted and embedded data to this file, as JSON (docs/json.md); `-` is the standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
-    /// Exit with 1 when a datum is lost
+    /// Exit with 1 when data are lost
     #[arg(long)]
     pub deny_loss: bool,
-    /// Carry nothing in properties or sections of objdict: what the format has no place for is lost
+    /// Embed nothing in properties or sections of objdict: data without a place in the format are lost
     #[arg(long)]
     pub no_carry: bool,
-    /// The version of CiA 311 of a new XDD or XDC
+    /// Version of CiA 311 of a new XDD or XDC
     #[arg(long, value_enum, value_name = "VERSION")]
     pub xdd_version: Option<Version>,
-    /// The node-ID of the node that a DCF, XDC or concise DCF is for
+    /// Node-ID in the DCF, XDC or concise DCF
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// The bit rate in kbit/s that a DCF or XDC states
-    #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Bit rate in kbit/s in the DCF or XDC
+    #[arg(long, alias = "baudrate", value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
     pub bit_rate: Option<u16>,
-    /// The name of the node that a DCF or XDC states
-    #[arg(long, value_name = "NAME", value_parser = node_name)]
-    pub node_name: Option<String>,
+    /// Node name in the DCF or XDC
+    #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
+    pub name: Option<String>,
     /// Write all values into a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
-    /// A folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; may be given several times
+    /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
@@ -251,8 +266,9 @@ pub(super) struct ConvertArgs {
 
 /// What is added to the device that a file describes.
 #[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Input")]
 pub(super) struct ExpandArgs {
-    /// Describe the PDOs that CompactPDO implies, as many as NrOfRXPDO and NrOfTXPDO say
+    /// Add the PDO objects that CompactPDO implies, up to NrOfRXPDO and NrOfTXPDO
     #[arg(long)]
     pub implicit_pdos: bool,
 }
@@ -268,20 +284,19 @@ impl ExpandArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Canonical EDS and DCF")]
 pub(super) struct CanonicalArgs {
-    /// Write an EDS or DCF anew from the model, in the order and spelling that most tools take, instead of editing the text
+    /// Write an EDS or DCF anew instead of editing its text, in the order and spelling that most tools read
     #[arg(long)]
     pub canonical: bool,
-    /// How REAL numbers are written; implies --canonical
+    /// Spelling of REAL numbers; implies --canonical
     #[arg(long, value_enum, value_name = "SPELLING")]
     pub real: Option<Real>,
-    /// Put strings into quotes, as Lely's tools want them; implies --canonical
+    /// Quote strings, as Lely's tools require; implies --canonical
     #[arg(long)]
     pub quote_strings: bool,
-    /// Keep compact storage (CompactSubObj), which many tools do not know; implies --canonical
+    /// Keep compact storage (CompactSubObj), which many tools do not support; implies --canonical
     #[arg(long)]
     pub compact: bool,
-    /// The encoding of the text that is written; without it ISO 646, as CiA 306 demands, in which `ü` is `ue`; implies
-    /// --canonical
+    /// Encoding of the output; without it ISO 646, as CiA 306 requires, with `ü` written as `ue`; implies --canonical
     #[arg(long, value_name = "ENCODING")]
     pub output_encoding: Option<Encoding>,
 }
@@ -319,13 +334,21 @@ impl CanonicalArgs {
 }
 
 impl ConvertArgs {
+    /// The inputs and the output. Without `--output` the last of several files is the output, as in `cp`.
+    pub(super) fn paths(&self) -> (&[PathBuf], Option<&Path>) {
+        match (&self.output, self.files.as_slice()) {
+            (None, [inputs @ .., output]) if !inputs.is_empty() => (inputs, Some(output)),
+            (output, inputs) => (inputs, output.as_deref()),
+        }
+    }
+
     /// Whether anything about the node is to be changed.
     pub(super) fn changes_node(&self) -> bool {
-        self.node_id.is_some() || self.bit_rate.is_some() || self.node_name.is_some()
+        self.node_id.is_some() || self.bit_rate.is_some() || self.name.is_some()
     }
 }
 
-/// List the profiles that `check` knows, and show what they demand
+/// List device profiles and show their requirements
 #[derive(Debug, Parser)]
 pub(super) struct ProfileCommandArgs {
     #[command(subcommand)]
@@ -338,23 +361,23 @@ pub(super) enum ProfileCommand {
     Show(ProfileShowArgs),
 }
 
-/// List the documents of CiA that come with the program
+/// List the built-in CiA documents
 #[derive(Debug, Parser)]
 pub(super) struct ProfileListArgs {
-    /// How to write them
+    /// The form of the list
     #[arg(long, value_enum, default_value = "text")]
     pub format: ProfileFormat,
 }
 
-/// Show the objects of a profile, or all that it says of one
+/// Show the objects of a profile, or one in detail
 #[derive(Debug, Parser)]
 pub(super) struct ProfileShowArgs {
-    /// The number of the document, such as 401, or the file of a profile of your own (docs/profiles.md)
+    /// The number of a CiA document, such as 401, or the file of a custom profile (docs/profiles.md)
     pub profile: String,
     /// Only this object, with its sub-indexes and bits
     #[arg(value_name = "INDEX")]
     pub index: Option<Address>,
-    /// How to write it
+    /// The form of the output
     #[arg(long, value_enum, default_value = "text")]
     pub format: ProfileFormat,
 }
@@ -368,32 +391,53 @@ pub(super) enum ProfileFormat {
     Json,
 }
 
-/// Put EDS and DCF files in the canonical order and spelling
+/// Format EDS and DCF files
 ///
-/// Sections and keys are moved with the comments that belong to them; keys, section names, hex numbers and formulas are
-/// spelled alike. What is read of the file stays the same. The standard input goes to the standard output.
+/// Sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas get one
+/// spelling. The content of the file stays the same. The standard input goes to the standard output.
 #[derive(Debug, Parser)]
+#[command(mut_arg("from", |from| from.value_parser(EnumValueParser::<FormattedKind>::new().map(FileKind::from))))]
 pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// Write nothing, print the names of the files that are not in order, and exit with 1 when there is one
+    /// Write nothing, print the names of unformatted files, and exit with 1 when there is one
     #[arg(long)]
     pub check: bool,
-    /// Write nothing, print what would be changed, and exit with 1 when there is something
+    /// Write nothing, print the changes, and exit with 1 when there are any
     #[arg(long, conflicts_with = "check")]
     pub diff: bool,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
-/// List the rules that `check` knows
+/// A kind of file that `fmt` takes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FormattedKind {
+    /// Electronic data sheet (CiA 306-1)
+    Eds,
+    /// Device configuration file (CiA 306-1)
+    Dcf,
+}
+
+impl From<FormattedKind> for FileKind {
+    fn from(kind: FormattedKind) -> Self {
+        match kind {
+            FormattedKind::Eds => Self::Eds,
+            FormattedKind::Dcf => Self::Dcf,
+        }
+    }
+}
+
+/// List the rules of `check`
 #[derive(Debug, Parser)]
 pub(super) struct RulesArgs {
-    /// How to write them
+    /// The form of the list
     #[arg(long, value_enum, default_value = "text")]
     pub format: RulesFormat,
-    /// Only the rules of this group, such as cia301; may be given several times, or with commas between
+    /// Only the rules of this group, such as cia301; repeatable, or separated by commas
     #[arg(long, value_name = "GROUP", value_delimiter = ',')]
     pub group: Vec<String>,
 }
@@ -407,14 +451,14 @@ pub(super) enum RulesFormat {
     Json,
 }
 
-/// Print the page of a rule: what it checks, why it matters, how to mend it
+/// Explain a rule: what it checks, why it matters, how to fix it
 #[derive(Debug, Parser)]
 pub(super) struct ExplainArgs {
-    /// The rule, such as cia306/duplicate-key; the name alone is enough where it is the only one
+    /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique
     pub rule: String,
 }
 
-/// Print what makes a shell complete the arguments
+/// Generate shell completions
 #[derive(Debug, Parser)]
 pub(super) struct CompletionsArgs {
     /// The shell
@@ -422,15 +466,25 @@ pub(super) struct CompletionsArgs {
     pub shell: Shell,
 }
 
-/// Write the manual pages, one for each command
+/// Generate the manual pages, one for each command
 ///
-/// For packages. A page that is there with the same text is not touched.
+/// For packages. Unchanged pages are not touched.
 #[derive(Debug, Parser)]
 #[command(hide = true)]
 pub(super) struct ManArgs {
-    /// The folder that they go to, such as share/man/man1
-    #[arg(value_name = "DIR")]
-    pub folder: PathBuf,
+    /// The folder to write to, such as share/man/man1
+    #[arg(short, long, value_name = "DIR", required_unless_present = "folder")]
+    output: Option<PathBuf>,
+    /// The same, in its old place
+    #[arg(value_name = "DIR", hide = true, conflicts_with = "output")]
+    folder: Option<PathBuf>,
+}
+
+impl ManArgs {
+    /// The folder to write to; one of both is required.
+    pub(super) fn output(&self) -> &Path {
+        self.output.as_deref().or(self.folder.as_deref()).unwrap_or(Path::new("."))
+    }
 }
 
 /// A version of CiA 311, as an argument.

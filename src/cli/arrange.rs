@@ -10,18 +10,18 @@ use super::output::Output;
 use super::parallel::in_order;
 use super::save::{Saved, save};
 use super::settings::{Settings, SettingsArgs};
-use super::{Failure, Outcome, diff, tell};
+use super::{Failure, Outcome, diff, note};
 use crate::report::plural;
 use crate::source::{SourceFile, SourceOptions};
 
 pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
     // what a configuration excludes from folders is left alone
-    let settings = SettingsArgs::default();
+    let settings = SettingsArgs::from(&args.config);
     let (files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
     failures.iter().for_each(Failure::print);
     let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
     in_order(&files, None, |file| arrange(args, file), |arranged| done.take(args, arranged, out))?;
-    done.tell(args);
+    done.summarise(args);
     Ok(match done {
         Done { has_failed: true, .. } => Outcome::Failed,
         Done { changed: 1.., .. } if args.is_dry() => Outcome::Findings,
@@ -59,7 +59,7 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
         None => {
             let format = description.format().name();
             return Err(Failure::new(format_args!(
-                "only EDS and DCF can be put in order, and `{name}` is an {format}"
+                "only EDS and DCF can be formatted, and `{name}` is an {format}"
             )));
         }
     };
@@ -106,16 +106,16 @@ impl Done {
         Ok(())
     }
 
-    fn tell(&self, args: &FmtArgs) {
+    fn summarise(&self, args: &FmtArgs) {
         if args.files.iter().any(|file| file == Path::new("-")) && !args.is_dry() {
             return;
         }
-        let verb = if args.is_dry() { "would put" } else { "put" };
+        let verb = if args.is_dry() { "would format" } else { "formatted" };
         let same = match self.same {
             0 => String::new(),
-            count => format!(", {} in order already", plural(count, "file")),
+            count => format!(", {} already formatted", plural(count, "file")),
         };
-        tell(&format!("{verb} {} in order{same}\n", plural(self.changed, "file")));
+        note(&format!("{verb} {}{same}\n", plural(self.changed, "file")));
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::save::save;
-use super::{Failure, tell};
+use super::{Failure, note};
 use crate::baseline::Baseline;
 use crate::config::absolute;
 use crate::diagnostic::{Findings, counted};
@@ -20,7 +20,7 @@ pub(super) struct BaselineArgs {
     /// Report only findings that are not in this file
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
-    /// Write all findings to this file instead of reporting them, for a later --baseline
+    /// Write all findings to this file for a later --baseline, instead of reporting them
     #[arg(long, value_name = "FILE", conflicts_with = "baseline")]
     write_baseline: Option<PathBuf>,
 }
@@ -68,7 +68,7 @@ impl Known {
         }
     }
 
-    /// Writes the baseline, or tells which part of it holds no more.
+    /// Writes the baseline, or reports the entries that are no longer found.
     pub(super) fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Nothing => {}
@@ -82,7 +82,7 @@ impl Known {
                 let fixed: usize = baseline.files().map(fixed).sum();
                 if fixed > 0 {
                     let (entries, are) = if fixed == 1 { ("entry", "is") } else { ("entries", "are") };
-                    tell(&format!(
+                    note(&format!(
                         "note: {fixed} {entries} of the baseline `{path}` {are} no longer found\n  help: write it again: `--write-baseline {path}`\n",
                         path = path.display()
                     ));
@@ -91,7 +91,7 @@ impl Known {
             Self::Write(path, baseline) => {
                 save(&path, baseline.write().as_bytes())?;
                 let files = baseline.files().filter(|(_, count)| *count > 0).count();
-                tell(&format!(
+                note(&format!(
                     "note: the baseline `{}` has {} in {}\n",
                     path.display(),
                     counted(baseline.len(), "finding", "findings"),

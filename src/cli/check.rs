@@ -12,7 +12,7 @@ use super::output::Output;
 use super::parallel::in_order;
 use super::progress::Progress;
 use super::settings::{Project, Settings};
-use super::{Failure, Outcome, report, tell};
+use super::{Failure, Outcome, note, report};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::report::{Report, Subject, plural};
@@ -59,7 +59,7 @@ fn show_changes(
     let mut has_failed = !failures.is_empty();
     for project in worker.settings.projects().filter(|project| !project.is_usable()) {
         let message = format_args!("`{}` cannot be used", project.config.source().name());
-        Failure::new(message).help("`objdict check` without `--diff` says why").print();
+        Failure::new(message).help("run `objdict check` without `--diff` for the reasons").print();
         has_failed = true;
     }
     let mut mending = Mending::default();
@@ -151,13 +151,13 @@ impl Worker<'_> {
         let (description, amended) = match self.args.mending.safety() {
             None => (description, None),
             Some(_) if self.args.mending.fix && file.path == Path::new("-") => {
-                let failure = Failure::new("the standard input cannot be mended in its place");
-                return Checked::Failed(failure.help("`--diff` shows what would be changed"));
+                let failure = Failure::new("the standard input cannot be fixed in place");
+                return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }
             Some(safety) => match amend(&file.path, description, safety, check) {
                 Some(result) => result,
                 None => {
-                    let message = format_args!("cannot mend `{}`", file.path.display());
+                    let message = format_args!("cannot fix `{}`", file.path.display());
                     return Checked::Failed(Failure::new(message));
                 }
             },
@@ -279,8 +279,8 @@ impl<'a> Reporter<'a> {
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {
             let kinds = series(self.skipped.iter().map(|(kind, count)| format!("{count} {kind}")));
-            let are = if skipped == 1 { "is no description" } else { "are no descriptions" };
-            tell(&format!(
+            let are = if skipped == 1 { "is not a description" } else { "are not descriptions" };
+            note(&format!(
                 "note: {} {are} of CANopen devices: {kinds}\n  help: `objdict identify` says what a file is\n",
                 plural(skipped, "file"),
             ));

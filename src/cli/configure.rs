@@ -13,7 +13,6 @@ use super::save::save;
 use super::{Failure, Outcome, tell};
 use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::format::input::Reading;
 use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
 use crate::lint::{self, Options};
 use crate::model::{Device, DeviceKind};
@@ -29,10 +28,9 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
     let wanted = Wanted {
         node_id: args.node_id.or(file.node_id),
-        baud_rate: args.baudrate.or(file.baud_rate),
+        baud_rate: args.bit_rate.or(file.baud_rate),
         name: args.name.clone().or_else(|| file.name.clone()),
         kind: if is_xml { "XDC" } else { "DCF" },
-        rate_option: "--baudrate",
     };
     let node = commissioning(base, &wanted)?;
     let settings = settings(args, &file);
@@ -50,7 +48,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     }
     if !configured.is_edited {
         tell(
-            "note: the text has no place for what was asked for, so it is written anew, without its comments\n",
+            "note: the text has no place for these settings, so the file is written anew, without comments\n",
         );
     }
     match output {
@@ -72,9 +70,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
 
 /// The description that is configured; a device as JSON is one that is written as an EDS first.
 fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
-    let (device, encoding) = (args.device, args.encoding);
-    let reading = Reading { device, encoding, max_size: args.size.max_size, ..Reading::default() };
-    match reading.read_one(&name_of(&args.file), args.size.bytes(&args.file)?)? {
+    match args.reading().read_one(&name_of(&args.file), args.size.read(&args.file)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (_, Input::Device(device)) => {
             let options = WriteOptions { carry: true, ..WriteOptions::default() };
@@ -86,21 +82,23 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
         }
         (kind, _) => {
             let message =
-                format!("`{}` is a {}, which describes no device", name_of(&args.file), kind.name());
+                format!("`{}` is a {}, which does not describe a device", name_of(&args.file), kind.name());
             Err(Failure::new(message).help("name the EDS of the node"))
         }
     }
 }
 
 fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
-    let Some(path) = &args.from_file else { return Ok(SettingsFile::default()) };
+    let Some(path) = args.settings() else { return Ok(SettingsFile::default()) };
     let text = fs::read_to_string(path)
         .map_err(|error| Failure::new(format_args!("cannot read `{}`: {error}", path.display())))?;
     let file = SettingsFile::parse(&text)
         .map_err(|error| Failure::new(format_args!("`{}`: {error}", path.display())))?;
     match file.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
-        Some(node_id) => Err(Failure::new(format_args!("`{}`: `{node_id}` is no node-ID", path.display()))
-            .help("a node-ID is a number from 1 to 127")),
+        Some(node_id) => {
+            Err(Failure::new(format_args!("`{}`: `{node_id}` is not a valid node-ID", path.display()))
+                .help("a node-ID is a number from 1 to 127"))
+        }
         None => Ok(file),
     }
 }
@@ -149,7 +147,7 @@ fn refuse(problems: &[SettingProblem]) -> Outcome {
             None => failure.print(),
         }
     }
-    tell(&format!("{} cannot be made, so nothing is written\n", plural(problems.len(), "setting")));
+    tell(&format!("{} cannot be applied, so nothing is written\n", plural(problems.len(), "setting")));
     Outcome::Findings
 }
 
@@ -161,6 +159,6 @@ fn refuse_findings(findings: &[Diagnostic]) -> Outcome {
             None => failure.print(),
         }
     }
-    tell("the settings bring these errors, so nothing is written; `--force` writes it all the same\n");
+    tell("the settings cause these errors, so nothing is written; `--force` writes the file anyway\n");
     Outcome::Findings
 }

@@ -10,7 +10,7 @@ use super::args::DocsArgs;
 use super::files::{self, File};
 use super::input::{Input, name_of};
 use super::output::Output;
-use super::save::{Saved, save};
+use super::save::{Saved, is_folder, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
@@ -60,7 +60,7 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
     }
     for project in settings.projects().filter(|project| !project.is_usable()) {
         let message = format_args!("`{}` cannot be used", project.config.source().name());
-        Failure::new(message).help("`objdict check` says why").print();
+        Failure::new(message).help("run `objdict check` for the reasons").print();
         outcome = Outcome::Failed;
     }
     let mut devices = Vec::new();
@@ -76,7 +76,7 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
     require_language(args, &devices)?;
     let options =
         Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
-    let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(args);
+    let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(&args.output);
     match (is_one, devices.as_slice()) {
         (_, []) => {}
         (true, [one]) => write_one(args, &document::write(&one.subject(), form, &options), out)?,
@@ -125,18 +125,14 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
     if let Some(format) = args.format {
         return Ok(format.into());
     }
-    match args.out.extension().filter(|_| !is_folder(args)) {
+    match args.output.extension().filter(|_| !is_folder(&args.output)) {
         None => Ok(Form::Html),
         Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
-            let message = format!("the name `{}` does not say which format to write", args.out.display());
-            Failure::new(message).help("`.html`, `.md` and `.csv` are known; or say it with `--format`")
+            let message = format!("`{}` has no extension of a known format", args.output.display());
+            Failure::new(message)
+                .help("`.html`, `.md` and `.csv` are known; or name the format with `--format`")
         }),
     }
-}
-
-/// Whether the output is a folder because it says so; several devices make one of it anyway.
-fn is_folder(args: &DocsArgs) -> bool {
-    args.out.is_dir() || args.out.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
 }
 
 /// The devices of a file; a network file has several.
@@ -170,8 +166,11 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
             Ok(vec![Documented::new(name, "JSON", device, told(&findings, |_| None))])
         }
         Input::NodeList(_) | Input::Concise(_) => {
-            let message =
-                format!("`{}` is read as {} and describes no device", name_of(&file.path), kind.name());
+            let message = format!(
+                "`{}` is read as {} and does not describe a device",
+                name_of(&file.path),
+                kind.name()
+            );
             Err(Failure::new(message).help("name the descriptions of the devices"))
         }
     }
@@ -188,11 +187,11 @@ fn file_name(path: &Path) -> String {
 }
 
 fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failure> {
-    if args.out == Path::new("-") {
+    if args.output == Path::new("-") {
         out.write_all(page.as_bytes())?;
         return Ok(());
     }
-    tell_saved(&args.out, page, out)
+    tell_saved(&args.output, page, out)
 }
 
 fn tell_saved(path: &Path, page: &str, out: &mut Output) -> Result<(), Failure> {
@@ -211,17 +210,17 @@ fn write_site(
     options: &Options,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    if args.out == Path::new("-") {
-        return Err(Failure::new("several pages do not fit into the standard output").help("name a folder"));
+    if args.output == Path::new("-") {
+        return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
     let mut site = Site::new(form, options);
     for device in devices {
         let page = site.add(&device.subject());
-        tell_saved(&args.out.join(page.name), &page.text, out)?;
+        tell_saved(&args.output.join(page.name), &page.text, out)?;
     }
     if devices.len() > 1 {
         let index = site.index();
-        tell_saved(&args.out.join(index.name), &index.text, out)?;
+        tell_saved(&args.output.join(index.name), &index.text, out)?;
     }
     Ok(())
 }

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
-use super::Failure;
 use super::settings::{Project, Settings};
+use super::{Failure, detail};
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
@@ -87,7 +87,8 @@ impl Gathered<'_, '_> {
         let matches = match glob::glob(&pattern.to_string_lossy()) {
             Ok(matches) => matches,
             Err(error) => {
-                self.failures.push(Failure::new(format_args!("`{shown}` is no pattern: {}", error.msg)));
+                self.failures
+                    .push(Failure::new(format_args!("`{shown}` is not a valid pattern: {}", error.msg)));
                 return Ok(());
             }
         };
@@ -112,6 +113,7 @@ impl Gathered<'_, '_> {
         let project = self.settings.project_of(&path)?;
         let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
         if is_named || !is_excluded {
+            detail(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
             self.files.push(File { path, project, is_named, size });
@@ -121,10 +123,7 @@ impl Gathered<'_, '_> {
 
     fn nothing_in(&mut self, message: std::fmt::Arguments<'_>) {
         let endings: Vec<String> = ENDINGS.iter().map(|ending| format!(".{ending}")).collect();
-        let help = format!(
-            "descriptions end in {}; a file that is named is read whatever its ending",
-            endings.join(", ")
-        );
+        let help = format!("descriptions end in {}; a file that is named is always read", endings.join(", "));
         self.failures.push(Failure::new(message).help(help));
     }
 }

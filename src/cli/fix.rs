@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::output::Output;
 use super::save::save;
-use super::{Failure, diff, tell};
+use super::{Failure, diff, note};
 use crate::diagnostic::{Applicability, Findings};
 use crate::format::Description;
 use crate::report::plural;
@@ -13,15 +13,15 @@ use crate::{Repair, mend};
 
 /// Whether findings are mended.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Mending")]
+#[command(next_help_heading = "Fixes")]
 pub(super) struct FixArgs {
-    /// Mend what can be mended without changing what the description means, and report what is left
+    /// Apply safe fixes, which keep the meaning of the description, and report the remaining findings
     #[arg(long)]
     pub fix: bool,
-    /// With --fix and --diff, also mend where somebody should look at the result
+    /// With --fix and --diff, also apply fixes that need a review
     #[arg(long)]
     pub unsafe_fixes: bool,
-    /// Print what --fix would change, write nothing, and exit with 1 when there is something
+    /// Print the changes of --fix, write nothing, and exit with 1 when there are any
     #[arg(long, conflicts_with = "fix")]
     pub diff: bool,
 }
@@ -119,14 +119,14 @@ impl Mending {
         }
         let verb = if args.diff { "would fix" } else { "fixed" };
         let (findings, files) = (plural(self.fixed, "finding"), plural(self.files, "file"));
-        tell(&format!("{verb} {findings} in {files}\n"));
+        note(&format!("{verb} {findings} in {files}\n"));
         if self.skipped > 0 {
             let are = if self.skipped == 1 { "is" } else { "are" };
             let fixes = match self.skipped {
                 1 => "1 fix".to_owned(),
                 count => format!("{count} fixes"),
             };
-            tell(&format!("note: {fixes} {are} not made, for something else would be wrong afterwards\n"));
+            note(&format!("note: {fixes} {are} not made because it would cause other findings\n"));
         }
     }
 }

@@ -10,7 +10,7 @@ use super::output::Output;
 use super::save::{Saved, save};
 use super::sizes;
 use super::table::Table;
-use super::{Failure, Outcome, tell};
+use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::Severity;
 use crate::format::ReadError;
 use crate::generate::Target;
@@ -19,7 +19,7 @@ use crate::report::Tally;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
-    let bytes = args.input.size.bytes(&args.file)?;
+    let bytes = args.input.size.read(&args.file)?;
     // make cannot wait for the standard input
     let mut files: Vec<PathBuf> =
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
@@ -38,11 +38,13 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         stamp(args, &files)?;
     }
     for (target, generated) in &production.outputs {
-        // what does not work stands last, where it is seen
+        // warnings come last, where they are seen
         let (warnings, notes): (Vec<_>, Vec<_>) =
             generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
-        let notes: String = notes.into_iter().chain(warnings).map(|note| told(target.name(), note)).collect();
-        tell(&notes);
+        let lines =
+            |notes: Vec<_>| notes.into_iter().map(|note| told(target.name(), note)).collect::<String>();
+        note(&lines(notes));
+        tell(&lines(warnings));
     }
     Ok(Outcome::Clean)
 }
@@ -56,7 +58,7 @@ fn write(
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &production.outputs {
         for file in &generated.files {
-            let path = args.out.join(&file.path);
+            let path = args.output.join(&file.path);
             let saved = match save(&path, &file.contents)? {
                 Saved::Written => "",
                 Saved::Unchanged => "unchanged",
@@ -79,7 +81,7 @@ fn write(
 
 fn list(args: &GenerateArgs, production: &Production, out: &mut Output) -> Result<(), Failure> {
     for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
-        writeln!(out, "{}", args.out.join(&file.path).display())?;
+        writeln!(out, "{}", args.output.join(&file.path).display())?;
     }
     Ok(())
 }
@@ -89,8 +91,8 @@ fn stamp(args: &GenerateArgs, files: &[PathBuf]) -> Result<(), Failure> {
     let Some(stamp) = &args.stamp else { return Ok(()) };
     if let Some(path) = &args.depfile {
         let rule = depfile(stamp, files).ok_or_else(|| {
-            Failure::new("a name with a line break cannot stand in a rule of make")
-                .help("name it otherwise, or leave out `--depfile`")
+            Failure::new("a name with a line break cannot be in a rule of make")
+                .help("rename it, or omit `--depfile`")
         })?;
         save(path, rule.as_bytes())?;
     }
@@ -107,6 +109,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         file: args.file.clone(),
         reading: args.input.reading(),
         judging: args.config.judging(&args.profiles),
+        deny: args.deny.map(Severity::from),
         implicit_pdos: args.expand.implicit_pdos,
         force: args.force,
         targets: targets.map_err(Failure::new)?,
@@ -121,7 +124,7 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
     match error {
         Error::Findings { ref report, .. } => {
             tell(report);
-            Failure::new(error).help("mend them; `--severity` makes findings of a rule milder, `--force` generates all the same").print();
+            Failure::new(error).help("fix them, lower the severity of a rule with `--severity`, or generate anyway with `--force`").print();
             Ok(Outcome::Findings)
         }
         Error::Input(error @ ReadError::SeveralDevices { .. }) => Err(error.into()),
@@ -144,8 +147,8 @@ fn facts(judged: &Judged, production: &Production) -> String {
     tally.add(&judged.findings);
     let found = match (tally.errors, tally.warnings + judged.of_config.len()) {
         (0, 0) => "no errors".to_owned(),
-        (0, warnings) => format!("no errors, {warnings} warnings (`objdict check` tells them)"),
-        (errors, _) => format!("{errors} errors, generated all the same"),
+        (0, warnings) => format!("no errors, {warnings} warnings (run `objdict check`)"),
+        (errors, _) => format!("{errors} errors, generated anyway"),
     };
     format!("{} objects, {} entries, {found}", production.objects, production.entries)
 }

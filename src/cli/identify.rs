@@ -32,7 +32,7 @@ pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Fail
         write!(out, "{{\"version\":{VERSION},\"files\":[")?;
     }
     for path in &args.files {
-        let found = match args.size.bytes(path) {
+        let found = match args.size.read(path) {
             Ok(bytes) => identify(&name_of(path), &bytes),
             Err(failure) => {
                 failure.print();

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::Args;
 
-use super::Failure;
+use super::{Failure, detail};
 use crate::format::input::Reading;
 pub(super) use crate::format::input::{FileKind, Input};
 use crate::format::{self, Description, ReadError};
@@ -16,14 +16,15 @@ const STDIN: &str = "<stdin>";
 
 /// How files are read.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Input")]
 pub(super) struct InputArgs {
-    /// What the files are, whatever their content shows
+    /// The format of the input, whatever its content shows
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
     /// Which device of a network file (.nxdd, .nxdc), counted from 1
     #[arg(long, value_name = "NUMBER")]
     pub device: Option<std::num::NonZeroUsize>,
-    /// The encoding of the files, where it cannot be found out: utf-8, windows-1252, cp850, utf-16le …
+    /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
     #[command(flatten)]
@@ -32,8 +33,9 @@ pub(super) struct InputArgs {
 
 /// How much of a file is read.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Input")]
 pub(super) struct SizeArgs {
-    /// The largest file that is read, in bytes or with K, M or G behind the number; without it 64M
+    /// The largest file to read, in bytes or with K, M or G [default: 64M]
     #[arg(long, value_name = "SIZE", default_value_t = DEFAULT_MAX_SIZE, hide_default_value = true, value_parser = parse_size)]
     pub max_size: u64,
 }
@@ -55,13 +57,13 @@ impl InputArgs {
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.
     pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
-        let bytes = self.size.bytes(path)?;
+        let bytes = self.size.read(path)?;
         Ok(self.reading().read(&name_of(path), bytes)?)
     }
 
     /// What is in a file, and as what kind it was read; of several devices the one that was asked for.
     pub(super) fn read_one(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
-        let bytes = self.size.bytes(path)?;
+        let bytes = self.size.read(path)?;
         Ok(self.reading().read_one(&name_of(path), bytes)?)
     }
 
@@ -98,8 +100,14 @@ impl InputArgs {
 }
 
 impl SizeArgs {
+    /// The same, with a line for `--verbose`; not for files that are read in parallel.
+    pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>, Failure> {
+        detail(path);
+        self.bytes(path)
+    }
+
     /// The bytes of a file as they are.
-    pub(super) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
         if path == Path::new("-") {
             let bytes = source::read_stream(io::stdin().lock(), STDIN, self.max_size, Vec::new());
             return Ok(bytes.map_err(ReadError::from)?);
@@ -119,9 +127,7 @@ impl From<ReadError> for Failure {
             ReadError::Source(SourceError::TooLarge { .. }) => {
                 Some("raise the limit with `--max-size`".to_owned())
             }
-            ReadError::SeveralDevices { .. } => {
-                Some("say which one with `--device`, counted from 1".to_owned())
-            }
+            ReadError::SeveralDevices { .. } => Some("choose one with `--device`, counted from 1".to_owned()),
             error => error.help(),
         };
         Self { help, ..Self::new(error) }

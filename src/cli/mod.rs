@@ -1,5 +1,5 @@
-//! The command `objdict`: one file a command. Results go to the standard output, what the tool has to say of itself to
-//! the standard error.
+//! The command `objdict`: one file a command. Results go to the standard output, messages to the
+//! standard error.
 
 mod annotation;
 mod args;
@@ -35,9 +35,11 @@ mod table;
 
 use std::fmt;
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
-use self::args::{Args, Command};
+use self::args::{Args, Command, TerminalArgs};
 use self::output::Output;
 use crate::diagnostic::visible;
 
@@ -46,12 +48,12 @@ pub fn run() -> ExitCode {
     let args = match Args::of_process() {
         Ok(args) => args,
         Err(error) => {
-            // nobody is left to read it when this fails
-            let _ = error.print();
+            let _ = error.print(); // there is no other place to report an error of this
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
-    let mut out = Output::stdout(args.color);
+    let terminal = TERMINAL.get_or_init(|| args.terminal);
+    let mut out = Output::stdout(terminal.color);
     let outcome = match &args.command {
         Command::Check(command) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
@@ -112,7 +114,7 @@ impl From<Outcome> for ExitCode {
 struct Failure {
     message: String,
     help: Option<String>,
-    /// The lines of a text that it is about, with the message: told in the place of message and help.
+    /// The lines of a text that it is about, with the message: shown instead of message and help.
     excerpt: Option<String>,
 }
 
@@ -131,7 +133,7 @@ impl Failure {
         self
     }
 
-    /// Tells it on the standard error.
+    /// Prints it on the standard error.
     fn print(&self) {
         if let Some(excerpt) = &self.excerpt {
             return tell(excerpt);
@@ -144,13 +146,34 @@ impl Failure {
     }
 }
 
-/// Writes to the standard error what may quote anything that stands in a file.
+/// What the arguments say about messages.
+static TERMINAL: OnceLock<TerminalArgs> = OnceLock::new();
+
+fn terminal() -> Option<&'static TerminalArgs> {
+    TERMINAL.get()
+}
+
+/// Writes a note or a summary to the standard error, unless `--quiet` is given.
+fn note(text: &str) {
+    if !terminal().is_some_and(|terminal| terminal.quiet) {
+        tell(text);
+    }
+}
+
+/// Names a file that is read, with `--verbose`.
+fn detail(path: &Path) {
+    if terminal().is_some_and(|terminal| terminal.verbose) {
+        tell(&format!("reading {}\n", input::name_of(path)));
+    }
+}
+
+/// Writes to the standard error; the text may quote anything from a file.
 fn tell(text: &str) {
-    // nobody is left to read it when this fails
+    // there is no other place to report an error of this
     let _ = std::io::stderr().write_all(shown(text).as_bytes());
 }
 
-/// Lines without the characters that steer a terminal.
+/// Lines without control characters.
 fn shown(text: &str) -> String {
     text.chars().map(|c| if c == '\n' { c } else { visible(c) }).collect()
 }

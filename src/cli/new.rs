@@ -8,20 +8,18 @@ use super::args::NewArgs;
 use super::input::FileKind;
 use super::output::Output;
 use super::save::save;
-use super::{Failure, Outcome, tell};
+use super::{Failure, Outcome, note};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
 use crate::skeleton::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, skeleton};
 
-/// The vendor-ID of a device whose vendor is not said: one that CiA gives nobody.
+/// The vendor-ID of a device whose vendor is not said: one that CiA never assigns.
 const NO_VENDOR: u32 = 0xFFFF_FFFF;
 
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let functions = functions(args)?;
     if args.vendor_id.is_none() {
-        tell(&format!(
-            "note: the vendor-ID is 0x{NO_VENDOR:08X}; say the one that CiA gave you with `--vendor-id`\n"
-        ));
+        note(&format!("note: the vendor-ID is 0x{NO_VENDOR:08X}; set yours with `--vendor-id`\n"));
     }
     let (date, time) = when(args)?;
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
@@ -45,7 +43,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
             Some(format) => format::write(&device, format, &WriteOptions::default()).bytes,
             None => {
-                let message = format!("a new device is no {}", kind.name());
+                let message = format!("a new device cannot be a {}", kind.name());
                 return Err(Failure::new(message).help("name an output that ends in .eds, .xdd or .json"));
             }
         },
@@ -80,25 +78,25 @@ fn functions(args: &NewArgs) -> Result<Functions, Failure> {
         (None, true, false) => 401,
         (None, false, true) => 406,
         (None, false, false) => 301,
-        (None, true, true) => return Err(Failure::new("a device has channels or is an encoder")),
+        (None, true, true) => return Err(Failure::new("a device has either channels or an encoder")),
     };
     let misplaced = |what: &str, right: u16| {
         let message = format!("CiA {profile} has no {what}");
-        Err(Failure::new(message).help(format!("they belong to `--profile {right}`")))
+        Err(Failure::new(message).help(format!("use `--profile {right}`")))
     };
     match profile {
         _ if has_channels && profile != 401 => misplaced("digital or analogue channels", 401),
         _ if is_encoder && profile != 406 => misplaced("encoder classes or types", 406),
         301 => Ok(Functions::Bare),
-        401 if !has_channels => Err(Failure::new("an I/O module has inputs or outputs")
-            .help("say how many with `--digital-inputs`, `--digital-outputs`, `--analog-inputs`, `--analog-outputs`")),
+        401 if !has_channels => Err(Failure::new("an I/O module needs inputs or outputs")
+            .help("set their number with `--digital-inputs`, `--digital-outputs`, `--analog-inputs`, `--analog-outputs`")),
         401 => Ok(Functions::InputsOutputs(channels)),
         406 => Ok(Functions::Encoder(Encoder {
             class: args.encoder_class.map_or(EncoderClass::C1, Into::into),
             encoder_type: args.encoder_type.unwrap_or(2),
         })),
-        _ => Err(Failure::new(format_args!("there is no skeleton for CiA {profile}"))
-            .help("there are skeletons for 301, 401 and 406")),
+        _ => Err(Failure::new(format_args!("CiA {profile} is not supported"))
+            .help("301, 401 and 406 are supported")),
     }
 }
 
@@ -115,7 +113,7 @@ fn when(args: &NewArgs) -> Result<(Date, ClockTime), Failure> {
     let time = time.and_then(|(hour, minute)| ClockTime::new(hour, minute)).unwrap_or(MIDNIGHT);
     let date = Date::after_1970(seconds / (24 * 60 * 60));
     date.map(|date| (date, time))
-        .ok_or_else(|| Failure::new("the clock shows no date").help("say one with `--date`"))
+        .ok_or_else(|| Failure::new("the clock has no valid date").help("set one with `--date`"))
 }
 
 const MIDNIGHT: ClockTime = ClockTime { hour: 0, minute: 0, second: 0, nanosecond: 0, utc_offset: None };

@@ -1,6 +1,6 @@
 //! The node that a DCF or XDC is for.
 
-use super::{Failure, tell};
+use super::{Failure, note};
 use crate::model::{Commissioning, Device};
 
 /// What the arguments say of the node.
@@ -10,8 +10,6 @@ pub(super) struct Wanted {
     pub name: Option<String>,
     /// What the file is that states it.
     pub kind: &'static str,
-    /// How the options are called that say the node-ID and the bit rate.
-    pub rate_option: &'static str,
 }
 
 /// The node of the output: that of the device, with what the arguments change.
@@ -23,14 +21,17 @@ pub(super) fn commissioning(device: &Device, wanted: &Wanted) -> Result<Commissi
         node.node_name = Some(name.clone());
     }
     if node.node_id.is_none() {
-        return Err(Failure::new("a DCF or XDC is for one node, and nothing says which one")
-            .help("say its node-ID with `--node-id`"));
+        return Err(
+            Failure::new("missing node-ID: a DCF or XDC is for one node").help("set it with `--node-id`")
+        );
     }
     if node.baud_rate.is_none() {
         let rate = usual_bit_rate(device);
         node.baud_rate = Some(rate);
-        let Wanted { kind, rate_option, .. } = wanted;
-        tell(&format!("note: the {kind} states {rate} kbit/s; say another bit rate with `{rate_option}`\n"));
+        note(&format!(
+            "note: the {} has the bit rate {rate} kbit/s; change it with `--bit-rate`\n",
+            wanted.kind
+        ));
     }
     Ok(node)
 }

@@ -26,7 +26,7 @@ pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
     let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
     for page in std::iter::once(&command).chain(commands) {
         let name = page.get_display_name().unwrap_or(page.get_name());
-        save(&args.folder.join(format!("{name}.1")), &render(page)?)?;
+        save(&args.output().join(format!("{name}.1")), &render(page)?)?;
     }
     Ok(Outcome::Clean)
 }
@@ -40,19 +40,22 @@ fn render(page: &Command) -> Result<Vec<u8>, Failure> {
 
 #[cfg(test)]
 mod tests {
+    use clap::Parser;
+
     use super::*;
 
     #[test]
     fn every_command_that_is_shown_has_a_page() {
         let folder = tempfile::tempdir().unwrap();
-        man(&ManArgs { folder: folder.path().to_owned() }).unwrap();
+        let args = ManArgs::parse_from(["man".as_ref(), "--output".as_ref(), folder.path()]);
+        man(&args).unwrap();
         let page = |name: &str| std::fs::read_to_string(folder.path().join(name));
         let main = page("objdict.1").unwrap();
         let check = page("objdict-check.1").unwrap();
         assert!(main.contains("objdict\\-check(1)"), "{main}");
         assert!(check.contains("\\fB\\-\\-deny\\fR"), "{check}");
         assert!(page("objdict-man.1").is_err());
-        man(&ManArgs { folder: folder.path().to_owned() }).unwrap();
+        man(&args).unwrap();
         assert_eq!(page("objdict-check.1").unwrap(), check, "the same pages each time");
     }
 }

@@ -11,8 +11,7 @@ use crate::report::problem;
 /// The argument `--profile`.
 #[derive(Debug, Default, clap::Args)]
 pub(super) struct ProfileArgs {
-    /// A document that devices shall follow though they do not say so, such as 401, or a file with a profile of your own
-    /// (docs/profiles.md); may be given several times
+    /// Also check against this profile: a CiA number such as 401, or the file of a custom profile (docs/profiles.md); repeatable
     #[arg(long = "profile", value_name = "PROFILE")]
     pub profiles: Vec<String>,
 }

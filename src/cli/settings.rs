@@ -1,4 +1,4 @@
-//! What a check is told: by arguments, and by the configurations of the folders that files are in.
+//! Settings of a check: from arguments, and from the configurations of the folders that files are in.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use super::Failure;
 use super::args::{Deny, node_id};
 use super::profiles::ProfileArgs;
+use super::{Failure, detail};
 use crate::config::Config;
 pub(super) use crate::config::Project;
 use crate::diagnostic::{Selection, Severity, Tool, series};
@@ -18,42 +18,56 @@ use crate::production::{Configuration, Judging};
 use crate::profile::Profile;
 use crate::registry;
 
-/// Which configuration holds, and what counts more.
+/// Which configuration applies.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct ConfigFileArgs {
+    /// The configuration of all files [default: the nearest `objdict.toml` in the folder of each file or above]
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+    /// Use no configuration
+    #[arg(long, conflicts_with = "config")]
+    no_config: bool,
+}
+
+/// Which configuration applies, and what overrides it.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct ConfigArgs {
-    /// The configuration for all files; without it, the nearest `objdict.toml` in the folder of each file or above
-    /// (docs/config.md)
-    #[arg(long, value_name = "FILE")]
-    config: Option<PathBuf>,
-    /// Look for no configuration
-    #[arg(long, conflicts_with = "config")]
-    no_config: bool,
-    /// How grave the findings of a rule or group are: cia306/file-name=off, cia302=note; may be given several times
+    #[command(flatten)]
+    file: ConfigFileArgs,
+    /// Override the severity of a rule or group: cia306/file-name=off, cia302=note; repeatable
     #[arg(long = "severity", value_name = "RULE=SEVERITY")]
     severities: Vec<RuleLevel>,
+    /// Report only this rule or group; repeatable, or separated by commas
+    #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
+    select: Vec<Selection>,
+    /// Do not report this rule or group; repeatable, or separated by commas
+    #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
+    ignore: Vec<Selection>,
 }
 
-/// What a check is told.
+/// Settings of a check.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct SettingsArgs {
     #[command(flatten)]
     config: ConfigArgs,
-    /// The mildest severity that makes the exit code 1: note, warning or error; without it, warning
+    /// Lowest severity that fails the run: note, warning or error [default: warning]
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
     deny: Option<Deny>,
-    /// The node-ID that formulas are worked out for; a DCF names its own
+    /// Evaluate formulas for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
-    /// Tools that the descriptions shall be fit for: dcf-tools, canopeneditor, python-canopen, codesys, canopennode
+    /// Also check compatibility with this tool: dcf-tools, canopeneditor, python-canopen, codesys, canopennode; repeatable, or
+    /// separated by commas
     #[arg(long, value_name = "TOOL", value_delimiter = ',', value_parser = tool)]
     compat: Vec<Tool>,
     #[command(flatten)]
     profiles: ProfileArgs,
 }
 
-/// A rule or group with how grave its findings are: `cia306/file-name=off`.
+/// A rule or group with its severity: `cia306/file-name=off`.
 #[derive(Clone, Copy, Debug)]
 struct RuleLevel {
     rules: Selection,
@@ -66,14 +80,16 @@ impl FromStr for RuleLevel {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, level) = text.split_once('=').ok_or("expected a rule, `=` and a severity")?;
         let level = level.parse().map_err(|error: crate::lint::UnknownLevel| error.to_string())?;
-        match registry::select(name) {
-            Some(rules) => Ok(Self { rules, level }),
-            None => Err(match registry::nearest_selection(name) {
-                Some(meant) => format!("there is no rule or group `{name}`, did you mean `{meant}`?"),
-                None => format!("there is no rule or group `{name}`, `objdict rules` lists all"),
-            }),
-        }
+        Ok(Self { rules: rules(name)?, level })
     }
+}
+
+/// A rule or group by its name.
+fn rules(name: &str) -> Result<Selection, String> {
+    registry::select(name).ok_or_else(|| match registry::nearest_selection(name) {
+        Some(meant) => format!("there is no rule or group `{name}`, did you mean `{meant}`?"),
+        None => format!("there is no rule or group `{name}`, `objdict rules` lists all"),
+    })
 }
 
 fn tool(name: &str) -> Result<Tool, String> {
@@ -81,11 +97,11 @@ fn tool(name: &str) -> Result<Tool, String> {
 }
 
 impl ConfigArgs {
-    /// What a check is told, with further profiles.
+    /// Settings of a check, with further profiles.
     pub(super) fn judging(&self, profiles: &ProfileArgs) -> Judging {
-        let config = match &self.config {
+        let config = match &self.file.config {
             Some(path) => Configuration::At(path.clone()),
-            None if self.no_config => Configuration::Off,
+            None if self.file.no_config => Configuration::Off,
             None => Configuration::Nearest,
         };
         Judging { config, severities: self.severities(), profiles: profiles.profiles.clone() }
@@ -96,7 +112,18 @@ impl ConfigArgs {
         for &RuleLevel { rules, level } in &self.severities {
             severities.set(rules, level);
         }
+        for &rules in &self.ignore {
+            severities.set(rules, Level::Off);
+        }
+        self.select.iter().for_each(|&rules| severities.select(rules));
         severities
+    }
+}
+
+impl From<&ConfigFileArgs> for SettingsArgs {
+    fn from(file: &ConfigFileArgs) -> Self {
+        let config = ConfigArgs { file: file.clone(), ..ConfigArgs::default() };
+        Self { config, ..Self::default() }
     }
 }
 
@@ -106,13 +133,13 @@ impl SettingsArgs {
         self.node_id
     }
 
-    /// The mildest severity that is too grave, where an argument says so.
+    /// The lowest severity that fails the run, if an argument sets it.
     pub(super) fn stated_deny(&self) -> Option<Severity> {
         self.deny.map(Severity::from)
     }
 }
 
-/// What a check is told, with the configurations, each of which is read once.
+/// Settings of a check, with the configurations, each of which is read once.
 pub(super) struct Settings<'a> {
     args: &'a SettingsArgs,
     severities: Severities,
@@ -139,7 +166,7 @@ impl<'a> Settings<'a> {
             by_folder: HashMap::new(),
             projects: Vec::new(),
         };
-        if let Some(path) = &args.config.config {
+        if let Some(path) = &args.config.file.config {
             settings.named = Some(settings.open(path)?);
         }
         Ok(settings)
@@ -150,7 +177,7 @@ impl<'a> Settings<'a> {
     /// # Errors
     /// When it cannot be opened.
     pub(super) fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, Failure> {
-        if self.args.config.no_config || self.named.is_some() {
+        if self.args.config.file.no_config || self.named.is_some() {
             return Ok(self.named.clone());
         }
         let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
@@ -167,7 +194,7 @@ impl<'a> Settings<'a> {
         self.projects.iter().map(|(_, project)| &**project)
     }
 
-    /// What the check of a file is told.
+    /// The options of the check of a file.
     pub(super) fn options(&self, path: &Path, project: Option<&Project>) -> Options {
         let mut options = match project {
             Some(project) => project.config.options(path, &self.severities),
@@ -182,7 +209,7 @@ impl<'a> Settings<'a> {
         options
     }
 
-    /// The mildest severity that makes the exit code 1.
+    /// The lowest severity that makes the exit code 1.
     pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
         let said = self.args.deny.map(Severity::from);
         said.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Warning)
@@ -192,6 +219,7 @@ impl<'a> Settings<'a> {
         if let Some((_, project)) = self.projects.iter().find(|(known, _)| known == path) {
             return Ok(project.clone());
         }
+        detail(path);
         let project = Arc::new(Project::open(path).map_err(Failure::new)?);
         self.projects.push((path.to_owned(), project.clone()));
         Ok(project)

@@ -4,40 +4,41 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::PathBuf;
 
-use crate::diagnostic::counted;
 use crate::diagnostic::one_line;
 use crate::format::ReadError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
 #[cfg(feature = "lint")]
 use crate::profile::OpenError;
-use crate::report::problem;
+use crate::report::{plural, problem};
 use crate::source::SourceError;
 
 /// Why a build script generated nothing.
 ///
 /// `Display` is one sentence, and `Debug` is what a reader of the build's output needs: the sentence, the findings with
-/// their places and what to do. So `fn main() -> Result<(), Error>` tells all of it.
+/// their places and what to do. So `fn main() -> Result<(), Error>` reports all of it.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// There is nothing to be had of the description.
+    /// The description cannot be read.
     #[error(transparent)]
     Input(#[from] ReadError),
     /// A configuration cannot be opened.
     #[error(transparent)]
     Config(#[from] SourceError),
-    /// A profile that was asked for is none.
+    /// A profile cannot be used.
     #[cfg(feature = "lint")]
     #[error(transparent)]
     Profile(#[from] OpenError),
     /// There are errors in the description or in the configuration.
-    #[error("`{file}` has {}, so nothing was generated", counted(*count, "error", "errors"))]
+    #[error("`{file}` has {}, so nothing was generated", plural(*count, noun))]
     Findings {
         /// The file that the errors are in.
         file: String,
         /// How many errors there are.
         count: usize,
+        /// `error`, or `finding` if a lower severity stops the generation.
+        noun: &'static str,
         /// The errors with their places: excerpts, or a line each where the crate is built without the feature `cli`.
         report: String,
     },
@@ -75,7 +76,7 @@ pub enum Error {
         error: GenerateError,
     },
     /// The tables take more than they may.
-    #[error("target `{target}`: the tables take {bytes} bytes of {memory}, {most} are allowed")]
+    #[error("target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}")]
     TooLarge {
         /// The target.
         target: &'static str,
@@ -87,7 +88,7 @@ pub enum Error {
         most: usize,
     },
     /// The tables may take only so much, and what they take is known of none of the targets.
-    #[error("target `{target}`: what the tables take is not known and cannot be limited: {why}")]
+    #[error("target `{target}`: the size of the tables is unknown and cannot be limited: {why}")]
     NotMeasured {
         /// The first of the targets.
         target: &'static str,
@@ -112,11 +113,11 @@ pub enum Error {
         /// What the system said.
         error: io::Error,
     },
-    /// Nobody says where the files go.
+    /// No output folder is set.
     #[error("the variable `OUT_DIR` is not set")]
     NoOutDir,
-    /// Cargo does not listen.
-    #[error("cannot tell Cargo: {0}")]
+    /// The output to Cargo failed.
+    #[error("cannot write to Cargo: {0}")]
     Cargo(#[source] io::Error),
 }
 
@@ -125,13 +126,13 @@ impl Error {
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Input(ReadError::SeveralDevices { .. }) => {
-                Some("say which one with `device`, counted from 1".to_owned())
+                Some("choose one with `device`, counted from 1".to_owned())
             }
             Self::Input(error) => error.help(),
             #[cfg(feature = "lint")]
             Self::Profile(error) => error.help(),
             Self::Findings { .. } => Some(
-                "mend them; `severity` makes findings of a rule milder, `force` generates all the same"
+                "fix them, lower the severity of a rule with `severity`, or generate anyway with `force`"
                     .to_owned(),
             ),
             Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
@@ -144,11 +145,11 @@ impl Error {
             Self::TooLarge { .. } => {
                 Some("`objdict generate --report size` shows what each object takes".to_owned())
             }
-            Self::NotMeasured { .. } => Some("the map file of the linker says it".to_owned()),
+            Self::NotMeasured { .. } => Some("see the map file of the linker".to_owned()),
             Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
-            Self::NoOutDir => Some(
-                "Cargo sets it for build scripts; elsewhere say where the files go with `out_dir`".to_owned(),
-            ),
+            Self::NoOutDir => {
+                Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
+            }
             Self::Config(_)
             | Self::Choice(_)
             | Self::Unreadable { .. }

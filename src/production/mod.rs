@@ -44,34 +44,36 @@ pub(crate) struct Request {
     pub(crate) file: PathBuf,
     /// How it is read.
     pub(crate) reading: Reading,
-    /// What the check is told.
+    /// The settings of the check.
     pub(crate) judging: Judging,
     /// Whether the PDOs are described that `CompactPDO` implies.
     pub(crate) implicit_pdos: bool,
     /// Whether to generate although there are errors.
     pub(crate) force: bool,
+    /// The lowest severity of a finding that stops it; without it, errors.
+    pub(crate) deny: Option<Severity>,
     /// What to generate; what is there twice counts once.
     pub(crate) targets: Vec<Target>,
     /// The options; the names of files, those in the file of names, and the hash are found out.
     pub(crate) options: Options,
-    /// Whether somebody wants to know what the tables take.
+    /// Whether the size of the tables is reported.
     pub(crate) sizes: bool,
     /// The bytes of flash and of RAM that the tables of a target may take at most.
     pub(crate) room: Room,
 }
 
-/// What a check is told.
+/// The settings of a check.
 #[derive(Debug, Default)]
 pub(crate) struct Judging {
     #[cfg(feature = "lint")]
     pub(crate) config: Configuration,
     pub(crate) severities: Severities,
-    /// Documents that the device shall follow though it does not say so: numbers, or paths of files.
+    /// Profiles to check against beside that of the device: numbers, or paths of files.
     #[cfg(feature = "lint")]
     pub(crate) profiles: Vec<String>,
 }
 
-/// Which configuration holds.
+/// Which configuration applies.
 #[cfg(feature = "lint")]
 #[derive(Debug, Default)]
 pub(crate) enum Configuration {
@@ -213,10 +215,10 @@ impl Request {
     /// Everything that is to be written, before anything is.
     ///
     /// # Errors
-    /// When there are errors in the description and nobody forces it, or a target cannot express the device.
+    /// When there are errors in the description and `force` is not set, or a target cannot express the device.
     pub(crate) fn produce(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Production, Error> {
         if !self.force {
-            judged.refuse()?;
+            judged.refuse(self.deny.unwrap_or(Severity::Error))?;
         }
         let device = judged.device();
         let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
@@ -279,9 +281,9 @@ impl Room {
         let Size { flash, ram } = match sizes {
             Sizes::Known(report) => report.total,
             Sizes::Unknown(why) if self.is_limited() => {
-                let text = format!("what the tables take is not known and so not limited: {why}");
+                let text = format!("the size of the tables is unknown and so not limited: {why}");
                 let note = Note::new(Place::device(), text);
-                return Ok(Some(note.help("the map file of the linker says it")));
+                return Ok(Some(note.help("see the map file of the linker")));
             }
             Sizes::Unknown(_) => return Ok(None),
         };
@@ -315,12 +317,9 @@ impl Judged {
         }
     }
 
-    /// The errors as a reason to stop.
-    fn refuse(&self) -> Result<(), Error> {
-        if !self.findings.has_errors() {
-            return Ok(());
-        }
-        refusal(&self.name, &self.findings, |errors| match &self.described {
+    /// The findings of `deny` or above as a reason to stop.
+    fn refuse(&self, deny: Severity) -> Result<(), Error> {
+        refusal(&self.name, &self.findings, deny, |errors| match &self.described {
             Described::Text(description) => text_of((&**description).into(), errors),
             #[cfg(feature = "json")]
             Described::Model(_) => {
@@ -345,24 +344,31 @@ impl Judged {
 fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
     let findings = options.severities.apply(project.findings.clone());
     let subject = Subject::Text(project.config.source());
-    if findings.has_errors() {
-        refusal(subject.source().name(), &findings, |errors| text_of(subject, errors))?;
-    }
+    refusal(subject.source().name(), &findings, Severity::Error, |errors| text_of(subject, errors))?;
     let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
     Ok(warnings.map(|finding| line(subject, finding)).collect())
 }
 
-/// The error that the errors among findings are.
-fn refusal(file: &str, findings: &Findings, shown: impl FnOnce(&Findings) -> String) -> Result<(), Error> {
-    let errors = || findings.iter().filter(|finding| finding.severity == Severity::Error);
+/// The error that findings of `deny` or above are.
+fn refusal(
+    file: &str,
+    findings: &Findings,
+    deny: Severity,
+    shown: impl FnOnce(&Findings) -> String,
+) -> Result<(), Error> {
+    if findings.worst() < Some(deny) {
+        return Ok(());
+    }
+    let errors = || findings.iter().filter(|finding| finding.severity >= deny);
     let mut first = Findings::new();
     errors().take(MAX_SHOWN).for_each(|error| first.push(error.clone()));
     let mut report = shown(&first);
     let count = errors().count();
     if count > MAX_SHOWN {
-        report.push_str(&format!("{} more errors are not shown\n", count - MAX_SHOWN));
+        report.push_str(&format!("{} more findings are not shown\n", count - MAX_SHOWN));
     }
-    Err(Error::Findings { file: file.to_owned(), count, report })
+    let noun = if deny == Severity::Error { "error" } else { "finding" };
+    Err(Error::Findings { file: file.to_owned(), count, noun, report })
 }
 
 fn text_of(subject: Subject<'_>, findings: &Findings) -> String {

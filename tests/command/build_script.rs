@@ -56,7 +56,7 @@ fn the_command_writes_the_same() {
         .arg("generate")
         .arg(&file)
         .args(["--target", "rust,c,concise", "--string-capacity", "12", "--names", "index", "--prefix", "io"])
-        .arg("--out")
+        .arg("--output")
         .arg(theirs.path())
         .output()
         .unwrap();

@@ -122,9 +122,9 @@ fn a_pipe_through_the_command() {
     let eds = fs::read("fixtures/eds/minimal.eds").unwrap();
     let checked = through(&["check", "-"], &eds);
     assert_eq!(String::from_utf8_lossy(&checked.stdout), "no findings in 1 file\n");
-    let same = through(&["convert", "-", "-", "--to", "eds"], &eds);
+    let same = through(&["convert", "-", "--to", "eds"], &eds);
     assert_eq!(same.stdout, eds);
-    let json = through(&["convert", "-", "-", "--to", "json"], &eds).stdout;
+    let json = through(&["convert", "-", "--to", "json"], &eds).stdout;
     let shown = through(&["show", "-", "--from", "json", "1017"], &json);
     assert!(String::from_utf8_lossy(&shown.stdout).starts_with("0x1017sub0  Producer heartbeat time\n"));
     let broken = through(&["check", "-"], b"[2000]\nDefaultValue=x\x1B[31m\n");

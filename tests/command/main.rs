@@ -8,6 +8,7 @@ mod building;
 #[cfg(unix)]
 mod ci;
 mod cli;
+mod flags;
 mod limits;
 mod page;
 mod reports;

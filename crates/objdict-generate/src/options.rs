@@ -23,7 +23,7 @@ use crate::model::{Address, Device};
 macro_rules! with_options {
     ($make:ident) => {
         $make! {
-            /// The node-ID of the node; a DCF names its own
+            /// The node-ID [default: that of the DCF]
             ///
             /// 1 to 127. Formulas stay formulas all the same, the node-ID is only named as the default.
             NodeId "node-id" {
@@ -31,119 +31,118 @@ macro_rules! with_options {
                 argument: Option<u8> [value_name = "N", value_parser = node_id],
                 method: node_id(node_id: u8) => Ok(node_id),
             }
-            /// Room for a string that can be written and has a shorter default or none
+            /// Capacity of writable strings that have a shorter default or none [default: 32]
             ///
             /// 1 to 65535 bytes for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING; without it, 32.
             StringCapacity "string-capacity" {
                 field: string_capacity: u16 = 32,
-                argument: Option<u16> [value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..)],
+                argument: Option<u16> [help_heading = "Storage", value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..)],
                 method: string_capacity(bytes: u16) => Ok(bytes),
             }
-            /// Room for a DOMAIN that can be written; without it, only for its default
+            /// Capacity of writable DOMAINs [default: the size of the default value]
             ///
             /// In bytes. 0: only for the default, and none where there is no default, so that the application has to
             /// transfer the data itself.
             DomainCapacity "domain-capacity" {
                 field: domain_capacity: u16 = 0,
-                argument: Option<u16> [value_name = "BYTES"],
+                argument: Option<u16> [help_heading = "Storage", value_name = "BYTES"],
                 method: domain_capacity(bytes: u16) => Ok(bytes),
             }
-            /// What identifiers are made of
+            /// Source of identifiers
             ///
             /// Without it, [`Names::Words`].
             Names "names" {
                 field: names: Names = Names::default(),
-                argument: Option<Names> [value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
+                argument: Option<Names> [help_heading = "Names", value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
                 method: names(names: Names) => Ok(names),
             }
-            /// Other names to make identifiers of: lines as `"2000sub1" = "target speed"`
+            /// A file of other names for identifiers, with lines such as `"2000sub1" = "target speed"`
             ///
-            /// In a file that whoever takes the options reads: `generate::renames` turns its text into
-            /// other names.
+            /// The caller reads the file: `generate::renames` turns its text into other names.
             Renamed "rename" {
                 field: rename: Option<PathBuf> = None,
-                argument: Option<PathBuf> [value_name = "FILE"],
+                argument: Option<PathBuf> [help_heading = "Names", value_name = "FILE"],
                 method: rename(file: impl AsRef<Path>) => Ok(file.as_ref().to_owned()),
                 needs: "lint",
             }
-            /// What C identifiers and files start with, instead of `od`
+            /// Prefix of C identifiers and files [default: od]
             ///
             /// A letter, and up to 15 more letters, digits and `_`. The case is that of each identifier.
             Prefix "prefix" {
                 field: prefix: Option<String> = None,
-                argument: Option<String> [value_name = "WORD"],
+                argument: Option<String> [help_heading = "Names", value_name = "WORD"],
                 method: prefix(word: impl Into<String>) => Ok(word.into()),
             }
-            /// The name of the Rust module and its file, instead of `od`
+            /// Name of the Rust module and its file [default: od]
             ///
             /// The same letters as of a prefix.
             Module "module" {
                 field: module: Option<String> = None,
-                argument: Option<String> [value_name = "WORD"],
+                argument: Option<String> [help_heading = "Names", value_name = "WORD"],
                 method: module(word: impl Into<String>) => Ok(word.into()),
             }
-            /// The storage group of objects, as `2000-2FFF=PERSIST_APP`; may be given several times
+            /// Storage group of objects, such as `2000-2FFF=PERSIST_APP`; repeatable
             ///
             /// The last one that has an index counts; one that the description states comes first. A name is a letter
             /// with letters, digits and `_` behind it.
             Groups "group" {
                 field: groups: Vec<StorageGroup> = Vec::new(),
-                argument: Vec<StorageGroup> [value_name = "INDEXES=NAME"],
+                argument: Vec<StorageGroup> [help_heading = "Storage", value_name = "INDEXES=NAME"],
                 method: group(objects: RangeInclusive<u16>, name: &str) => StorageGroup::new(objects, name),
             }
-            /// Call the application before reads and after writes of an object or entry, as `6000` or `6000:1`; may be given several
-            /// times, or with commas between
+            /// Call the application before reads and after writes of an object or entry, such as `6000` or `6000:1`; repeatable, or
+            /// separated by commas
             ///
             /// An object stands for all its entries.
             Hooks "hook" {
                 field: hooks: BTreeSet<Address> = BTreeSet::new(),
-                argument: Vec<Address> [value_name = "ADDRESS", value_delimiter = ','],
+                argument: Vec<Address> [help_heading = "Stacks", value_name = "ADDRESS", value_delimiter = ','],
                 method: hook(at: Address) => Ok(at),
             }
-            /// Keep `LowLimit` and `HighLimit` where the stack does not
+            /// Generate checks of `LowLimit` and `HighLimit` if the stack does not check them
             Limits "limits" {
                 field: limits: bool = false,
-                argument: bool [],
+                argument: bool [help_heading = "Stacks"],
                 method: limits(keep: bool) => Ok(keep),
             }
-            /// The template that the target `template` renders; its output is called like it without `.j2`
+            /// Template of the target `template`; the output has its name without `.j2`
             ///
             /// It needs the feature `template`.
             Template "template" {
                 field: template: Option<PathBuf> = None,
-                argument: Option<PathBuf> [value_name = "FILE"],
+                argument: Option<PathBuf> [help_heading = "Output", value_name = "FILE"],
                 method: template(file: impl AsRef<Path>) => Ok(file.as_ref().to_owned()),
             }
-            /// How the table of the target `c` is laid out
+            /// Layout of the table of the target `c`
             ///
             /// Without it, [`CTable::Compact`].
             Table "table" {
                 field: table: CTable = CTable::default(),
-                argument: Option<CTable> [value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
+                argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
                 method: table(table: CTable) => Ok(table),
             }
-            /// Leave the names of entries out
+            /// Omit the names of entries
             ///
             /// They are for people who read the table on the device; what has no room for names has none anyway.
             EntryNames "no-names" {
                 field: entry_names: bool = true,
-                argument: bool [],
+                argument: bool [help_heading = "Size"],
                 method: no_names() => Ok(false),
             }
-            /// Let the Rust file have names, PDOs and limits only with the features `od-names`, `od-pdo` and `od-limits`
+            /// Put names, PDOs and limits in Rust behind the features `od-names`, `od-pdo` and `od-limits`
             ///
             /// The features are those of the crate that takes it in.
             FeatureGates "feature-gates" {
                 field: feature_gates: bool = false,
-                argument: bool [],
+                argument: bool [help_heading = "Size"],
                 method: feature_gates(gates: bool) => Ok(gates),
             }
-            /// Derive traits of other crates for the types of the Rust file
+            /// Derive traits of other crates for the Rust types
             ///
             /// May be called several times.
             Derives "derive" {
                 field: derives: Vec<Derive> = Vec::new(),
-                argument: Vec<Derive> [value_name = "CRATE", value_parser = one_of::<Derive>(), value_delimiter = ','],
+                argument: Vec<Derive> [help_heading = "Stacks", value_name = "CRATE", value_parser = one_of::<Derive>(), value_delimiter = ','],
                 method: derive(derive: Derive) => Ok(derive),
             }
         }

@@ -43,16 +43,18 @@ impl FromStr for Level {
     }
 }
 
-/// A word that is no level.
+/// A word that is not a level.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no severity: `off`, `note`, `warning` or `error`")]
+#[error("`{0}` is not a valid severity: `off`, `note`, `warning` or `error`")]
 pub struct UnknownLevel(pub String);
 
-/// How grave the findings of rules are, where somebody says it otherwise than the rules. What is set later counts more.
+/// The severities of findings that differ from those of their rules. What is set later counts more.
 #[derive(Clone, Debug, Default)]
 pub struct Severities {
     rules: BTreeMap<&'static str, Level>,
     groups: BTreeMap<&'static str, Level>,
+    /// The only rules that are reported; all, if it is empty.
+    only: Vec<Selection>,
 }
 
 impl Severities {
@@ -69,12 +71,20 @@ impl Severities {
         }
     }
 
+    /// Turns all rules off that are not selected. Several calls select more rules; one that is off otherwise stays off.
+    pub fn select(&mut self, rules: Selection) {
+        self.only.push(rules);
+    }
+
     /// Takes over what `later` says.
     pub fn extend(&mut self, later: &Self) {
         let groups = &later.groups;
         self.rules.retain(|id, _| !groups.contains_key(group_of(id)));
         self.groups.extend(groups);
         self.rules.extend(&later.rules);
+        if !later.only.is_empty() {
+            self.only.clone_from(&later.only);
+        }
     }
 
     /// The level of a rule; `None` for one that findings have of their own.
@@ -92,12 +102,16 @@ impl Severities {
     }
 
     fn of_id(&self, id: &str) -> Option<Level> {
+        let is_selected = |rules: &Selection| rules.name() == id || rules.name() == group_of(id);
+        if !self.only.is_empty() && !self.only.iter().any(is_selected) {
+            return Some(Level::Off);
+        }
         self.rules.get(id).or_else(|| self.groups.get(group_of(id))).copied()
     }
 
     /// The findings as they are reported.
     pub fn apply(&self, mut findings: Findings) -> Findings {
-        if self.rules.is_empty() && self.groups.is_empty() {
+        if self.rules.is_empty() && self.groups.is_empty() && self.only.is_empty() {
             return findings;
         }
         findings.remove_rules(|id| self.of_id(id) == Some(Level::Off));

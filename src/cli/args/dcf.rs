@@ -8,10 +8,10 @@ use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::format::concise::BlobSpelling;
 
-/// Make, take apart, compare and prove concise DCF
+/// Pack, unpack, compare and verify concise DCF
 ///
-/// A concise DCF is what a CANopen manager keeps in 1F22h for a node: the SDO downloads that configure it, as one stream of
-/// bytes (CiA 302-3). Wherever one is read, it may be the stream, its hex digits, its text (.cdcf.txt) or its JSON.
+/// A concise DCF is the content of 1F22h in a CANopen manager: the SDO downloads that configure a node, as one stream of
+/// bytes (CiA 302-3). Every command reads it as bytes, hex digits, text (.cdcf.txt) or JSON.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct DcfArgs {
     #[command(subcommand)]
@@ -26,35 +26,35 @@ pub(in crate::cli) enum DcfCommand {
     Verify(VerifyArgs),
 }
 
-/// Make the stream of a DCF or XDC, or of a text
+/// Create a concise DCF from a DCF, XDC or text
 ///
-/// What is made is verified as `verify` does it; a stream that a node refuses is not written, and the exit code is 1.
+/// The stream is verified as by `verify`. A stream that the node would reject is not written, with exit code 1.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct PackArgs {
-    /// The DCF, XDC or device as JSON whose values a node shall have, or the text of a stream; `-` is the standard input
+    /// DCF, XDC or device as JSON with the values of the node, or the text of a stream; `-` is the standard input
     pub file: PathBuf,
-    /// The file to write; without it the standard output
+    /// The file to write [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// How to write it
-    #[arg(long, value_enum, default_value = "bin", value_name = "SPELLING")]
-    pub format: BlobFormat,
-    /// Write what differs from the defaults; that is what happens anyway
+    /// The format to write
+    #[arg(long, alias = "format", value_enum, default_value = "bin", value_name = "FORMAT")]
+    pub to: BlobFormat,
+    /// Write values that differ from the defaults (default)
     #[arg(long, conflicts_with = "all")]
     pub changed: bool,
-    /// Write all values, whatever the node may have
+    /// Write all values
     #[arg(long)]
     pub all: bool,
-    /// The description that the node comes with: its defaults count, and it is what the stream is verified against
+    /// The EDS of the node: provides the defaults, and the stream is verified against it
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID of the node; a DCF names its own
+    /// The node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// A folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; may be given several times
+    /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
-    /// Write the stream although a node refuses it
+    /// Write the stream even if the node would reject it
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]
@@ -63,19 +63,19 @@ pub(in crate::cli) struct PackArgs {
     pub input: InputArgs,
 }
 
-/// Write a stream as a text of one download a line, to be reviewed, edited and packed again
+/// Write a stream as text, one download per line, to review, edit and pack again
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct UnpackArgs {
     /// The stream; `-` is the standard input
     pub blob: PathBuf,
-    /// The file to write, such as pump.cdcf.txt; without it the standard output
+    /// The file to write, such as pump.cdcf.txt [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub names: NamingArgs,
 }
 
-/// Show what two streams write differently
+/// Compare two streams
 ///
 /// Exits with 1 when they are different.
 #[derive(Debug, Parser)]
@@ -88,9 +88,9 @@ pub(in crate::cli) struct DcfDiffArgs {
     pub names: NamingArgs,
 }
 
-/// Play a stream against a description, as the node does, and show which writes it refuses
+/// Verify a stream against the description of the node
 ///
-/// Shows the first write that fails with its offset, then all others. Exits with 1 when there is one.
+/// Shows the first write that the node would reject with its offset, then all others. Exits with 1 when there is one.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct VerifyArgs {
     /// The stream; `-` is the standard input
@@ -98,10 +98,10 @@ pub(in crate::cli) struct VerifyArgs {
     /// The description of the node: EDS, DCF, XDD, XDC or a device as JSON
     #[arg(long, value_name = "FILE")]
     pub eds: PathBuf,
-    /// The node-ID of the node; a DCF names its own
+    /// The node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// How to write what is found
+    /// The form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: VerdictFormat,
     #[command(flatten)]
@@ -116,7 +116,7 @@ pub(in crate::cli) struct NamingArgs {
     /// The description of the node, for names, data types and meanings
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID of the node; a DCF names its own
+    /// The node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     #[command(flatten)]

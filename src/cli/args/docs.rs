@@ -9,26 +9,26 @@ use crate::cli::input::InputArgs;
 use crate::cli::settings::SettingsArgs;
 use crate::document::Form;
 
-/// Make documentation of descriptions: pages for people, tables for programs
+/// Document devices as HTML, Markdown or CSV
 ///
-/// Several descriptions make one site with an index page. What `check` finds stands in the page and changes no exit code, but with
-/// --deny.
+/// Several descriptions make one site with an index page. Pages include the findings of `check`, which do not change the exit
+/// code unless --deny is given.
 #[derive(Debug, Parser)]
-#[command(mut_arg("deny", |deny| deny.help("The mildest severity that makes the exit code 1: note, warning or error; without it, none does")))]
+#[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
 pub(in crate::cli) struct DocsArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
     /// The file to write, or the folder for a site; `-` is the standard output
-    #[arg(short, long, value_name = "FILE|DIR")]
-    pub out: PathBuf,
-    /// What to write; without it what the ending of the file says, else HTML
+    #[arg(short, long, alias = "out", value_name = "PATH")]
+    pub output: PathBuf,
+    /// The form of the pages [default: by the extension of the output, else html]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Option<DocsFormat>,
-    /// The title of the page or of the site; without it the name of the product
+    /// The title of the page or site [default: the product name]
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
-    /// The language: names and descriptions in it, where the description has them, headings and sentences in English or German
+    /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
     #[arg(long, value_name = "TAG")]
     pub lang: Option<String>,
     #[command(flatten)]
@@ -42,9 +42,9 @@ pub(in crate::cli) struct DocsArgs {
 /// How documentation is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum DocsFormat {
-    /// One page that needs nothing beside it
+    /// One self-contained page
     Html,
-    /// One file of tables, as forges render them
+    /// One file of tables, as GitHub and GitLab render them
     Markdown,
     /// One line for each entry, for spreadsheets
     Csv,

@@ -5,56 +5,61 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
-use super::{ExpandArgs, node_id};
+use super::{Deny, ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{
-    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StorageGroup, Target,
-};
+use crate::generate::{CTable, Derive, Names, OptionField, OptionValue, Options, StorageGroup, Target};
 use crate::model::Address;
 
-/// Turn a description into what a product compiles or downloads
+/// Generate code and configuration from a description
 ///
-/// Checks the description first and generates nothing when there is an error in it. Files are only written when they
-/// change, and then as a whole.
+/// Checks the description first and generates nothing if it has errors. Files are written only if they change, and
+/// atomically.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct GenerateArgs {
     /// The description; `-` is the standard input
     pub file: PathBuf,
-    /// What to generate; may be given several times, or with commas between
+    /// What to generate; repeatable, or separated by commas
     #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
     pub targets: Vec<String>,
-    /// The folder that the files go to
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
+    /// The folder to write to
+    #[arg(short, long, alias = "out", value_name = "PATH")]
+    pub output: PathBuf,
     /// Write nothing, print the names of the files that would be written
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     pub list: bool,
-    /// A file that is written each time when all is done, for make: the others are only written when they change
-    #[arg(long, value_name = "FILE")]
+    /// A file that every successful run writes, for make: the other files are written only if they change
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub stamp: Option<PathBuf>,
-    /// Write which files the stamp was made of, as a rule of make
-    #[arg(long, value_name = "FILE", requires = "stamp")]
+    /// Write the inputs of the stamp as a rule of make
+    #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
     pub depfile: Option<PathBuf>,
+    /// Generate even if the description has errors
+    #[arg(long, help_heading = "Output")]
+    pub force: bool,
     #[command(flatten)]
     pub options: OptionArgs,
-    /// Generate although there are errors in the description
-    #[arg(long, display_order = behind(Choice::NodeId))]
-    pub force: bool,
-    /// Show what the tables take in flash and RAM, object by object
-    #[arg(long, value_enum, value_name = "WHAT", display_order = behind(Choice::Hooks))]
+    /// Report the flash and RAM of the tables, object by object
+    #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
     pub report: Option<ReportArg>,
-    /// How it is shown
-    #[arg(long, value_enum, default_value = "table", requires = "report", value_name = "FORMAT", display_order = behind(Choice::Hooks) + 1)]
+    /// The form of the report
+    #[arg(
+        long,
+        value_enum,
+        default_value = "table",
+        requires = "report",
+        value_name = "FORMAT",
+        help_heading = "Size"
+    )]
     pub report_format: SizeFormat,
-    /// Generate nothing when the tables of a target take more flash, without the code that serves them
-    #[arg(long, value_name = "BYTES", display_order = behind(Choice::Hooks) + 2)]
+    /// Fail if the tables of a target take more flash, without the code that serves them
+    #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_flash: Option<usize>,
-    /// Generate nothing when the values take more RAM
-    #[arg(long, value_name = "BYTES", display_order = behind(Choice::Hooks) + 3)]
+    /// Fail if the values take more RAM
+    #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_ram: Option<usize>,
-    #[command(flatten, next_display_order = 500)]
+    #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
@@ -62,6 +67,9 @@ pub(in crate::cli) struct GenerateArgs {
     pub config: ConfigArgs,
     #[command(flatten)]
     pub profiles: ProfileArgs,
+    /// Lowest severity that stops the generation: note, warning or error [default: error]
+    #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
+    pub deny: Option<Deny>,
 }
 
 macro_rules! arguments {
@@ -79,7 +87,7 @@ macro_rules! arguments {
         pub(in crate::cli) struct OptionArgs {
             $(
                 $(#[doc = $doc])+
-                #[arg(long = $name, long_help = None::<&str>, display_order = order(Choice::$choice), $($clap)*)]
+                #[arg(long = $name, long_help = None::<&str>, $($clap)*)]
                 $field: $argument,
             )+
         }
@@ -95,15 +103,6 @@ macro_rules! arguments {
 }
 
 crate::generate::with_options!(arguments);
-
-/// Where help shows an option of generated code: there is room behind each for arguments that belong to it.
-fn order(choice: Choice) -> usize {
-    10 * (choice as usize + 1)
-}
-
-fn behind(choice: Choice) -> usize {
-    order(choice) + 1
-}
 
 /// What the command line gives for a setting.
 trait Given<S> {
@@ -138,7 +137,7 @@ fn one_of<T: OptionValue>() -> impl TypedValueParser<Value = T> {
     })
 }
 
-/// What is reported of the output.
+/// What is reported about the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ReportArg {
     /// Bytes of flash and RAM
@@ -150,7 +149,7 @@ pub(in crate::cli) enum ReportArg {
 pub(in crate::cli) enum SizeFormat {
     /// For people
     Table,
-    /// For programs: one JSON document, in the place of the list of files (docs/json.md)
+    /// For programs: one JSON document, instead of the list of files (docs/json.md)
     Json,
 }
 
@@ -166,11 +165,11 @@ mod tests {
     use super::*;
 
     /// Methods of the builder that have other names than the arguments.
-    const RENAMED: [(&str, &str); 3] = [("file", "new"), ("out", "out_dir"), ("from", "from_kind")];
+    const RENAMED: [(&str, &str); 3] = [("file", "new"), ("output", "out_dir"), ("from", "from_kind")];
 
-    /// Arguments that are about a terminal or make; Cargo is told without being asked.
-    const OF_THE_COMMAND: [&str; 7] =
-        ["color", "help", "report", "report-format", "list", "stamp", "depfile"];
+    /// Arguments that are about a terminal or make.
+    const OF_THE_COMMAND: [&str; 9] =
+        ["color", "quiet", "verbose", "help", "report", "report-format", "list", "stamp", "depfile"];
 
     /// Whatever the command can do, a build script can do.
     #[test]

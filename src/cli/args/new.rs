@@ -7,31 +7,31 @@ use clap::{Parser, ValueEnum};
 use crate::model::Date;
 use crate::skeleton::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 
-/// Write the description of a new device that has what its profile demands
+/// Create the description of a new device
 ///
-/// Profiles: 301 (communication objects only), 401 (inputs and outputs), 406 (encoder). `objdict check` finds nothing in what
-/// is written; add your own objects from 2000h on.
+/// Profiles: 301 (communication objects only), 401 (inputs and outputs), 406 (encoder). The file has the objects that the profile
+/// requires and passes `objdict check`; add your own objects from 2000h on.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NewArgs {
-    /// The file to write; its ending says what: .eds .xdd .json. `-` writes an EDS to the standard output
+    /// The file to write: .eds .xdd .json; `-` writes an EDS to the standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// The device profile: 301, 401 or 406; without it, the one that the other arguments belong to
+    /// The device profile: 301, 401 or 406 [default: that of the other arguments]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
-    /// Digital inputs, each a bit
+    /// Number of digital inputs of one bit
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = digital())]
     pub digital_inputs: u16,
-    /// Digital outputs, each a bit
+    /// Number of digital outputs of one bit
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = digital())]
     pub digital_outputs: u16,
-    /// Analogue inputs of 16 bits
+    /// Number of analogue inputs of 16 bits
     #[arg(long, alias = "analogue-inputs", value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = analog())]
     pub analog_inputs: u8,
-    /// Analogue outputs of 16 bits
+    /// Number of analogue outputs of 16 bits
     #[arg(long, alias = "analogue-outputs", value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = analog())]
     pub analog_outputs: u8,
-    /// What an encoder can do [default: c1]
+    /// Class of the encoder [default: c1]
     #[arg(long, value_enum, value_name = "CLASS")]
     pub encoder_class: Option<Class>,
     /// The encoder type of CiA 406: 1 single-turn absolute rotary, 2 multi-turn absolute rotary, … 10 several sensors [default: 2]
@@ -40,7 +40,7 @@ pub(in crate::cli) struct NewArgs {
     /// Name of the vendor
     #[arg(long, value_name = "NAME", default_value = "Vendor", value_parser = text)]
     pub vendor_name: String,
-    /// The vendor-ID that CiA gave the vendor, in decimal or as 0x1A2
+    /// Vendor-ID assigned by CiA, such as 418 or 0x1A2
     #[arg(long, value_name = "NUMBER", value_parser = number)]
     pub vendor_id: Option<u32>,
     /// Name of the product
@@ -49,16 +49,16 @@ pub(in crate::cli) struct NewArgs {
     /// Product code
     #[arg(long, value_name = "NUMBER", default_value = "1", value_parser = number)]
     pub product_code: u32,
-    /// Revision number: the major one in the upper 16 bits
+    /// Revision number, with the major revision in the upper 16 bits
     #[arg(long, value_name = "NUMBER", default_value = "0x00010000", value_parser = number)]
     pub revision: u32,
-    /// Who makes the description [default: the vendor]
+    /// Author of the description [default: the vendor]
     #[arg(long, value_name = "NAME", value_parser = text)]
     pub author: Option<String>,
-    /// When it is made, such as 2026-11-21 [default: now, or what SOURCE_DATE_EPOCH says]
+    /// Date of the description, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
     #[arg(long, value_name = "DATE", value_parser = date)]
     pub date: Option<Date>,
-    /// Overwrite a file that exists
+    /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
 }
@@ -66,7 +66,7 @@ pub(in crate::cli) struct NewArgs {
 /// A class of encoders, as an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Class {
-    /// Position, and what describes it
+    /// Position and its description
     C1,
     /// Also scaling, preset, alarms and diagnosis
     C2,

@@ -6,7 +6,7 @@ use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
 use super::super::node::{Wanted, commissioning};
-use super::super::{Failure, tell};
+use super::super::{Failure, note};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
 use crate::format::{self, Description, Format, Loss, concise, json};
@@ -113,11 +113,8 @@ fn base_name(path: &Path) -> String {
 
 /// The node of the output.
 fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Commissioning, Failure> {
-    let (node_id, baud_rate, name) = (args.node_id, args.bit_rate, args.node_name.clone());
-    commissioning(
-        device,
-        &Wanted { node_id, baud_rate, name, kind: job.to.name(), rate_option: "--bit-rate" },
-    )
+    let (node_id, baud_rate, name) = (args.node_id, args.bit_rate, args.name.clone());
+    commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })
 }
 
 /// What a node must be told so that it is configured as the device says.
@@ -167,5 +164,5 @@ pub(in crate::cli) fn tell_skipped(plan: &Plan) {
 }
 
 fn print_note(text: &str) {
-    tell(&format!("note: {text}\n"));
+    note(&format!("note: {text}\n"));
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::super::Failure;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
+use super::super::save::is_folder;
 
 /// A file to convert.
 #[derive(Clone)]
@@ -30,27 +31,32 @@ const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json` and `.cdcf` (concis
 
 /// What the arguments ask for: one file for one, or a folder for all of them.
 pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
-    let said = args.to.map(FileKind::from);
-    let is_folder =
-        args.out.is_dir() || args.out.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR]);
-    match args.files.as_slice() {
-        [input] if !is_folder => {
-            let to = said.or_else(|| FileKind::of(&args.out)).ok_or_else(|| {
-                let message = format!("the name `{}` does not say which format to write", args.out.display());
-                Failure::new(message).help(format!("{KNOWN}; or say it with `--to`"))
+    let stated = args.to.map(FileKind::from);
+    let (inputs, output) = args.paths();
+    let output = match (output, stated) {
+        (Some(output), _) => output,
+        (None, Some(_)) => Path::new("-"),
+        (None, None) => {
+            return Err(Failure::new("missing output").help("name the file to write with `--output`"));
+        }
+    };
+    match inputs {
+        [input] if !is_folder(output) => {
+            let to = stated.or_else(|| FileKind::of(output)).ok_or_else(|| {
+                let message = format!("`{}` has no extension of a known format", output.display());
+                Failure::new(message).help(format!("{KNOWN}; or name the format with `--to`"))
             })?;
             if to == FileKind::Cpj {
                 return Err(Failure::new("node lists are not written").help(KNOWN));
             }
-            Ok(vec![Job { input: input.clone(), output: args.out.clone(), to, is_named: false }])
+            Ok(vec![Job { input: input.clone(), output: output.to_owned(), to, is_named: false }])
         }
         inputs => {
-            let Some(to) = said else {
-                let message =
-                    format!("nothing says which format to write into the folder `{}`", args.out.display());
-                return Err(Failure::new(message).help("say it with `--to`"));
+            let Some(to) = stated else {
+                let message = format!("missing format of the files in the folder `{}`", output.display());
+                return Err(Failure::new(message).help("name it with `--to`"));
             };
-            into_folder(inputs, &args.out, to)
+            into_folder(inputs, output, to)
         }
     }
 }
@@ -101,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn two_files_of_one_name_are_told() {
+    fn two_files_of_one_name_are_an_error() {
         let inputs = [PathBuf::from("a/drive.eds"), PathBuf::from("b/drive.dcf")];
         let failure = into_folder(&inputs, Path::new("out"), FileKind::Json).err().unwrap();
         assert!(failure.message.contains("would both become"), "{}", failure.message);

@@ -31,7 +31,7 @@ pub(super) fn run(command: &DcfCommand, out: &mut Output) -> Result<Outcome, Fai
 
 /// A stream in any of its spellings.
 fn stream(path: &Path, input: &InputArgs, node_id: Option<u8>) -> Result<ConciseDcf, Failure> {
-    stream_of(&name_of(path), input.size.bytes(path)?, input, node_id)
+    stream_of(&name_of(path), input.size.read(path)?, input, node_id)
 }
 
 /// The bytes that hex digits stand for, where a file has nothing else and nobody says what it is.
@@ -67,7 +67,7 @@ fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device,
     // `--from` is about the stream
     let reading = Reading { from: None, ..input.reading() };
     let name = name_of(path);
-    let device = match reading.read_one(&name, input.size.bytes(path)?)? {
+    let device = match reading.read_one(&name, input.size.read(path)?)? {
         (_, Input::Description(description)) => description.device().clone(),
         (_, Input::Device(device)) => *device,
         (kind, _) => {

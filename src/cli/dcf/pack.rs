@@ -29,18 +29,18 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
         if !verification.is_accepted() {
             let refused = verification.refusals().count();
             if !args.force {
-                let message =
-                    format!("the node refuses {refused} of {}, so nothing is written", count(&configuration));
-                Failure::new(message)
-                    .help("mend the values; `--force` writes the stream all the same")
-                    .print();
+                let message = format!(
+                    "the node would reject {refused} of {}, so nothing is written",
+                    count(&configuration)
+                );
+                Failure::new(message).help("fix the values; `--force` writes the stream anyway").print();
                 return Ok(Outcome::Findings);
             }
             outcome = Outcome::Findings;
         }
     }
     let stream = configuration.write().map_err(Failure::new)?;
-    let spelled = BlobSpelling::from(args.format).spell(&stream, &stem(args));
+    let spelled = BlobSpelling::from(args.to).spell(&stream, &stem(args));
     let what = format!("{}, {} bytes", count(&configuration), stream.len());
     deliver(args.output.as_deref(), &spelled, &what, out)?;
     Ok(outcome)
@@ -55,7 +55,7 @@ enum Content {
 
 fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
     let name = name_of(&args.file);
-    let bytes = args.input.size.bytes(&args.file)?; // once: it may be the standard input
+    let bytes = args.input.size.read(&args.file)?; // once: it may be the standard input
     let reading = args.input.reading();
     let is_stream = hex_of(&bytes, &args.input).is_some()
         || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);

@@ -2,7 +2,7 @@
 //!
 //! ```toml
 //! node-id = 5
-//! baudrate = 250
+//! bit-rate = 250
 //! name = "pump"
 //!
 //! [set]
@@ -31,7 +31,7 @@ use super::{NoSetting, Setting};
 pub struct SettingsFile {
     /// `node-id`.
     pub node_id: Option<u8>,
-    /// `baudrate` in kbit/s.
+    /// `bit-rate` in kbit/s, `baudrate` in older files.
     pub baud_rate: Option<u16>,
     /// `name`.
     pub name: Option<String>,
@@ -55,7 +55,8 @@ pub enum SettingsFileError {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 struct Document {
     node_id: Option<u8>,
-    baudrate: Option<u16>,
+    #[serde(alias = "baudrate")]
+    bit_rate: Option<u16>,
     name: Option<String>,
     #[serde(default)]
     set: BTreeMap<String, Toml>,
@@ -92,8 +93,8 @@ impl SettingsFile {
         if !wrong.is_empty() {
             return Err(SettingsFileError::Settings(wrong));
         }
-        let Document { node_id, baudrate, name, .. } = document;
-        Ok(Self { node_id, baud_rate: baudrate, name, settings })
+        let Document { node_id, bit_rate, name, .. } = document;
+        Ok(Self { node_id, baud_rate: bit_rate, name, settings })
     }
 }
 
@@ -117,7 +118,7 @@ mod tests {
 
     #[test]
     fn a_file_says_what_the_options_say() {
-        let text = "node-id = 5\nbaudrate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n\
+        let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n\
                     [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n";
         let file = SettingsFile::parse(text).unwrap();
         assert_eq!((file.node_id, file.baud_rate, file.name.as_deref()), (Some(5), Some(250), Some("pump")));

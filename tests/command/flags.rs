@@ -1,0 +1,132 @@
+//! Flags: old spellings still work, and what is global works everywhere.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn run(folder: &Path, line: &str) -> Output {
+    let fixtures = fs::canonicalize("fixtures").unwrap();
+    let line = line.replace("FIXTURES", fixtures.to_str().unwrap());
+    Command::new(env!("CARGO_BIN_EXE_objdict")).args(line.split_whitespace()).current_dir(folder).output().unwrap()
+}
+
+/// The output of a command in a folder of its own, and the files that it wrote there.
+fn result(line: &str) -> (Output, Vec<(String, Vec<u8>)>) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("node.toml"), "node-id = 7\nbaudrate = 125\n").unwrap();
+    let output = run(folder.path(), line);
+    let written = walk(folder.path());
+    (
+        output,
+        written.into_iter().map(|path| (path.clone(), fs::read(folder.path().join(path)).unwrap())).collect(),
+    )
+}
+
+fn walk(folder: &Path) -> Vec<String> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        match path.is_dir() {
+            true => names.extend(walk(&path).into_iter().map(|below| format!("{name}/{below}"))),
+            false => names.push(name),
+        }
+    }
+    names.sort();
+    names
+}
+
+/// Each flag as it was called before, and as it is called now.
+const RENAMED: [(&str, &str); 13] = [
+    (
+        "generate FIXTURES/eds/minimal.eds --target c --out gen",
+        "generate FIXTURES/eds/minimal.eds --target c -o gen",
+    ),
+    ("docs FIXTURES/eds/minimal.eds --out page.html", "docs FIXTURES/eds/minimal.eds --output page.html"),
+    ("convert FIXTURES/eds/minimal.eds copy.xdd", "convert FIXTURES/eds/minimal.eds -o copy.xdd"),
+    ("convert FIXTURES/eds/minimal.eds - --to xdd", "convert FIXTURES/eds/minimal.eds --to xdd"),
+    (
+        "convert FIXTURES/eds/minimal.eds FIXTURES/eds/io-401.eds new/ --to json",
+        "convert FIXTURES/eds/minimal.eds FIXTURES/eds/io-401.eds --output new/ --to json",
+    ),
+    (
+        "convert FIXTURES/eds/minimal.eds a.dcf --node-id 5 --baudrate 125 --node-name pump",
+        "convert FIXTURES/eds/minimal.eds -o a.dcf --node-id 5 --bit-rate 125 --name pump",
+    ),
+    (
+        "configure FIXTURES/eds/minimal.eds -o a.dcf --node-id 5 --baudrate 125 --node-name pump",
+        "configure FIXTURES/eds/minimal.eds -o a.dcf --node-id 5 --bit-rate 125 --name pump",
+    ),
+    (
+        "configure FIXTURES/eds/minimal.eds --from node.toml",
+        "configure FIXTURES/eds/minimal.eds --settings node.toml --from eds",
+    ),
+    (
+        "dcf pack FIXTURES/dcf/encoder-406-node3.dcf --format hex",
+        "dcf pack FIXTURES/dcf/encoder-406-node3.dcf --to hex",
+    ),
+    ("man pages", "man -o pages"),
+    (
+        "new --digital-inputs 8 --analogue-inputs 2 --date 2026-11-21 -o io.eds",
+        "new --digital-inputs 8 --analog-inputs 2 --date 2026-11-21 --output io.eds",
+    ),
+    ("fmt --check FIXTURES/eds/minimal.eds", "fmt --check FIXTURES/eds/minimal.eds --from eds"),
+    (
+        "check FIXTURES/broken/octal.eds --severity cia306/octal-number=off",
+        "check FIXTURES/broken/octal.eds --ignore cia306/octal-number",
+    ),
+];
+
+#[test]
+fn every_old_spelling_still_works() {
+    for (old, new) in RENAMED {
+        let (old_output, old_files) = result(old);
+        let (output, files) = result(new);
+        assert!(output.status.code() < Some(2), "{new}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(old_output == output, "`{old}`: {old_output:?}\n`{new}`: {output:?}");
+        assert!(old_files == files, "`{old}` and `{new}` write different files");
+    }
+}
+
+#[test]
+fn quiet_and_verbose_are_global() {
+    let errors = |line: &str| String::from_utf8(result(line).0.stderr).unwrap();
+    let convert = "convert FIXTURES/eds/minimal.eds -o a.dcf --node-id 5";
+    assert!(errors(convert).starts_with("note: "));
+    assert_eq!(errors(&format!("{convert} -q")), "");
+    assert_eq!(errors(&format!("--quiet {convert}")), "");
+    assert!(errors(&format!("{convert} --verbose")).contains("eds/minimal.eds\nnote: "));
+    assert!(errors("check -v FIXTURES/eds/minimal.eds --no-config").starts_with("reading "));
+    assert!(errors("show -q no-such-file").starts_with("error: "), "errors are no notes");
+}
+
+#[test]
+fn rules_are_selected_and_ignored() {
+    let found = |options: &str| {
+        let (output, _) = result(&format!("check FIXTURES/torture --no-config --format concise {options}"));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let rule = |line: &str| Some(line.split(": ").nth(1)?.split_once(' ')?.1.to_owned());
+        text.lines().filter_map(rule).collect::<Vec<String>>()
+    };
+    let all = found("");
+    let has = |group: &str| all.iter().any(|rule| rule.starts_with(group));
+    assert!(has("cia301/") && has("cia306/"), "{all:?}");
+    let selected = found("--select cia306,cia301/no-such-object");
+    assert!(selected.is_empty(), "an unknown rule is an error");
+    let selected = found("--select cia306");
+    assert!(!selected.is_empty() && selected.iter().all(|rule| rule.starts_with("cia306/")), "{selected:?}");
+    let ignored = found("--ignore cia306");
+    assert!(!ignored.is_empty() && !ignored.iter().any(|rule| rule.starts_with("cia306/")), "{ignored:?}");
+    assert!(found("--select cia306 --ignore cia306").is_empty());
+}
+
+#[test]
+fn a_severity_stops_the_generation() {
+    let code = |deny: &str| {
+        let line = format!("generate FIXTURES/torture/03_bom.eds --no-config --target concise -o gen{deny}");
+        result(&line).0.status.code()
+    };
+    assert_eq!(code(""), Some(0));
+    assert_eq!(code(" --deny warning"), Some(1));
+    assert_eq!(code(" --deny warning --force"), Some(0));
+}
