@@ -146,7 +146,7 @@ pub(super) struct IdentifyArgs {
 /// How answers about files are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum AnswerFormat {
-    /// For people: a line a file
+    /// One line per file
     Text,
     /// For programs: one JSON document, one file a line (docs/json.md)
     Json,
@@ -155,7 +155,7 @@ pub(super) enum AnswerFormat {
 /// How findings are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum ReportFormat {
-    /// For people: the lines with marks under them
+    /// Excerpts of the lines with marks
     Text,
     /// A line each: file:line:column: severity rule: message
     Concise,
@@ -206,7 +206,7 @@ pub(super) struct ShowArgs {
 /// How a dictionary is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum ShowFormat {
-    /// For people
+    /// Plain text
     Table,
     /// For programs: one JSON document, one entry a line (docs/json.md)
     Json,
@@ -385,7 +385,7 @@ pub(super) struct ProfileShowArgs {
 /// How profiles are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum ProfileFormat {
-    /// For people: tables
+    /// Tables
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,

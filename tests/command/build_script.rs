@@ -157,7 +157,7 @@ fn warnings_are_lines() {
     built.unwrap();
     let warnings = told(&cargo, "warning");
     assert_eq!(warnings.len(), 4, "{cargo}");
-    assert!(warnings[3].contains(" more warnings; `objdict check` tells them"), "{cargo}");
+    assert!(warnings[3].contains(" more warnings; run `objdict check`"), "{cargo}");
     assert!(warnings[0].contains("many.eds:"), "{cargo}");
     let (_, all) = run(builder().max_warnings(10_000));
     assert!(told(&all, "warning").len() > 50, "{all}");
@@ -241,15 +241,15 @@ fn failures_say_what_to_do() {
         (shown(minimal().rename("none.toml")), "cannot read `none.toml`: "),
         (
             shown(minimal().max_ram(8)),
-            "target `rust`: the tables take 24 bytes of RAM, 8 are allowed\n  help: ",
+            "target `rust`: the tables take 24 bytes of RAM, the limit is 8\n  help: ",
         ),
-        (shown(minimal().max_flash(8)), "bytes of flash, 8 are allowed"),
+        (shown(minimal().max_flash(8)), "bytes of flash, the limit is 8"),
         (shown(minimal().group(0x2000..=0x2001, "a b")), "`a b` is no name of a group"),
         (shown(minimal().profile("999")), "there is no profile `999`\n  help: it is one of 301, "),
         (shown(minimal().out_dir(&file)), "cannot write `"),
         (
             shown(Builder::new(fixture("nxdd/line.nxdd")).out_dir(out.path())),
-            "help: say which one with `device`",
+            "help: choose one with `device`",
         ),
     ];
     for (shown, expected) in failures {

@@ -21,7 +21,7 @@ struct Scope {
 const SCOPES: [Scope; 3] = [
     Scope { texts: prose_of_pages, left: 0 },
     Scope { texts: rules, left: 613 },
-    Scope { texts: help, left: 35 },
+    Scope { texts: help, left: 0 },
 ];
 
 /// Pages that are made of the texts of rules, in the sources.

@@ -113,7 +113,7 @@ pub(in crate::cli) struct ModulesArgs {
 /// How modules are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ModulesFormat {
-    /// For people
+    /// Plain text
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,

@@ -152,7 +152,7 @@ impl From<BlobFormat> for BlobSpelling {
 /// How what is found is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum VerdictFormat {
-    /// For people
+    /// Plain text
     Text,
     /// For programs: one JSON document (docs/json.md)
     Json,

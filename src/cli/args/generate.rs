@@ -147,7 +147,7 @@ pub(in crate::cli) enum ReportArg {
 /// How a report is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum SizeFormat {
-    /// For people
+    /// Plain text
     Table,
     /// For programs: one JSON document, instead of the list of files (docs/json.md)
     Json,
