@@ -1,25 +1,22 @@
-//! Findings for people: the offending lines with marks under them, drawn by miette.
+//! Findings for people: the offending lines with marks under them.
 
 mod excerpt;
+mod printer;
 mod problem;
+mod wrap;
 
 use std::fmt;
 use std::io::{self, Write};
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
+use miette::LabeledSpan;
 
 use self::excerpt::Excerpts;
+use self::printer::Printer;
 pub(crate) use self::problem::problem;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use crate::diagnostic::visible;
 use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
 use crate::format::Description;
-
-/// Columns that a message may take before it goes on in the next line.
-const WIDTH: usize = 100;
-
-/// A text of fewer bytes takes one line, with the `  help: ` before it and the margin of two columns.
-const SHORT: usize = WIDTH - 10;
 
 /// The most characters of a message that are shown.
 const MAX_MESSAGE: usize = 600;
@@ -27,9 +24,7 @@ const MAX_MESSAGE: usize = 600;
 /// Findings with the lines that they are about, and a sum at the end.
 pub struct TextReport<W> {
     out: W,
-    handler: GraphicalReportHandler,
-    /// For findings whose texts each fit a line: to look where Unicode lets a line break takes longer than all the rest.
-    quick: GraphicalReportHandler,
+    printer: Printer,
     tally: Tally,
     detail: Detail,
     statistics: Statistics,
@@ -46,11 +41,9 @@ impl<W> fmt::Debug for TextReport<W> {
 impl<W: Write> TextReport<W> {
     /// A report that writes to `out`, with the colours of a terminal or without.
     pub fn new(out: W, colour: bool) -> Self {
-        let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         Self {
             out,
-            quick: handler(theme.clone()).with_wrap_lines(false),
-            handler: handler(theme),
+            printer: Printer { colour },
             tally: Tally::default(),
             detail: Detail::default(),
             statistics: Statistics::default(),
@@ -64,11 +57,6 @@ impl<W: Write> TextReport<W> {
         self.detail = detail;
         self
     }
-}
-
-/// What draws findings.
-fn handler(theme: GraphicalTheme) -> GraphicalReportHandler {
-    GraphicalReportHandler::new_themed(theme).with_links(false).with_width(WIDTH)
 }
 
 impl<W> TextReport<W> {
@@ -96,11 +84,11 @@ impl<W: Write> Report for TextReport<W> {
         let mut text = String::new();
         for finding in findings {
             text.clear();
-            let finding = Rendered::new(subject, &excerpts, finding);
-            let handler = if finding.is_short() { &self.quick } else { &self.handler };
-            handler.render_report(&mut text, &finding).map_err(io::Error::other)?;
+            self.printer
+                .draw(&mut text, &Rendered::new(subject, &excerpts, finding))
+                .map_err(io::Error::other)?;
+            text.push('\n');
             self.out.write_all(text.as_bytes())?;
-            self.out.write_all(b"\n")?;
         }
         for (rule, count) in findings.omitted() {
             writeln!(self.out, "{}: {count} more findings of {rule} are not shown\n", excerpts.name())?;
@@ -157,12 +145,6 @@ impl<'a> Rendered<'a> {
         }
         let help = finding.help.as_ref().map(|help| shown(&help.shown()));
         Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels }
-    }
-
-    /// Whether no text of it is broken into lines.
-    fn is_short(&self) -> bool {
-        let is_short = |text: &str| text.len() < SHORT && text.trim() == text && !text.contains('\n');
-        is_short(&self.message) && self.help.as_deref().is_none_or(is_short)
     }
 }
 

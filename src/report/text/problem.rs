@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use miette::{GraphicalTheme, LabeledSpan};
+use miette::LabeledSpan;
 
 use super::excerpt::Excerpts;
-use super::{handler, shown};
+use super::printer::Printer;
+use super::shown;
 use crate::source::{SourceFile, Span};
 
 /// What is wrong with a text of ours (a profile, a configuration), with the lines and a mark under them, without colours:
@@ -16,7 +17,7 @@ pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Opti
     let problem = Problem { message: shown(message), help: help.map(shown), excerpts, label };
     let mut text = String::new();
     // writing to a string cannot fail
-    let _ = handler(GraphicalTheme::unicode_nocolor()).render_report(&mut text, &problem);
+    let _ = Printer { colour: false }.draw(&mut text, &problem);
     text
 }
 
