@@ -79,41 +79,35 @@ macro_rules! rule_info {
 /// Declares a rule that the reader of a format raises: `text_rule! { NAME = … }` with the words of [`rule_info!`] is a `static`.
 #[macro_export]
 macro_rules! text_rule {
-    // the page as a doc comment
-    (
-        #[doc = $summary:literal] #[doc = $_0:literal]
-        #[doc = $_1:literal] #[doc = $checks:literal] #[doc = $_2:literal]
-        #[doc = $_3:literal] #[doc = $why:literal] #[doc = $_4:literal]
-        #[doc = $_5:literal] #[doc = $example:literal] #[doc = $_6:literal]
-        #[doc = $_7:literal] #[doc = $remedy:literal] #[doc = $_8:literal]
-        #[doc = $_9:literal] #[doc = $source:literal]
-        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?
-    ) => {
-        pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::diagnostic::RuleInfo {
-            id: $id,
-            severity: $crate::diagnostic::Severity::$severity,
-            fix: $crate::fix_of!($($safety)?),
-            summary: $summary.split_at(1).1,
-            checks: $checks.split_at(1).1,
-            why: $why.split_at(1).1,
-            example: $example.split_at(1).1,
-            remedy: $remedy.split_at(1).1,
-            source: $source.split_at(1).1,
-        };
-    };
     ($NAME:ident = $($info:tt)+) => {
         pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! { $($info)+ };
     };
 }
 
-/// Declares the rules of a module as [`text_rule!`](crate::text_rule) does, each with `;` behind it, and `RULES`, the list of them.
+/// Declares the rules of a module, each as [`text_rule!`](crate::text_rule) does, and `RULES`, the list of them.
 #[macro_export]
 macro_rules! text_rules {
-    ($($(#[doc = $doc:literal])+ $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?;)+) => {
+    ($(
+        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?;
+        summary: $summary:literal,
+        checks: $checks:literal,
+        why: $why:literal,
+        example: $example:literal,
+        remedy: $remedy:literal,
+        source: $source:literal,
+    )+) => {
         /// Every rule of this module.
         pub(crate) static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
-        $($crate::text_rule! { $(#[doc = $doc])+ $NAME = $id, $severity $(, fix $safety)? })+
+        $($crate::text_rule! {
+            $NAME = $id, $severity $(, fix $safety)?;
+            summary: $summary,
+            checks: $checks,
+            why: $why,
+            example: $example,
+            remedy: $remedy,
+            source: $source,
+        })+
     };
 }
 

@@ -37,15 +37,15 @@ pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     groups.into_iter().flatten().copied()
 }
 
-/// Holds each container of a document against CiA 311; a project file has several. What has none is no XDD, and nothing
-/// is said about it.
+/// Checks each container of a document against CiA 311; a project file has several. A file without a container is not an
+/// XDD and is not checked.
 pub fn check(tree: &Tree, findings: &mut Findings) {
     for container in containers(tree).into_iter().filter(|container| container.tag() == CONTAINER.name) {
         check_container(container, findings);
     }
 }
 
-/// Holds one container against CiA 311: the description of one device.
+/// Checks one container against CiA 311: the description of one device.
 pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
     let mut walk = Walk {
         findings,

@@ -115,12 +115,10 @@ impl<'a> Builder<'a, '_> {
                     });
                 }
                 Step::MissingBlank(at) => {
-                    self.defect(&rules::MISSING_BLANK, Span::empty(at), |_| "a blank is missing".to_owned());
+                    self.defect(&rules::MISSING_BLANK, Span::empty(at), |_| "a space is missing".to_owned());
                 }
                 Step::Junk(junk) => {
-                    self.defect(&rules::JUNK_IN_TAG, junk, |junk| {
-                        format!("`{junk}` has no meaning in a tag")
-                    });
+                    self.defect(&rules::JUNK_IN_TAG, junk, |junk| format!("unexpected `{junk}` in a tag"));
                 }
             }
         }
@@ -140,7 +138,7 @@ impl<'a> Builder<'a, '_> {
             }
             Some(Flaw::LessThan(at)) => {
                 self.report(&rules::LESS_THAN_IN_VALUE, || {
-                    Diagnostic::new(&rules::LESS_THAN_IN_VALUE, Span::new(at, at + 1), of("has a `<` in it"))
+                    Diagnostic::new(&rules::LESS_THAN_IN_VALUE, Span::new(at, at + 1), of("contains `<`"))
                         .help("write `&lt;`")
                 });
             }
@@ -159,7 +157,7 @@ impl<'a> Builder<'a, '_> {
             let known = match &mut names {
                 Some(names) => names.insert(name, attribute.name),
                 None => raw[..number].iter().map(|other| other.name).find(|other| {
-                    // most names differ in length, which costs nothing to see
+                    // most names differ in length, which is cheap to check
                     other.len() == attribute.name.len() && other.of(text) == name
                 }),
             };
@@ -190,8 +188,8 @@ impl<'a> Builder<'a, '_> {
     fn duplicate(&mut self, name: Span, known: Span) {
         let text = self.text;
         self.report(&rules::DUPLICATE_ATTRIBUTE, || {
-            let message = format!("the element has the attribute `{}` already", shown(name.of(text)));
-            Diagnostic::new(&rules::DUPLICATE_ATTRIBUTE, name, message).label(known, "already here")
+            let message = format!("the element already has the attribute `{}`", shown(name.of(text)));
+            Diagnostic::new(&rules::DUPLICATE_ATTRIBUTE, name, message).label(known, "first here")
         });
     }
 
@@ -230,7 +228,7 @@ impl<'a> Builder<'a, '_> {
         }
         let length = prefix_length(text);
         if length.is_none() {
-            self.defect(&rules::BAD_NAME, name, |name| format!("`{name}` is no name of XML"));
+            self.defect(&rules::BAD_NAME, name, |name| format!("`{name}` is not a valid XML name"));
         }
         match length {
             None | Some(0) => (0, Name::OTHER),
@@ -255,8 +253,8 @@ impl<'a> Builder<'a, '_> {
             let what = if prefix.is_empty() { "xmlns" } else { prefix };
             let span = Span::new(attribute.name.start, attribute.value.end);
             self.defect(&rules::BAD_NAMESPACE, span, |_| match uri.is_empty() {
-                true => format!("the prefix `{}` is declared to be in no namespace", shown(what)),
-                false => format!("`{}` cannot be declared to be `{}`", shown(what), shown(&uri)),
+                true => format!("the prefix `{}` is declared without a namespace", shown(what)),
+                false => format!("`{}` cannot be declared as `{}`", shown(what), shown(&uri)),
             });
         }
     }

@@ -129,9 +129,12 @@ impl<'a, 'f> Builder<'a, 'f> {
     }
 
     pub(super) fn report(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
-        // what is only counted needs no words
+        // a finding that is only counted needs no text
         let is_full = self.findings.is_full(rule);
-        let finding = if is_full { Diagnostic::new(rule, Span::default(), "") } else { make() };
+        let mut finding = if is_full { Diagnostic::new(rule, Span::default(), "") } else { make() };
+        if !is_full && finding.help.is_none() {
+            finding = finding.help(rules::advice(rule));
+        }
         self.parts.is_complete &= finding.severity != Severity::Error;
         self.findings.push(finding);
     }
@@ -173,7 +176,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         for (at, character) in self.text.char_indices().filter(|&(_, character)| is_forbidden(character)) {
             let span = Self::span(at, at + character.len_utf8());
             self.defect(&rules::FORBIDDEN_CHARACTER, span, |_| {
-                format!("the character U+{:04X} has no place in XML", u32::from(character))
+                format!("XML forbids the character U+{:04X}", u32::from(character))
             });
         }
     }
@@ -284,7 +287,7 @@ impl<'a, 'f> Builder<'a, 'f> {
                 self.declaration(start, end);
             }
             Event::Decl(_) => self.defect(&rules::MISPLACED_DECLARATION, Self::span(start, end), |_| {
-                "the XML declaration is not the first thing in the file".to_owned()
+                "the XML declaration is not at the start of the file".to_owned()
             }),
             Event::PI(_) => self.instruction(start),
             Event::DocType(_) => self.document_type(start, end),
@@ -342,7 +345,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         let end = if self.text.as_bytes().get(stop) == Some(&b'>') { stop + 1 } else { stop };
         if !self.is_skipping() {
             let span = Self::span(start, end);
-            self.defect(&rules::UNKNOWN_MARKUP, span, |text| format!("`{text}` is no markup of XML"));
+            self.defect(&rules::UNKNOWN_MARKUP, span, |text| format!("`{text}` is not valid XML markup"));
         }
         self.pass_over(start, end)
     }
@@ -409,7 +412,8 @@ impl<'a, 'f> Builder<'a, 'f> {
             self.mark_text();
             let span = Self::span(start, start + 1);
             self.report(&rules::LONE_LESS_THAN, || {
-                Diagnostic::new(&rules::LONE_LESS_THAN, span, "the `<` starts no tag").help("write `&lt;`")
+                Diagnostic::new(&rules::LONE_LESS_THAN, span, "the `<` does not start a tag")
+                    .help("write `&lt;`")
             });
         }
         start + 1
@@ -425,13 +429,13 @@ impl<'a, 'f> Builder<'a, 'f> {
             let first = Span::new(self.parts.elements[0].start, self.parts.elements[0].start + first.end);
             let second = Self::span(start, start + 1 + name_length);
             self.report(&rules::SECOND_ROOT, || {
-                Diagnostic::new(&rules::SECOND_ROOT, second, "a second element stands behind the root")
+                Diagnostic::new(&rules::SECOND_ROOT, second, "a second element follows the root")
                     .label(first, "the root")
             });
             return false;
         }
         if self.open.len() >= MAX_DEPTH {
-            self.limit(start, format!("elements nest more than {MAX_DEPTH} deep"));
+            self.limit(start, format!("elements are nested more than {MAX_DEPTH} deep"));
             return false;
         }
         if name_length > MAX_NAME {
@@ -489,7 +493,7 @@ impl<'a, 'f> Builder<'a, 'f> {
             });
         } else if behind < stop {
             let junk = Self::span(behind, stop);
-            self.defect(&rules::JUNK_IN_TAG, junk, |junk| format!("`{junk}` has no meaning in an end tag"));
+            self.defect(&rules::JUNK_IN_TAG, junk, |junk| format!("unexpected `{junk}` in an end tag"));
         }
         self.close_by(Self::span(start, end), &text[name]);
         end
@@ -502,7 +506,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         if let Some(depth) = found {
             while self.open.len() > depth + 1 {
                 self.report_unclosed(|| {
-                    let around = format!("`</{}>` ends the element around it", shown(name));
+                    let around = format!("`</{}>` ends the parent element", shown(name));
                     (tag, around)
                 });
                 self.close(tag.start as usize, tag.start as usize);
@@ -513,11 +517,11 @@ impl<'a, 'f> Builder<'a, 'f> {
         let meant = start.filter(|start| local_name(start.of(text)).eq_ignore_ascii_case(local_name(name)));
         self.report(&rules::STRAY_END_TAG, || match meant {
             Some(start) => {
-                let message = format!("the end tag `</{}>` is spelled unlike its start tag", shown(name));
+                let message = format!("the end tag `</{}>` differs from its start tag", shown(name));
                 Diagnostic::new(&rules::STRAY_END_TAG, tag, message).label(start, "the start tag")
             }
             None => {
-                let message = format!("the end tag `</{}>` ends no element", shown(name));
+                let message = format!("the end tag `</{}>` has no start tag", shown(name));
                 Diagnostic::new(&rules::STRAY_END_TAG, tag, message)
             }
         });
@@ -558,14 +562,14 @@ impl<'a, 'f> Builder<'a, 'f> {
             self.pass_over(skip.start, end);
         }
         while !self.open.is_empty() {
-            self.report_unclosed(|| (Self::span(end, end), "the file ends before it".to_owned()));
+            self.report_unclosed(|| (Self::span(end, end), "the file ends here".to_owned()));
             self.close(end, end);
         }
     }
 
     fn finish(mut self) -> Parts {
         if self.parts.elements.is_empty() && !self.is_limited {
-            self.defect(&rules::NO_ROOT, Span::empty(0), |_| "the file has no element".to_owned());
+            self.defect(&rules::NO_ROOT, Span::empty(0), |_| "the file has no elements".to_owned());
         }
         let declared = self.encoding.map(|span| span.of(self.text));
         if let Some(message) = prolog::encoding_defect(declared, self.source.encoding(), self.text) {

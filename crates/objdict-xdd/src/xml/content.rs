@@ -36,10 +36,8 @@ impl Builder<'_, '_> {
         }
         let first = self.find(start, |byte| !is_blank(byte));
         let span = Self::span(first, start + self.text[start..end].trim_ascii_end().len());
-        let side = if self.parts.elements.is_empty() { "before" } else { "behind" };
-        self.defect(&rules::TEXT_OUTSIDE_ROOT, span, |text| {
-            format!("the text `{text}` stands {side} the root")
-        });
+        let side = if self.parts.elements.is_empty() { "before" } else { "after" };
+        self.defect(&rules::TEXT_OUTSIDE_ROOT, span, |text| format!("the text `{text}` is {side} the root"));
     }
 
     pub(super) fn text_event(&mut self, start: usize, end: usize) {
@@ -54,7 +52,7 @@ impl Builder<'_, '_> {
             for at in memchr::memmem::find_iter(&self.text.as_bytes()[start..end], b"]]>") {
                 let span = Self::span(start + at, start + at + 3);
                 self.report(&rules::CDATA_END_IN_TEXT, || {
-                    Diagnostic::new(&rules::CDATA_END_IN_TEXT, span, "the text has `]]>` in it")
+                    Diagnostic::new(&rules::CDATA_END_IN_TEXT, span, "the text contains `]]>`")
                         .help("write `]]&gt;`")
                 });
             }
@@ -78,12 +76,12 @@ impl Builder<'_, '_> {
             Reference::Character(_) => return,
             Reference::BadNumber => {
                 return self.defect(&rules::BAD_REFERENCE, span, |reference| {
-                    format!("`{reference}` is no character that XML allows")
+                    format!("`{reference}` is not a character that XML allows")
                 });
             }
             Reference::Lone => {
                 return self.report(&rules::BAD_REFERENCE, || {
-                    Diagnostic::new(&rules::BAD_REFERENCE, span, "the `&` starts no reference")
+                    Diagnostic::new(&rules::BAD_REFERENCE, span, "the `&` does not start a reference")
                         .help("write `&amp;`")
                 });
             }
@@ -96,7 +94,7 @@ impl Builder<'_, '_> {
                     self.parts.entities.declared.clear();
                     self.limit(
                         start,
-                        "the entities of the file stand for more than 1 MiB of text".to_owned(),
+                        "the entities of the file expand to more than 1 MiB of text".to_owned(),
                     );
                 }
                 return;
@@ -104,9 +102,7 @@ impl Builder<'_, '_> {
             Some(Entity::Unread(reason)) => *reason,
             None => "it is not declared",
         };
-        self.defect(&rules::UNKNOWN_ENTITY, span, |_| {
-            format!("the entity `{}` is not known: {reason}", shown(name))
-        });
+        self.defect(&rules::UNKNOWN_ENTITY, span, |_| format!("unknown entity `{}`: {reason}", shown(name)));
     }
 
     pub(super) fn comment(&mut self, start: usize, end: usize) {
@@ -115,7 +111,7 @@ impl Builder<'_, '_> {
         let found = found.or_else(|| content.ends_with('-').then_some(content.len().saturating_sub(1)));
         if let (Some(length), false) = (found, self.is_skipping()) {
             let span = Self::span(start + 4 + length, start + 6 + length);
-            self.defect(&rules::DOUBLE_HYPHEN, span, |_| "the comment has `--` in it".to_owned());
+            self.defect(&rules::DOUBLE_HYPHEN, span, |_| "the comment contains `--`".to_owned());
         }
     }
 
@@ -129,7 +125,7 @@ impl Builder<'_, '_> {
         }
         self.defect(&rules::BAD_TARGET, Self::span(behind, end), |target| match is_reserved {
             true => format!("the target `{target}` is reserved"),
-            false => format!("`{target}` is no target of a processing instruction"),
+            false => format!("`{target}` is not a valid target of a processing instruction"),
         });
     }
 
@@ -144,18 +140,15 @@ impl Builder<'_, '_> {
     pub(super) fn document_type(&mut self, start: usize, end: usize) {
         let span = Self::span(start, end);
         let rule = &rules::DOCUMENT_TYPE;
-        let misplaced = |what: &str| {
-            let message = format!("the document type does not stand {what}");
-            Diagnostic::new(rule, span, message).severity(Severity::Error)
-        };
+        let misplaced = |what: &'static str| Diagnostic::new(rule, span, what).severity(Severity::Error);
         if self.is_skipping() {
             return;
         }
         if !self.parts.elements.is_empty() {
-            return self.report(rule, || misplaced("before the root"));
+            return self.report(rule, || misplaced("the document type is not before the root"));
         }
         if std::mem::replace(&mut self.has_document_type, true) {
-            return self.report(rule, || misplaced("alone"));
+            return self.report(rule, || misplaced("the file has a second document type"));
         }
         let read = prolog::document_type(span.of(self.text));
         self.parts.entities = read.entities;

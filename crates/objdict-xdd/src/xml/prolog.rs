@@ -35,12 +35,12 @@ pub(super) fn declaration(text: &str, span: Span) -> Declaration {
                 if order.any(|known| *known == name) && !is_missed {
                     value_defect(text, attribute)
                 } else {
-                    Some((attribute.name, format!("`{name}` has no place here in an XML declaration")))
+                    Some((attribute.name, format!("`{name}` is not allowed here in an XML declaration")))
                 }
             }
             Step::MissingValue(name) => Some((name, format!("`{}` has no value", name.of(text)))),
-            Step::MissingBlank(at) => Some((Span::new(at, at + 1), "a blank is missing".to_owned())),
-            Step::Junk(junk) => Some((junk, format!("`{}` has no meaning here", junk.of(text)))),
+            Step::MissingBlank(at) => Some((Span::new(at, at + 1), "a space is missing".to_owned())),
+            Step::Junk(junk) => Some((junk, format!("unexpected `{}`", junk.of(text)))),
             Step::Unclosed(at) => {
                 Some((Span::new(span.start, at), "the XML declaration has no `?>`".to_owned()))
             }
@@ -68,7 +68,7 @@ fn value_defect(text: &str, attribute: RawAttribute) -> Option<(Span, String)> {
             value.bytes().next().is_some_and(|byte| byte.is_ascii_alphabetic()) && value.bytes().all(is_part)
         }
     };
-    (!is_good).then(|| (attribute.value, format!("`{value}` is no value of `{name}` in an XML declaration")))
+    (!is_good).then(|| (attribute.value, format!("`{value}` is not a valid `{name}` of an XML declaration")))
 }
 
 /// Why the declared encoding cannot be that of the file; `None` where it can.
@@ -78,7 +78,7 @@ pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &s
     let Some(declared) = declared else {
         let is_default = is_utf8 || is_utf16;
         return (!is_default)
-            .then(|| format!("the file names no encoding, which means UTF-8, but is in {actual}"));
+            .then(|| format!("the file declares no encoding, which means UTF-8, but is in {actual}"));
     };
     let agrees = match declared.to_ascii_lowercase().as_str() {
         "utf-8" | "utf8" => is_utf8,
@@ -92,7 +92,7 @@ pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &s
         // other names, ASCII among them: almost all encodings have ASCII in them
         _ => actual == Encoding::Utf8 && text.is_ascii(),
     };
-    (!agrees).then(|| format!("the file names `{declared}` as its encoding, but is read as {actual}"))
+    (!agrees).then(|| format!("the file declares the encoding `{declared}`, but is read as {actual}"))
 }
 
 /// What a document type declares.
@@ -140,8 +140,8 @@ impl Resolver<'_> {
         if let Some(entity) = self.entities.declared.get(name) {
             return entity.clone();
         }
-        // found again while it is resolved, it stands in itself
-        self.entities.declared.insert(name.into(), Entity::Unread("it stands in itself"));
+        // found again while it is resolved, it contains itself
+        self.entities.declared.insert(name.into(), Entity::Unread("it contains itself"));
         let entity = match self.expanded(name, depth) {
             Ok(text) => Entity::Text(text.into()),
             Err(reason) => Entity::Unread(reason),
@@ -155,12 +155,12 @@ impl Resolver<'_> {
 
     fn expanded(&mut self, name: &str, depth: usize) -> Result<String, &'static str> {
         if depth > MAX_NESTING {
-            return Err("it nests too many others");
+            return Err("its nesting is too deep");
         }
         let mut rest = match self.declared.values.get(name) {
             Some(Some(value)) => *value,
-            Some(None) => return Err("it is another file, and no other file is read"),
-            None => return Err("it stands for an entity that is not declared"),
+            Some(None) => return Err("external files are not read"),
+            None => return Err("it refers to an entity that is not declared"),
         };
         let mut text = String::new();
         while let Some(at) = memchr::memchr2(b'&', b'<', rest.as_bytes()) {
@@ -192,14 +192,14 @@ impl Resolver<'_> {
                 Entity::Text(inner) => text.push_str(&inner),
                 Entity::Unread(reason) => return Err(reason),
             },
-            Reference::BadNumber | Reference::Lone => return Err("it has a bad reference in it"),
+            Reference::BadNumber | Reference::Lone => return Err("it contains an invalid reference"),
         }
         Ok(length)
     }
 }
 
-const MARKUP: &str = "it stands for markup";
-const TOO_LONG: &str = "it stands for too much text";
+const MARKUP: &str = "it contains markup";
+const TOO_LONG: &str = "it expands to too much text";
 
 /// A position in a document type.
 struct Scan<'a> {

@@ -6,11 +6,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia401/analogue-events-off", Note, Applied(check);
-    summary: "a node was configured to send analogue inputs when they change, and the switch for that is off",
-    checks: "Whether a configuration (DCF or XDC) sets 6423h when a TPDO that is valid and event-driven (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description it is not a finding, for the profile has the switch off by default.",
-    why: "The TPDO is not sent at all: until 6423h is true, no change of an analogue input is an event. It is the most common reason for analogue values that never come.",
+    summary: "a configuration maps analogue inputs into an event-driven TPDO but leaves their events disabled",
+    checks: "Whether a configuration (DCF or XDC) sets 6423h when a valid, event-driven TPDO (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description this is not a finding: the profile disables the events by default.",
+    why: "The device never sends the TPDO: while 6423h is false, a change of an analogue input is not an event. This is the most common reason for missing analogue values.",
     example: "`[1801sub2]` with 255, `[1801sub5]` with 0, and `[6423]` with `DefaultValue=0` and no `ParameterValue`",
-    remedy: "Set `ParameterValue=1` at 6423h, or an event timer, or send the TPDO on SYNC.",
+    remedy: "Set `ParameterValue=1` at 6423h, set an event timer, or send the TPDO on SYNC.",
     source: "CiA 401 (6423h)",
 }
 
@@ -31,9 +31,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     });
     if let Some(pdo) = waits {
         let message =
-            say!("{} is never sent: analogue inputs make no events until {:04X}h is true", pdo, enable);
+            say!("{} is never sent: analogue inputs raise no events until {:04X}h is true", pdo, enable);
         let finding = Diagnostic::new(rule, device.value_place(enable, 0), message);
-        let finding = finding.label(device.value_place(pdo.communication_index(), 2), "sent on events");
-        findings.push(finding.help(say!("write `{ParameterValue=1}`, or set the event timer of the TPDO")));
+        let finding = finding.label(device.value_place(pdo.communication_index(), 2), "event-driven");
+        findings.push(finding.help(say!("write `{ParameterValue=1}` or set the event timer of the TPDO")));
     }
 }

@@ -6,9 +6,9 @@ use crate::{Facts, channels, rule};
 
 rule! {
     "cia401/channels-not-in-device-type", Warning, Applied(check), fix Unsafe;
-    summary: "the module has channels that its device type does not name",
-    checks: "Whether each kind of channel that the description has objects for is named in 1000h: digital inputs by bit 16, digital outputs by bit 17, analogue inputs by bit 18, analogue outputs by bit 19.",
-    why: "A master that goes by the device type does not look for the channels.",
+    summary: "the module has channels that its device type does not state",
+    checks: "Whether 1000h states each kind of channel that the description has objects for: bit 16 for digital inputs, bit 17 for digital outputs, bit 18 for analogue inputs, bit 19 for analogue outputs.",
+    why: "A master that relies on the device type does not use these channels.",
     example: "`[6401]`, and `[1000]` with `DefaultValue=0x00030191`",
     remedy: "Set the bit, in the description and in the device.",
     source: "CiA 401 (1000h)",
@@ -25,7 +25,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     }
     let names = series(unnamed.iter().map(|(kind, _)| kind.name));
-    let message = say!("the device has {}, and its device type does not say so", names);
+    let message = say!("the device has {}, but its device type does not state them", names);
     let right = unnamed.iter().fold(value, |value, (kind, _)| value | 1 << kind.bit);
     let place = device.value_place(index, 0);
     let mut finding = Diagnostic::new(rule, place.clone(), message);

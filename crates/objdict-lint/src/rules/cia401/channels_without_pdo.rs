@@ -6,10 +6,10 @@ use crate::{Facts, channels, rule};
 rule! {
     "cia401/channels-without-pdo", Warning, Applied(check);
     summary: "channels of an I/O module have no PDO",
-    checks: "Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, has the last of them in a PDO, or has any PDO above PDO 4. What modules bring is not counted.",
-    why: "The default PDOs have no room for the others, so they can be reached by SDO only, which is too slow for process data.",
+    checks: "Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, maps the last of them or has a PDO above PDO 4. Channels of modules of a modular device are not counted.",
+    why: "The default PDOs are full, so the remaining channels are accessible by SDO only, which is too slow for process data.",
     example: "`[6000sub0]` with `DefaultValue=12`, and no TPDO above TPDO 4",
-    remedy: "Add PDOs from PDO 5 on, not valid by default, for the other channels.",
+    remedy: "Add PDOs from PDO 5 on for the remaining channels, not valid by default.",
     source: "CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)",
 }
 
@@ -36,13 +36,13 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         }
         let kind = kind.name();
         let message = say!(
-            "{:04X}h has {} elements, and {}s 1 to 4 carry the first {} only",
+            "{:04X}h has {} elements, but {}s 1 to 4 carry only the first {}",
             index,
             number,
             kind,
             room
         );
         let finding = Diagnostic::new(rule, facts.device.value_place(index, 0), message);
-        findings.push(finding.help(say!("add {}s from {} 5 on for the others", kind, kind)));
+        findings.push(finding.help(say!("add {}s from {} 5 on for the remaining elements", kind, kind)));
     }
 }

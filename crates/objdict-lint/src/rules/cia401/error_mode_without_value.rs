@@ -7,10 +7,10 @@ use crate::rule;
 rule! {
     "cia401/error-mode-without-value", Warning, Against(check);
     summary: "an error mode has no error value",
-    checks: "Whether outputs that have an error mode have the error value that it switches to: 6207h beside 6206h, 6307h beside 6306h, 6327h beside 6326h, 6260h to 6267h beside 6250h to 6257h, 6444h or 6445h beside 6443h. What a module may bring is not missed.",
-    why: "The error mode says that an output takes its error value when the master is gone. Without one nobody knows what that is.",
-    example: "`[6206]` and no `[6207]`",
-    remedy: "Describe the error value, or leave the error mode out.",
+    checks: "Whether outputs with an error mode also have the error value: 6207h for 6206h, 6307h for 6306h, 6327h for 6326h, 6260h to 6267h for 6250h to 6257h, 6444h or 6445h for 6443h. Objects that a module of a modular device may add are not reported.",
+    why: "The error mode makes an output take its error value when the master fails. Without an error value the state of the output is undefined.",
+    example: "`[6206]` without `[6207]`",
+    remedy: "Describe the error value or remove the error mode.",
     source: "CiA 401 (6206h, 6207h, 6443h to 6445h)",
 }
 
@@ -33,7 +33,7 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let mut indexes = values.iter().map(|&index| index_in(block, index));
     let Some(first) = indexes.clone().next().filter(|_| !at.object.orphan) else { return };
     if !indexes.any(|index| demands::is_there(at.device, index)) {
-        let message = say!("{} has no error value beside it, {:04X}h", at, first);
+        let message = say!("{} has no error value ({:04X}h)", at, first);
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
         findings.push(finding.help(say!("describe the error value: `{}`", Part::Object(first))));
     }

@@ -5,9 +5,9 @@ use crate::{Facts, PdoFacts, Target, channels, rule};
 
 rule! {
     "cia401/wrong-default-mapping", Warning, Applied(check), fix Unsafe;
-    summary: "a PDO of an I/O module carries by default what CiA 401 has elsewhere",
-    checks: "Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries some of its channels and nothing else is a note. It is silent when bit 23 of 1000h says that the manufacturer maps them, for modules of several logical devices, and for PDOs that carry nothing or whose entries are wrong in themselves.",
-    why: "The default mapping is what makes modules of different manufacturers exchangeable: a master that knows the profile works with it and configures nothing. In real files most PDOs that differ carry fewer channels than there are, which costs only those.",
+    summary: "the default mapping of a PDO of an I/O module differs from CiA 401",
+    checks: "Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply when bit 23 of 1000h declares a manufacturer-specific mapping, to devices with several logical devices, to PDOs that map nothing, and to PDOs whose entries are invalid.",
+    why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files most PDOs that differ carry fewer channels than available, which affects only the missing ones.",
     example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
     source: "CiA 401, default PDOs",
@@ -20,14 +20,24 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if found.is_empty() || found == right || !is_readable(pdo) {
             continue;
         }
-        let (carries, should) = (shown(&found), shown(&right));
-        let message = say!("{} carries {}, CiA 401 has {} in it", pdo.pdo, carries, should);
         let is_shorter = right.starts_with(&found);
         let differs = found.iter().zip(&right).position(|(found, right)| found != right);
+        let pair = differs.and_then(|at| Some((found.get(at)?, right.get(at)?)));
+        let message = match pair.filter(|(found, right)| (found.index, found.sub) == (right.index, right.sub)) {
+            Some((found, right)) => say!(
+                "{} maps {} bits of {:04X}h:{:02X}, CiA 401 maps {}",
+                pdo.pdo,
+                found.bits,
+                found.index,
+                found.sub,
+                right.bits
+            ),
+            None => say!("{} maps {}, CiA 401 maps {}", pdo.pdo, shown(&found), shown(&right)),
+        };
         let slot = differs.and_then(|at| pdo.mapped.get(at)).map_or(0, |mapped| mapped.slot);
         let place = device.value_place(pdo.pdo.mapping_index(), slot);
         let finding = Diagnostic::new(rule, place, message);
-        let finding = finding.help("use the mapping of the profile, or set bit 23 of 1000h");
+        let finding = finding.help("use the mapping of the profile or set bit 23 of 1000h");
         let finding = if is_shorter { finding.severity(Severity::Note) } else { finding };
         findings.push(match fix(device, pdo, &right) {
             Some(fix) => finding.fix(fix),
@@ -36,7 +46,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
 }
 
-/// Whether the description says what the PDO carries, and no other rule has anything against it.
+/// Whether the mapping is stated, and no other rule reports it.
 fn is_readable(pdo: &PdoFacts<'_>) -> bool {
     let fits = |target: &Target<'_>| match target {
         Target::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
@@ -49,7 +59,7 @@ fn is_readable(pdo: &PdoFacts<'_>) -> bool {
     is_counted && is_stated && pdo.lengths_are_right() && pdo.mapped.iter().all(|mapped| fits(&mapped.target))
 }
 
-/// The mapping of the profile, where there are entries to write it to.
+/// The mapping of the profile, if there are entries for it.
 fn fix(device: &Device, pdo: &PdoFacts<'_>, right: &[MappedObject]) -> Option<Fix> {
     let index = pdo.pdo.mapping_index();
     let object = device.object(index).filter(|object| object.compact.is_none())?;
@@ -62,7 +72,7 @@ fn fix(device: &Device, pdo: &PdoFacts<'_>, right: &[MappedObject]) -> Option<Fi
     })
 }
 
-/// `6401h:01 to 04`, and what else there is.
+/// Runs of sub-indexes: `6401h:01 to 04`.
 fn shown(mapped: &[MappedObject]) -> Argument {
     let mut runs: Vec<(MappedObject, u8)> = Vec::new();
     for object in mapped {

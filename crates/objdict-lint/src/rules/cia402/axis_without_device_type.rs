@@ -5,9 +5,9 @@ use crate::{Drive, Facts, rule};
 rule! {
     "cia402/axis-without-device-type", Note, Applied(check);
     summary: "a further axis has no device type",
-    checks: "Whether each axis but the first, 800h indexes apart, has the device type at its end: 6FFFh, 77FFh and so on.",
-    why: "The first axis has its type in 1000h, the others there: a master that does not find it does not know that there is an axis, or of what kind.",
-    example: "`[6840]` and `[6841]`, and no `[6FFF]`",
+    checks: "Whether each axis after the first, 800h indexes apart, has a device type at the end of its range: 6FFFh, 77FFh and so on.",
+    why: "1000h states the type of the first axis, these objects that of the others: without it a master does not detect the axis or its kind.",
+    example: "`[6840]` and `[6841]` without `[6FFF]`",
     remedy: "Describe the device type of the axis (UNSIGNED32, `ro`).",
     source: "CiA 301 §7.5.2.1; CiA 402-3, single device type",
 }
@@ -17,7 +17,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_axis = applied.block > 0 && drive.has(0x6040);
     if is_axis && drive.lacks(0x67FF) {
         let (axis, name) = (applied.block + 1, drive.name(0x67FF));
-        let message = say!("axis {} has no device type, {} is missing", axis, name);
+        let message = say!("axis {} has no device type: {} is missing", axis, name);
         let finding = Diagnostic::new(rule, drive.place(0x6040), message);
         findings.push(finding.help(say!("describe {} (UNSIGNED32, `ro`)", name)));
     }

@@ -5,11 +5,11 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/controlword-not-mappable", Warning, Applied(check);
-    summary: "controlword or statusword cannot be mapped",
-    checks: "Whether 6040h and 6041h are marked as mappable on a drive with RPDOs and TPDOs.",
-    why: "Masters drive the state machine with PDOs. Where the words cannot be mapped, each step costs an SDO transfer, and most masters do not know how.",
+    summary: "the controlword or the statusword is not mappable",
+    checks: "Whether 6040h and 6041h are marked as mappable in a drive with RPDOs and TPDOs.",
+    why: "Masters control the state machine by PDO. If the objects cannot be mapped, each transition needs an SDO transfer, which most masters do not support.",
     example: "`PDOMapping=0` in `[6040]`",
-    remedy: "Write `PDOMapping=1`, if the drive can do it.",
+    remedy: "Write `PDOMapping=1` if the drive supports it.",
     source: "CiA 402-2, controlword and statusword; CiA 402-3, default PDOs",
 }
 

@@ -6,10 +6,10 @@ use crate::{Drive, Facts, PdoFacts, rule};
 rule! {
     "cia402/controlword-not-mapped", Note, Applied(check);
     summary: "no PDO carries the controlword or the statusword by default",
-    checks: "Whether, on a drive whose RPDOs map something by default, one of them maps 6040h, and of its TPDOs one maps 6041h. Only the words of the first axis are looked at, and neither mappings that leave it open nor words that cannot be mapped.",
-    why: "The default PDOs of CiA 402-3 begin with the words, and a master that changes no mapping counts on them.",
+    checks: "Whether at least one RPDO maps 6040h and one TPDO maps 6041h by default, in drives whose PDOs have a default mapping. Only the first axis is checked. Drives with an incomplete default mapping, and objects that are not mappable, are skipped.",
+    why: "The default PDOs of CiA 402-3 begin with these objects, and a master that keeps the default mapping relies on them.",
     example: "`DefaultValue=0x607A0020` in `[1600sub1]`, and no RPDO with 60400010h",
-    remedy: "Map the words by default, first of all in RPDO 1 and TPDO 1; or leave it, when every master configures the mapping. It is a note because the drive works with a master that maps for itself.",
+    remedy: "Map the objects by default, first in RPDO 1 and TPDO 1; or ignore the note if every master configures the mapping. It is a note because the drive works with a master that sets its own mapping.",
     source: "CiA 402-3, default PDOs",
 }
 
@@ -30,10 +30,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         if is_open || !is_mappable || pdos.clone().any(maps) {
             continue;
         }
-        let message = say!("no {} carries {} ({}) by default", kind, drive.name(index), name);
+        let message = say!("no {} maps {} ({}) by default", kind, drive.name(index), name);
         let finding = Diagnostic::new(rule, drive.place(index), message);
         let place = facts.device.value_place(first.pdo.mapping_index(), 1);
         let help = say!("map it first: `0x{:04X}0010`", drive.index(index));
-        findings.push(finding.label(place, say!("{} carries this", first.pdo)).help(help));
+        findings.push(finding.label(place, say!("{} maps this", first.pdo)).help(help));
     }
 }

@@ -4,10 +4,10 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/half-touch-probe", Warning, Applied(check);
-    summary: "a touch probe is described by half",
-    checks: "Whether 60B8h (touch probe function) and 60B9h (touch probe status) come together, and whether they are there when 60BAh to 60BDh (positions of touch probes) are.",
-    why: "Without the function nobody can switch the probe on; without the status nobody knows whether the position is one that was sampled.",
-    example: "`[60B8]` and `[60BA]`, and no `[60B9]`",
+    summary: "the description of a touch probe is incomplete",
+    checks: "Whether 60B8h (touch probe function) and 60B9h (touch probe status) are both described if one of them or 60BAh to 60BDh (positions of touch probes) is.",
+    why: "Without the function the probe cannot be enabled; without the status a master does not know whether the position was sampled.",
+    example: "`[60B8]` and `[60BA]` without `[60B9]`",
     remedy: "Describe the missing object.",
     source: "CiA 402-2, touch probe",
 }
@@ -21,7 +21,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if missing.is_empty() {
         return;
     }
-    let verb = if missing.len() == 1 { "is not" } else { "are not" };
-    let message = say!("{} is there, and {} {}", drive.name(there), series(&missing), verb);
-    findings.push(Diagnostic::new(rule, drive.place(there), message).help("describe what is missing"));
+    let message = say!("{} is described without {}", drive.name(there), series(&missing));
+    findings.push(Diagnostic::new(rule, drive.place(there), message).help("describe the missing objects"));
 }

@@ -5,11 +5,11 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/homing-method-not-supported", Error, Applied(check);
-    summary: "a drive is set to a homing method that it does not list",
-    checks: "Whether the value of 6098h (homing method), configured or default, is among those of 60E3h (supported homing methods), where all of these have a value. 0, no homing, is not looked at.",
-    why: "The drive refuses to home with the method that it starts with.",
+    summary: "the homing method of a drive is not in its list of supported methods",
+    checks: "Whether the configured or default value of 6098h (homing method) is in 60E3h (supported homing methods), if all entries of that list have a value. 0 (no homing) is not checked.",
+    why: "The drive rejects homing with its start-up method.",
     example: "`DefaultValue=17` in `[6098]`, and `[60E3]` with the methods 35 and 37",
-    remedy: "Choose a method of the list, or complete the list.",
+    remedy: "Choose a supported method, or complete the list.",
     source: "CiA 402-2, homing method and supported homing methods (version 4)",
 }
 
@@ -26,11 +26,12 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         return;
     };
     let message = say!(
-        "`{}` as homing method, {} lists {}",
+        "homing method `{}` is not supported: {} lists {}",
         method,
         drive.name(0x60E3),
         series(methods.iter().take(20))
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x6098, 0), message);
-    findings.push(finding.label(drive.place(0x60E3), "the supported homing methods"));
+    let finding = finding.label(drive.place(0x60E3), "the supported homing methods");
+    findings.push(finding.help("choose a supported method or complete the list"));
 }

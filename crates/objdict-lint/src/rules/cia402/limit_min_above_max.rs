@@ -4,11 +4,11 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/limit-min-above-max", Error, Applied(check);
-    summary: "a lower limit of a drive is above the upper one",
-    checks: "Whether, of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount), sub-index 1 is not greater than sub-index 2, as configured or by default.",
-    why: "No position lies between the limits, so the drive refuses each target or takes the limits for switched off, as its maker likes.",
+    summary: "the lower limit of a drive is above the upper limit",
+    checks: "Whether sub-index 1 of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount) is not greater than sub-index 2, configured or default.",
+    why: "No position is between the limits: depending on the vendor, the drive rejects every target or treats the limits as disabled.",
     example: "`DefaultValue=1000` in `[607Dsub1]`, `DefaultValue=-1000` in `[607Dsub2]`",
-    remedy: "Exchange the values. Two equal ones, mostly 0, are not looked at: many drives switch the limits off so.",
+    remedy: "Swap the values. Two equal values, mostly 0, are not reported: many drives disable the limits this way.",
     source: "CiA 402-2, IEC 61800-7-201",
 }
 
@@ -20,9 +20,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let message =
-            say!("the lower limit `{}` of {} is above the upper one, `{}`", min, drive.name(index), max);
+            say!("the lower limit `{}` of {} is above the upper limit `{}`", min, drive.name(index), max);
         let finding = Diagnostic::new(rule, drive.value_place(index, 1), message);
         let finding = finding.label(drive.value_place(index, 2), "the upper limit");
-        findings.push(finding.help("exchange the values"));
+        findings.push(finding.help("swap the values"));
     }
 }

@@ -4,11 +4,11 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/limit-outside-range", Warning, Applied(check);
-    summary: "a software limit lies outside the range of positions",
-    checks: "Whether the limits of 607Dh (software position limit) lie within 607Bh (position range limit), where both have a lower limit below the upper one.",
-    why: "Positions wrap at the range before they reach the limit, so the limit never stops the axis.",
+    summary: "a software limit is outside the position range",
+    checks: "Whether the limits of 607Dh (software position limit) are within 607Bh (position range limit), if both have a lower limit below the upper one.",
+    why: "Positions wrap at the end of the range before they reach the limit, so the limit never stops the axis.",
     example: "`DefaultValue=100000` in `[607Dsub2]`, `DefaultValue=36000` in `[607Bsub2]`",
-    remedy: "Put the software limit inside the range, or widen the range.",
+    remedy: "Move the software limit into the range, or widen the range.",
     source: "CiA 402-2, position range limit and software position limit",
 }
 
@@ -26,7 +26,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     };
     let (sub, limit) = outside;
     let message = say!(
-        "the limit `{}` of {} lies outside the range {} to {} of {}",
+        "the limit `{}` of {} is outside the range {} to {} of {}",
         limit,
         drive.name(0x607D),
         first,
@@ -34,6 +34,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         drive.name(0x607B)
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x607D, sub), message);
-    let finding = finding.label(drive.value_place(0x607B, sub), "the range of positions");
-    findings.push(finding.help("put the limit inside the range"));
+    let finding = finding.label(drive.value_place(0x607B, sub), "the position range");
+    findings.push(finding.help("move the limit into the range or widen the range"));
 }

@@ -4,10 +4,10 @@ use crate::{Drive, Facts, MODES, rule};
 
 rule! {
     "cia402/mode-without-display", Warning, Applied(check);
-    summary: "only one of modes of operation and modes of operation display is there",
-    checks: "Whether 6060h (modes of operation) and 6061h (modes of operation display) come together. A drive of several modes without 6060h is the matter of `cia402/no-mode-selection`.",
-    why: "A drive changes its mode when it can, not when it is told: a master waits until 6061h shows the mode before it sends targets.",
-    example: "`[6060]`, and no `[6061]`",
+    summary: "only one of modes of operation and modes of operation display is described",
+    checks: "Whether 6060h (modes of operation) and 6061h (modes of operation display) are both described. `cia402/no-mode-selection` reports a drive with several modes and without 6060h.",
+    why: "A drive may change its mode with a delay: a master waits until 6061h shows the mode before it sends targets.",
+    example: "`[6060]` without `[6061]`",
     remedy: "Describe the other object.",
     source: "CiA 402-2, modes of operation",
 }
@@ -26,7 +26,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             _ => "modes of operation display",
         };
         let message = say!(
-            "{} ({}) is there, and {} ({}) is not",
+            "{} ({}) is described without {} ({})",
             drive.name(there),
             name(there),
             drive.name(missing),

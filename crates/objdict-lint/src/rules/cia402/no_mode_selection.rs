@@ -4,11 +4,11 @@ use crate::{Drive, Facts, MODES, rule};
 
 rule! {
     "cia402/no-mode-selection", Warning, Applied(check);
-    summary: "a drive of several modes has no object to choose one",
-    checks: "Whether a drive whose 6502h names more than one mode of operation has 6060h.",
-    why: "Without 6060h (modes of operation) nobody can leave the mode that the drive starts in.",
+    summary: "a drive with several modes has no object to select one",
+    checks: "Whether a drive whose 6502h states more than one mode of operation has 6060h.",
+    why: "Without 6060h (modes of operation) a master cannot leave the start-up mode.",
     example: "`DefaultValue=0x00000005` in `[6502]`, and no `[6060]`",
-    remedy: "Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or name only the mode that the drive is always in.",
+    remedy: "Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or state only the mode that is always active.",
     source: "CiA 402-2, modes of operation and supported drive modes",
 }
 
@@ -20,7 +20,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     if names.len() < 2 || !drive.lacks(0x6060) {
         return;
     }
-    let message = say!("{} is missing, so nobody can choose between {}", drive.name(0x6060), series(names));
+    let message = say!("{} is missing, so a master cannot select {}", drive.name(0x6060), series(names));
     let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
-    findings.push(finding.help("describe the modes of operation (INTEGER8, `rw`)"));
+    findings.push(finding.help("describe 6060h, the modes of operation (INTEGER8, `rw`)"));
 }

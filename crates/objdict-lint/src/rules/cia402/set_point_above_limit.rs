@@ -5,8 +5,8 @@ use crate::{Drive, Facts, rule};
 rule! {
     "cia402/set-point-above-limit", Warning, Applied(check);
     summary: "a set-point of a drive is above its limit",
-    checks: "Whether 6081h (profile velocity) is not above 607Fh (max profile velocity), 6083h and 6084h (profile acceleration and deceleration) not above 60C5h and 60C6h, and 6071h (target torque) not above 6072h (max torque), as configured or by default. A limit of 0 or without a value is none.",
-    why: "The drive moves slower than it is told, or refuses the set-point.",
+    checks: "Whether 6081h (profile velocity) is not above 607Fh (max profile velocity), 6083h and 6084h (profile acceleration and deceleration) not above 60C5h and 60C6h, and 6071h (target torque) not above 6072h (max torque), configured or default. A limit of 0 or without a value is ignored.",
+    why: "The drive moves more slowly than configured, or rejects the set-point.",
     example: "`DefaultValue=5000` in `[6081]`, `DefaultValue=3000` in `[607F]`",
     remedy: "Lower the set-point, or raise the limit.",
     source: "CiA 402-2, IEC 61800-7-201",
@@ -30,6 +30,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         }
         let message = say!("the {} `{}` is above its limit `{}`", name, value, limit);
         let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
-        findings.push(finding.label(drive.value_place(limit_index, 0), "the limit"));
+        let finding = finding.label(drive.value_place(limit_index, 0), "the limit");
+        findings.push(finding.help("lower the set-point or raise the limit"));
     }
 }

@@ -4,9 +4,9 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/target-outside-limits", Warning, Applied(check);
-    summary: "a target position lies outside the software limits",
-    checks: "Whether the value of 607Ah (target position), configured or default, lies within 607Dh (software position limit), where that has a lower limit below the upper one.",
-    why: "The axis stops at the limit with a warning or an error as soon as the first set-point is taken over.",
+    summary: "a target position is outside the software limits",
+    checks: "Whether the configured or default value of 607Ah (target position) is within 607Dh (software position limit), if its lower limit is below the upper one.",
+    why: "The axis stops at the limit with a warning or an error after the first set-point.",
     example: "`DefaultValue=5000` in `[607A]`, `DefaultValue=1000` in `[607Dsub2]`",
     remedy: "Correct the target or the limits.",
     source: "CiA 402-2, target position and software position limit",
@@ -21,12 +21,13 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
     let sub = if target < min { 1 } else { 2 };
     let message = say!(
-        "the target position `{}` lies outside the software limits {} to {} of {}",
+        "the target position `{}` is outside the software limits {} to {} of {}",
         target,
         min,
         max,
         drive.name(0x607D)
     );
     let finding = Diagnostic::new(rule, drive.value_place(0x607A, 0), message);
-    findings.push(finding.label(drive.value_place(0x607D, sub), "the limit"));
+    let finding = finding.label(drive.value_place(0x607D, sub), "the limit");
+    findings.push(finding.help("correct the target or the limits"));
 }

@@ -4,10 +4,10 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/target-without-actual-value", Warning, Applied(check);
-    summary: "a target is there without its actual value",
-    checks: "Whether the actual value belongs to each target: 6044h to 6042h, 6064h to 607Ah, 606Ch to 60FFh, 6077h to 6071h. Where 6502h names a mode that cannot do without the actual value, its lack is the matter of `cia402/missing-object`.",
-    why: "A master that cannot read what the axis does knows neither when it has arrived nor that it follows.",
-    example: "`[607A]`, and no `[6064]`",
+    summary: "a target is described without its actual value",
+    checks: "Whether the actual value of each target is described: 6044h for 6042h, 6064h for 607Ah, 606Ch for 60FFh, 6077h for 6071h. If 6502h states a mode that requires the actual value, `cia402/missing-object` reports it instead.",
+    why: "Without the actual value a master cannot monitor the axis or detect that it has reached the target.",
+    example: "`[607A]` without `[6064]`",
     remedy: "Describe the actual value.",
     source: "CiA 402-2, IEC 61800-7-201",
 }
@@ -26,7 +26,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let (target_name, actual_name) = (drive.name(target), drive.name(actual));
-        let message = say!("{} is there, and {} ({}) is not", target_name, actual_name, name);
+        let message = say!("{} is described without {} ({})", target_name, actual_name, name);
         let finding = Diagnostic::new(rule, drive.place(target), message);
         findings.push(finding.help(say!("describe {}", actual_name)));
     }

@@ -4,11 +4,11 @@ use crate::{Drive, Facts, rule};
 
 rule! {
     "cia402/time-without-window", Note, Applied(check);
-    summary: "a time belongs to a window that is not there",
-    checks: "Whether 6065h (following error window) is there with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
-    why: "The time says how long the value may lie outside or has to lie inside of a window that nobody can set.",
-    example: "`[6068]`, and no `[6067]`",
-    remedy: "Describe the window, or take the time out.",
+    summary: "a time is described without its window",
+    checks: "Whether 6065h (following error window) is described with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
+    why: "The time states how long the value may be outside, or must be inside, a window that cannot be set.",
+    example: "`[6068]` without `[6067]`",
+    remedy: "Describe the window, or remove the time.",
     source: "CiA 402-2, IEC 61800-7-201",
 }
 
@@ -22,7 +22,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     ] {
         if drive.has(time) && drive.lacks(window) {
             let (time_name, window) = (drive.name(time), drive.name(window));
-            let message = say!("{} is there, and its {} {} is not", time_name, name, window);
+            let message = say!("{} is described without its {} {}", time_name, name, window);
             let finding = Diagnostic::new(rule, drive.place(time), message);
             findings.push(finding.help(say!("describe {}", window)));
         }

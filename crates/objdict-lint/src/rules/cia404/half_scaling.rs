@@ -5,11 +5,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia404/half-scaling", Warning, Applied(check);
-    summary: "the scaling of a channel is described by half",
-    checks: "Whether the four objects that scale a field value to a process value by two points come together: x120h to x123h of analogue inputs, x320h to x323h of analogue outputs.",
-    why: "A line needs two points of two numbers each: with less nobody can change the scale.",
-    example: "`[7120]`, `[7121]` and `[7122]`, and no `[7123]`",
-    remedy: "Describe the missing object.",
+    summary: "the scaling of a channel is incomplete",
+    checks: "Whether the four objects that scale a field value to a process value by two points are all described: x120h to x123h for analogue inputs, x320h to x323h for analogue outputs.",
+    why: "A linear scaling needs two points of two numbers each. If one is missing, the scaling cannot be changed.",
+    example: "`[7120]`, `[7121]` and `[7122]` without `[7123]`",
+    remedy: "Describe the missing objects.",
     source: "CiA 404-1, analogue inputs and analogue outputs",
 }
 
@@ -23,10 +23,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
         if missing.is_empty() {
             continue;
         }
-        let verb = if missing.len() == 1 { "is not" } else { "are not" };
-        let message =
-            say!("{:04X}h is there, and {} {}, which belong together", there, series(&missing), verb);
+        let message = say!("{:04X}h needs {} for a complete scaling", there, series(&missing));
         let finding = Diagnostic::new(rule, Place::object(there), message);
-        findings.push(finding.help("describe what is missing"));
+        findings.push(finding.help("describe the missing objects"));
     }
 }

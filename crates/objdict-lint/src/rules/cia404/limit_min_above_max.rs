@@ -5,11 +5,11 @@ use crate::{Facts, rule, with_others};
 
 rule! {
     "cia404/limit-min-above-max", Error, Applied(check);
-    summary: "a lower limit of a channel is above the upper one",
-    checks: "Whether, channel by channel, the lower limit of the interrupt (x134h, x144h), of the set-point (x404h), and of the controller output (6413h) is not greater than the upper one (x135h, x145h, x405h, 6414h), as configured or by default.",
-    why: "No value lies between the limits: the interrupt comes always or never, the controller cannot follow its set-point.",
+    summary: "the lower limit of a channel is above the upper limit",
+    checks: "Whether, for each channel, the lower limit of the interrupt (x134h, x144h), the set-point (x404h) and the controller output (6413h) is not greater than the upper limit (x135h, x145h, x405h, 6414h), configured or default.",
+    why: "No value is between the limits: the interrupt is always or never active, and the controller cannot follow its set-point.",
     example: "`DefaultValue=1000` in `[7134sub1]`, `DefaultValue=-1000` in `[7135sub1]`",
-    remedy: "Exchange the values.",
+    remedy: "Swap the values.",
     source: "CiA 404-1, analogue inputs and controllers",
 }
 
@@ -29,16 +29,16 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: 
         let channels: Vec<u8> = (1..=199).filter(crossed).collect();
         let Some(&first) = channels.first() else { continue };
         let message = say!(
-            "the lower limit `{}` of {:04X}h is above the upper one of {:04X}h, `{}`",
+            "the lower limit `{}` of {:04X}h is above the upper limit `{}` of {:04X}h",
             number(low, first).unwrap_or_default(),
             lower,
-            upper,
-            number(high, first).unwrap_or_default()
+            number(high, first).unwrap_or_default(),
+            upper
         );
         let finding = Diagnostic::new(rule, facts.device.value_place(lower, first), message);
         let finding = finding.label(facts.device.value_place(upper, first), "the upper limit");
         let others = channels.iter().skip(1);
-        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "this one too"));
-        findings.push(with_others(finding, others).help("exchange the values"));
+        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "also here"));
+        findings.push(with_others(finding, others).help("swap the values"));
     }
 }

@@ -6,9 +6,9 @@ use crate::{Facts, rule};
 
 rule! {
     "cia406/different-measuring-range", Warning, Applied(check), fix Unsafe;
-    summary: "the measuring range is not what resolution and revolutions make",
-    checks: "Whether the default of 6002h in an EDS is resolution (6501h) times revolutions (6502h) for an encoder that turns. What does not fit into 32 bits is not compared.",
-    why: "As it comes from its maker, an encoder does not scale; the range that it states is the one that it has.",
+    summary: "the measuring range is not the product of resolution and revolutions",
+    checks: "Whether the default of 6002h in the EDS of a rotary encoder is the resolution (6501h) times the revolutions (6502h). Products above 32 bits are not compared.",
+    why: "Scaling is off by default, so the measuring range must be the physical one.",
     example: "`[6501]` with `DefaultValue=8192`, `[6502]` with `DefaultValue=4096`, `[6002]` with `DefaultValue=4096`",
     remedy: "Write the product, in the description and in the device.",
     source: "CiA 406 (6002h, 6501h, 6502h)",
@@ -25,10 +25,10 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
         let message =
-            say!("`{}` as measuring range, {} steps by {} revolutions make {}", stated, steps, turned, right);
+            say!("the measuring range is `{}`, but {} steps times {} revolutions are {}", stated, steps, turned, right);
         let place = device.value_place(range, 0);
         let finding = Diagnostic::new(rule, place.clone(), message);
-        let finding = finding.label(device.value_place(resolution, 0), "steps of a revolution");
+        let finding = finding.label(device.value_place(resolution, 0), "steps per revolution");
         let finding = finding.label(device.value_place(revolutions, 0), "revolutions");
         let finding = finding.help(say!("write {}", right));
         findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));

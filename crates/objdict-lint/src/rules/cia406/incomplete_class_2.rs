@@ -6,11 +6,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia406/incomplete-class-2", Warning, Applied(check);
-    summary: "an encoder has functions of class C2, and not all of them",
-    checks: "Whether an encoder that has scaling and preset (6002h and 6003h), which only class C2 has to have, has the rest of that class: 6001h when it turns or 6005h when it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors are not looked at, nor those that lack only one half of the two.",
-    why: "An encoder of class C1 may have any of them, so nothing fails; a master that takes the encoder for one of class C2 is answered with aborts.",
-    example: "`[6002]` and `[6003]`, and no `[6503]`",
-    remedy: "Describe the other objects too, or call it an encoder of class C1 with scaling.",
+    summary: "an encoder has some functions of class C2, but not all",
+    checks: "Whether an encoder with scaling and preset (6002h and 6003h), which only class C2 requires, has the other objects of that class: 6001h if it is rotary or 6005h if it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors or with only one of 6002h and 6003h are not checked.",
+    why: "An encoder of class C1 may have any of these objects, so nothing fails; but a master that expects class C2 gets SDO aborts.",
+    example: "`[6002]` and `[6003]` without `[6503]`",
+    remedy: "Describe the other objects too, or declare an encoder of class C1 with scaling.",
     source: "CiA 406, class C2; manuals of encoders",
 }
 
@@ -38,7 +38,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         .map(|index| format!("{:04X}h", index_in(block, index)))
         .collect();
     if !missing.is_empty() {
-        let message = say!("the encoder has scaling and preset of class C2, and not {}", series(missing));
-        findings.push(Diagnostic::new(rule, Place::object(index_in(block, 0x6003)), message));
+        let message = say!("the encoder has scaling and preset of class C2, but lacks {}", series(missing));
+        let finding = Diagnostic::new(rule, Place::object(index_in(block, 0x6003)), message);
+        findings.push(finding.help("describe the missing objects"));
     }
 }

@@ -6,8 +6,8 @@ use crate::{Facts, rule};
 rule! {
     "cia406/revolutions-of-single-turn", Warning, Applied(check);
     summary: "a single-turn encoder has more than one revolution",
-    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not looked at, for it counts revolutions.",
-    why: "Either the type is wrong, or a master that multiplies resolution and revolutions gets a measuring range that the encoder does not have.",
+    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not checked because it counts revolutions.",
+    why: "Either the type is wrong, or a master that multiplies resolution and revolutions computes a wrong measuring range.",
     example: "`[1000]` with `DefaultValue=0x00010196`, `[6502]` with `DefaultValue=4096`",
     remedy: "Write 1, or the type of a multi-turn encoder.",
     source: "CiA 406 (1000h, 6502h)",
@@ -20,9 +20,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
     if kind >> 16 == 1 && revolutions != 1 {
         let message =
-            say!("`{}` revolutions of an encoder that is single-turn by its device type", revolutions);
+            say!("a single-turn encoder has `{}` revolutions", revolutions);
         let finding = Diagnostic::new(rule, device.value_place(index, 0), message);
         let finding = finding.label(device.value_place(device_type, 0), "type 1, single-turn");
-        findings.push(finding.help("write 1, or state the type of a multi-turn encoder"));
+        findings.push(finding.help("write 1 or the type of a multi-turn encoder"));
     }
 }

@@ -5,9 +5,9 @@ use crate::{Facts, rule};
 
 rule! {
     "cia406/wrong-transmission-type", Warning, Applied(check), fix Unsafe;
-    summary: "a TPDO of an encoder is sent at other times than CiA 406 says",
-    checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is tolerated) and TPDO 2 on each SYNC (type 1). It is silent about TPDO 2 when there is a TPDO 3, which was the synchronous one before edition 3.",
-    why: "A master that knows the profile takes the position of TPDO 1 as it comes, and that of TPDO 2 with the others of the same SYNC.",
+    summary: "a TPDO of an encoder has a transmission type other than that of CiA 406",
+    checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is accepted) and TPDO 2 on each SYNC (type 1). TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3.",
+    why: "A master that knows the profile expects TPDO 1 asynchronously and TPDO 2 with each SYNC.",
     example: "`[1800sub2]` with `DefaultValue=1`",
     remedy: "Write 254 for TPDO 1 and 1 for TPDO 2.",
     source: "CiA 406 (1800h, 1801h)",
@@ -28,7 +28,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let wrong =
             pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
         let Some(found) = wrong else { continue };
-        let message = say!("`{}` as transmission type of {}, CiA 406 has {}", found, pdo, right);
+        let message = say!("transmission type `{}` of {} differs from CiA 406 ({})", found, pdo, right);
         let place = device.value_place(pdo.communication_index(), 2);
         let finding = Diagnostic::new(rule, place.clone(), message).help(say!("write {}", right));
         findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));

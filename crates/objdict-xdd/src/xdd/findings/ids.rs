@@ -10,203 +10,93 @@ use crate::xml::{Attribute, Element, ElementId, Name, n};
 use super::walk::Walk;
 
 text_rules! {
-    /// two elements have the same id
-    ///
-    /// ## What it checks
-    /// Whether each `uniqueID` is unique in the file, whatever its element. The first element has it.
-    ///
-    /// ## Why it matters
-    /// What refers to the id means one of the two, and each tool takes another.
-    ///
-    /// ## Example
-    /// Two parameters with `uniqueID="UID_OBJ_2000"`
-    ///
-    /// ## How to mend
-    /// Give one of them another id, and change what refers to it.
-    ///
-    /// ## Source
-    /// CiA 311 annex A, XML Schema (ID)
     DUPLICATE_UNIQUE_ID = "cia311/duplicate-unique-id", Error;
+    summary: "two elements have the same id",
+    checks: "Whether each `uniqueID` is unique in the file, whatever the element. References lead to the first one.",
+    why: "References are ambiguous, and tools resolve them differently.",
+    example: r#"Two parameters with `uniqueID="UID_OBJ_2000"`"#,
+    remedy: "Change one of the ids and its references.",
+    source: "CiA 311 annex A, XML Schema (ID)",
 
-    /// an object refers to a parameter that does not exist
-    ///
-    /// ## What it checks
-    /// Whether there is an element with the id in `uniqueIDRef` of each object and sub-object.
-    ///
-    /// ## Why it matters
-    /// Data type, access, limits and default of the object are those of the parameter: without it tools have none of them, or refuse the file.
-    ///
-    /// ## Example
-    /// `uniqueIDRef="UID_OBJ_2000"` in a file without a parameter of that id
-    ///
-    /// ## How to mend
-    /// Correct the id, add the parameter, or write `dataType` and `accessType` at the object instead.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error;
+    summary: "an object refers to a parameter that does not exist",
+    checks: "Whether the id in `uniqueIDRef` of each object and sub-object exists.",
+    why: "The parameter defines data type, access, limits and default of the object: without it tools lack them, or reject the file.",
+    example: r#"`uniqueIDRef="UID_OBJ_2000"` in a file without a parameter with that id"#,
+    remedy: "Correct the id, add the parameter, or write `dataType` and `accessType` for the object instead.",
+    source: "CiA 311 annex A",
 
-    /// a group or a condition names a parameter that does not exist
-    ///
-    /// ## What it checks
-    /// Whether there is an element with the id that `parameterRef` and `conditionalSupport` name.
-    ///
-    /// ## Why it matters
-    /// The group shows a parameter less; the condition is never met.
-    ///
-    /// ## Example
-    /// `<parameterRef uniqueIDRef="UID_SPEED"/>` in a file without a parameter of that id
-    ///
-    /// ## How to mend
-    /// Correct the id, or remove the reference.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_PARAMETER_REF = "cia311/dangling-parameter-ref", Error;
+    summary: "a group or a condition refers to a parameter that does not exist",
+    checks: "Whether the ids in `parameterRef` and `conditionalSupport` exist.",
+    why: "The group does not show the parameter, or the condition is never met.",
+    example: r#"`<parameterRef uniqueIDRef="UID_SPEED"/>` in a file without a parameter with that id"#,
+    remedy: "Correct the id, or remove the reference.",
+    source: "CiA 311 annex A",
 
-    /// a data type is used that is not defined
-    ///
-    /// ## What it checks
-    /// Whether there is an element with the id in each `dataTypeIDRef`.
-    ///
-    /// ## Why it matters
-    /// The parameter has no data type.
-    ///
-    /// ## Example
-    /// `<dataTypeIDRef uniqueIDRef="UID_ARR_1003"/>` in a file without an array of that id
-    ///
-    /// ## How to mend
-    /// Correct the id, or define the type in `dataTypeList`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_DATA_TYPE_REF = "cia311/dangling-data-type-id-ref", Error;
+    summary: "a parameter refers to a data type that does not exist",
+    checks: "Whether the id in each `dataTypeIDRef` exists.",
+    why: "The parameter has no data type.",
+    example: r#"`<dataTypeIDRef uniqueIDRef="UID_ARR_1003"/>` in a file without an array with that id"#,
+    remedy: "Correct the id, or define the type in `dataTypeList`.",
+    source: "CiA 311 annex A",
 
-    /// a template is used that is not defined
-    ///
-    /// ## What it checks
-    /// Whether there is an element with the id in each `templateIDRef`.
-    ///
-    /// ## Why it matters
-    /// What the template says of the parameter is lost.
-    ///
-    /// ## Example
-    /// `templateIDRef="UID_PERCENT"` in a file without a template of that id
-    ///
-    /// ## How to mend
-    /// Correct the id, or add the template to `templateList`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_TEMPLATE_REF = "cia311/dangling-template-id-ref", Error;
+    summary: "a parameter refers to a template that does not exist",
+    checks: "Whether the id in each `templateIDRef` exists.",
+    why: "The parameter lacks the properties of the template.",
+    example: r#"`templateIDRef="UID_PERCENT"` in a file without a template with that id"#,
+    remedy: "Correct the id, or add the template to `templateList`.",
+    source: "CiA 311 annex A",
 
-    /// a combined LED state names a state that does not exist
-    ///
-    /// ## What it checks
-    /// Whether there is an `LEDstate` with the id in each `LEDstateRef`.
-    ///
-    /// ## Why it matters
-    /// The description of the LEDs is not complete, and tools that check a file against the schema refuse it.
-    ///
-    /// ## Example
-    /// `<LEDstateRef stateIDRef="UID_RUN"/>` in a file without a state of that id
-    ///
-    /// ## How to mend
-    /// Correct the id.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_LED_STATE_REF = "cia311/dangling-led-state-ref", Warning;
+    summary: "a combined LED state refers to a state that does not exist",
+    checks: "Whether there is an `LEDstate` for the id in each `LEDstateRef`.",
+    why: "The description of the LEDs is incomplete, and schema validation rejects the file.",
+    example: r#"`<LEDstateRef stateIDRef="UID_RUN"/>` in a file without a state with that id"#,
+    remedy: "Correct the id.",
+    source: "CiA 311 annex A",
 
-    /// a function or a variable is used that does not exist
-    ///
-    /// ## What it checks
-    /// Whether there is an element with the id that a function instance names as its type, and that `variableRef` names as instance, variable or member.
-    ///
-    /// ## Why it matters
-    /// The parameter is of no type, the function of no kind.
-    ///
-    /// ## Example
-    /// `typeIDRef="UID_PID"` in a file without a function type of that id
-    ///
-    /// ## How to mend
-    /// Correct the id, or add what it names.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_FUNCTION_REF = "cia311/dangling-function-ref", Error;
+    summary: "a reference leads to a function or variable that does not exist",
+    checks: "Whether the id of the type of each function instance exists, and the ids of instance, variable and member in each `variableRef`.",
+    why: "The parameter or the function has no type.",
+    example: r#"`typeIDRef="UID_PID"` in a file without a function type with that id"#,
+    remedy: "Correct the id, or add the missing element.",
+    source: "CiA 311 annex A",
 
-    /// ranges are given to a module interface that does not exist
-    ///
-    /// ## What it checks
-    /// Whether there is an interface in the device manager with the id that `interface` of the application layers names.
-    ///
-    /// ## Why it matters
-    /// The objects of the modules get no indexes.
-    ///
-    /// ## Example
-    /// `<interface uniqueIDRef="UID_BUS" addressing="auto">` in a file without `<interface uniqueID="UID_BUS" …>`
-    ///
-    /// ## How to mend
-    /// Correct the id, or add the interface to the device manager.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_INTERFACE_REF = "cia311/dangling-interface-ref", Error;
+    summary: "ranges refer to a module interface that does not exist",
+    checks: "Whether the device manager has an interface with the id in `interface` of the application layers.",
+    why: "The objects of the modules get no indexes.",
+    example: r#"`<interface uniqueIDRef="UID_BUS" addressing="auto">` in a file without `<interface uniqueID="UID_BUS" …>`"#,
+    remedy: "Correct the id, or add the interface to the device manager.",
+    source: "CiA 311 annex A",
 
-    /// a reference leads to an element of another kind
-    ///
-    /// ## What it checks
-    /// Whether data type references lead to data types, template references to templates, references of groups to parameters and so on. An object may refer to everything in the application process that can stand for a value.
-    ///
-    /// ## Why it matters
-    /// The schema does not see it, and each tool makes something else of it.
-    ///
-    /// ## Example
-    /// `<dataTypeIDRef uniqueIDRef="UID_SPEED"/>` where `UID_SPEED` is a parameter
-    ///
-    /// ## How to mend
-    /// Name an element of the right kind.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     REFERENCE_TO_WRONG_KIND = "cia311/reference-to-wrong-kind", Error;
+    summary: "a reference leads to an element of the wrong kind",
+    checks: "Whether data type references lead to data types, template references to templates, references of groups to parameters and so on. An object may refer to any element of the application process that describes a value.",
+    why: "Schema validation does not detect this, and tools resolve the reference differently.",
+    example: r#"`<dataTypeIDRef uniqueIDRef="UID_SPEED"/>` where `UID_SPEED` is a parameter"#,
+    remedy: "Write the id of an element of the right kind.",
+    source: "CiA 311 annex A",
 
-    /// a data type contains itself
-    ///
-    /// ## What it checks
-    /// Whether arrays, structs and derived types lead to themselves through their `dataTypeIDRef`.
-    ///
-    /// ## Why it matters
-    /// Such a type has no size, and tools that follow the references never come to an end.
-    ///
-    /// ## Example
-    /// A struct with a member whose type is the struct
-    ///
-    /// ## How to mend
-    /// Name another type.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     RECURSIVE_DATA_TYPE = "cia311/recursive-data-type", Error;
+    summary: "a data type contains itself",
+    checks: "Whether arrays, structs and derived types refer to themselves through their `dataTypeIDRef`.",
+    why: "Such a type has no size, and tools that follow the references loop forever.",
+    example: "A struct with a member of its own type",
+    remedy: "Use another type.",
+    source: "CiA 311 annex A",
 
-    /// a parameter template is built on itself
-    ///
-    /// ## What it checks
-    /// Whether parameter templates lead to themselves through `templateIDRef`.
-    ///
-    /// ## Why it matters
-    /// Tools that follow the references never come to an end.
-    ///
-    /// ## Example
-    /// Two templates, each with the id of the other in `templateIDRef`
-    ///
-    /// ## How to mend
-    /// Remove one of the references.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     RECURSIVE_TEMPLATE = "cia311/recursive-template", Error;
+    summary: "a parameter template refers to itself",
+    checks: "Whether parameter templates refer to themselves through `templateIDRef`, directly or indirectly.",
+    why: "Tools that follow the references loop forever.",
+    example: "Two templates, each with the id of the other in `templateIDRef`",
+    remedy: "Remove one of the references.",
+    source: "CiA 311 annex A",
 }
 
 /// The ids of a container with their elements.
@@ -225,7 +115,7 @@ pub(super) struct Reference<'a> {
     pub(super) target: Target,
 }
 
-/// A value without blanks around it.
+/// A value without surrounding white space.
 pub(super) fn trimmed(value: Cow<'_, str>) -> Cow<'_, str> {
     match value {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
@@ -234,19 +124,19 @@ pub(super) fn trimmed(value: Cow<'_, str>) -> Cow<'_, str> {
 }
 
 impl<'a> Ids<'a> {
-    /// Gives an id to its element, unless another one has it.
+    /// Assigns an id to its element, unless another one has it.
     pub(super) fn define(&mut self, element: Element<'a>, attribute: Attribute<'a>, findings: &mut Findings) {
         let id = trimmed(attribute.value());
         if let Some((first, first_at)) = self.elements.get(&id) {
             let message = match (first.name(), element.name()) {
                 (first, second) if first == second => format!("two `{second}` have the id `{id}`"),
                 (first, second) => {
-                    format!("`{id}` is the id of a `{first}` already, and here of a `{second}`")
+                    format!("a `{first}` and a `{second}` have the id `{id}`")
                 }
             };
             let finding = Diagnostic::new(&DUPLICATE_UNIQUE_ID, attribute.value_span(), message);
             let finding = finding.label(first_at.value_span(), "first here");
-            findings.push(finding.help("give one of them another id, and change what refers to it"));
+            findings.push(finding.help("change one of the ids and its references"));
         } else {
             self.elements.insert(id, (element, attribute));
         }
@@ -257,12 +147,12 @@ impl<'a> Ids<'a> {
         self.elements.get(&trimmed(attribute.value())).map(|(element, _)| *element)
     }
 
-    /// Whether exactly one object or sub-object refers to an element, so that it belongs to that entry.
+    /// Whether exactly one object or sub-object refers to an element.
     pub(super) fn belongs_to_entry(&self, element: Element<'_>) -> bool {
         self.uses.get(&element.id()) == Some(&1)
     }
 
-    /// An id that differs from another one in capital letters only.
+    /// An id that differs from another one only in case.
     fn similar(&self, id: &str) -> Option<&str> {
         self.elements.keys().map(|known| &**known).find(|known| known.eq_ignore_ascii_case(id))
     }
@@ -290,19 +180,19 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     let (rule, what, _) = about(reference.target);
     if findings.is_full(rule) {
-        // counted, but not looked at any further
+        // only counted
         findings.push(Diagnostic::new(rule, reference.attribute.value_span(), String::new()));
         return;
     }
     let id = trimmed(reference.attribute.value());
     let at = reference.attribute.value_span();
     let message = match &*id {
-        "" => format!("`{}` names no {what}", reference.element.name()),
+        "" => format!("`{}` refers to no {what}", reference.element.name()),
         id => format!("there is no {what} with the id `{id}`"),
     };
     let help = match ids.similar(&id) {
         Some(similar) => format!("did you mean `{similar}`?"),
-        None => format!("correct the id, or add the {what}"),
+        None => format!("correct the id or add the {what}"),
     };
     findings.push(Diagnostic::new(rule, at, message).help(help));
 }
@@ -310,7 +200,7 @@ fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
 /// Whether a reference may lead to an element of this name.
 fn accepts(reference: &Reference<'_>, name: Name) -> bool {
     match reference.target {
-        // what describes no value
+        // these describe no value
         Target::Application => !matches!(
             name,
             n::LEDstate | n::interface | n::functionType | n::parameterGroup | n::allowedValuesTemplate
@@ -322,7 +212,7 @@ fn accepts(reference: &Reference<'_>, name: Name) -> bool {
     }
 }
 
-/// The rule of references that lead nowhere, what they should lead to, and the elements that are such.
+/// The rule for dangling references, what they should refer to, and the elements of that kind.
 fn about(target: Target) -> (&'static RuleInfo, &'static str, &'static [Name]) {
     match target {
         Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter", &[n::parameter, n::varDeclaration]),
@@ -346,8 +236,8 @@ fn wrong_kind(reference: &Reference<'_>, element: Element<'_>, at: Attribute<'_>
     let (id, kind) = (trimmed(reference.attribute.value()), element.name());
     let message = format!("`{}` refers to `{id}`, which is a `{kind}`", reference.element.name());
     Diagnostic::new(&REFERENCE_TO_WRONG_KIND, reference.attribute.value_span(), message)
-        .label(at.value_span(), "what it refers to")
-        .help(format!("name the id of {}", listing_or(about(reference.target).2)))
+        .label(at.value_span(), "the element with this id")
+        .help(format!("write the id of {}", listing_or(about(reference.target).2)))
 }
 
 /// "a `x`", or "a `x` or `y`".
@@ -366,10 +256,10 @@ fn check_cycles(walk: &mut Walk<'_, '_>) {
     let mut found = Vec::new();
     for attribute in cycles(walk.seen.data_types().collect(), &walk.ids, type_references) {
         let message = format!("the data type `{}` contains itself", attribute.value().trim_ascii());
-        found.push((&RECURSIVE_DATA_TYPE, attribute, message, "name another type"));
+        found.push((&RECURSIVE_DATA_TYPE, attribute, message, "use another type"));
     }
     for attribute in cycles(walk.seen.of([n::parameterTemplate]).collect(), &walk.ids, template_references) {
-        let message = format!("the template `{}` is built on itself", attribute.value().trim_ascii());
+        let message = format!("the template `{}` refers to itself", attribute.value().trim_ascii());
         found.push((&RECURSIVE_TEMPLATE, attribute, message, "remove one of the references"));
     }
     for (rule, attribute, message, help) in found {

@@ -6,59 +6,29 @@ use crate::xdd::version::XddVersion;
 use crate::xml::Element;
 
 text_rules! {
-    /// the file is in no namespace of CiA 311
-    ///
-    /// ## What it checks
-    /// Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read all the same.
-    ///
-    /// ## Why it matters
-    /// Tools that go by the namespace, such as CANopenEditor, refuse the file.
-    ///
-    /// ## Example
-    /// `<ISO15745ProfileContainer>` without `xmlns`
-    ///
-    /// ## How to mend
-    /// Add `xmlns="http://www.canopen.org/xml/1.1"`, and `xmlns=""` to the elements that version 1.1 has in no namespace.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     UNKNOWN_NAMESPACE = "cia311/unknown-namespace", Warning;
+    summary: "the file is in no namespace of CiA 311",
+    checks: "Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read in any case.",
+    why: "Tools that check the namespace, such as CANopenEditor, reject the file.",
+    example: "`<ISO15745ProfileContainer>` without `xmlns`",
+    remedy: r#"Add `xmlns="http://www.canopen.org/xml/1.1"`, and `xmlns=""` to the elements that version 1.1 keeps in no namespace."#,
+    source: "CiA 311 annex A",
 
-    /// elements are in the namespace that belong outside, or the other way round
-    ///
-    /// ## What it checks
-    /// Whether the elements that version 1.1 declares within others, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all are in it. The first element is shown, and how many there are.
-    ///
-    /// ## Why it matters
-    /// Tools that go by the namespace, such as CANopenEditor, pass over such elements with everything in them. Others go by the names alone.
-    ///
-    /// ## Example
-    /// `<ProfileBody>` in a file of version 1.1 without `xmlns=""`
-    ///
-    /// ## How to mend
-    /// Put `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix before the names of the global elements in them.
-    ///
-    /// ## Source
-    /// CiA 311 annex A (`elementFormDefault`)
     ELEMENT_FORM = "cia311/element-form", Warning;
+    summary: "elements are in a namespace where they must be in none, or vice versa",
+    checks: "Whether the local elements of version 1.1, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all elements are in the namespace. Only the first element is reported, with the number of others.",
+    why: "Tools that check the namespace, such as CANopenEditor, ignore such elements with their content. Others check only the names.",
+    example: r#"`<ProfileBody>` in a file of version 1.1 without `xmlns=""`"#,
+    remedy: r#"Add `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix to the names of the global elements in them."#,
+    source: "CiA 311 annex A (`elementFormDefault`)",
 
-    /// an element is in another namespace than its container
-    ///
-    /// ## What it checks
-    /// Whether all elements of CiA 311 are in the namespace of the container or in none. The first one is shown, and how many there are.
-    ///
-    /// ## Why it matters
-    /// A part of the file follows another version or another standard, and tools that go by the namespace pass over it.
-    ///
-    /// ## Example
-    /// `xmlns:q1="http://www.canopen.org/xml/1.0"` in a file of version 1.1
-    ///
-    /// ## How to mend
-    /// Declare one namespace in the whole file.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MIXED_NAMESPACES = "cia311/mixed-namespaces", Warning;
+    summary: "an element and its container are in different namespaces",
+    checks: "Whether all elements of CiA 311 are in the namespace of the container or in none. Only the first one is reported, with the number of others.",
+    why: "Part of the file follows another version or standard, and tools that check the namespace ignore it.",
+    example: r#"`xmlns:q1="http://www.canopen.org/xml/1.0"` in a file of version 1.1"#,
+    remedy: "Declare one namespace in the whole file.",
+    source: "CiA 311 annex A",
 }
 
 /// What the namespaces of a container's elements are like.
@@ -128,7 +98,7 @@ impl<'a> Forms<'a> {
     fn unknown(&self) -> Diagnostic {
         let message = match self.container.namespace() {
             None => "the file is in no namespace".to_owned(),
-            Some(namespace) => format!("`{namespace}` is no namespace of CiA 311"),
+            Some(namespace) => format!("`{namespace}` is not a namespace of CiA 311"),
         };
         let namespace = XddVersion::V1_1.namespace();
         let help =
@@ -144,29 +114,30 @@ impl<'a> Forms<'a> {
             ("in no namespace", "in that of the file")
         };
         let message = match self.wrong_form.count {
-            1 => format!("`{name}` is {is}, and belongs {belongs}"),
+            1 => format!("`{name}` is {is}, but must be {belongs}"),
             count => {
                 let others = counted(count - 1, "other element", "other elements");
-                format!("`{name}` is {is}, and belongs {belongs}; so it is with {others}")
+                format!("`{name}` is {is}, but must be {belongs}; also {others}")
             }
         };
         let namespace = self.version.unwrap_or_default().namespace();
         let help = match (self.version, first.namespace()) {
-            (Some(XddVersion::V1_0), _) => format!("in version 1.0 every element is in `{namespace}`"),
+            (Some(XddVersion::V1_0), _) => format!("in version 1.0 every element must be in `{namespace}`"),
             (_, Some(_)) => {
-                "in version 1.1 only global elements are in the namespace: put `xmlns=\"\"` here".to_owned()
+                "in version 1.1 only global elements are in the namespace: add `xmlns=\"\"` here".to_owned()
             }
-            (_, None) => format!("declare a prefix for `{namespace}` and put it before the name"),
+            (_, None) => format!("declare a prefix for `{namespace}` and add it to the name"),
         };
         Diagnostic::new(&ELEMENT_FORM, first.name_span(), message).help(help)
     }
 
     fn mixed(&self, first: Element<'_>) -> Diagnostic {
         let (name, namespace) = (first.name(), first.namespace().unwrap_or_default());
-        let mut message = format!("`{name}` is in another namespace, `{namespace}`, than its container");
+        let mut message =
+            format!("the namespace `{namespace}` of `{name}` differs from that of its container");
         if self.foreign.count > 1 {
             let others = counted(self.foreign.count - 1, "other element", "other elements");
-            message.push_str(&format!("; so it is with {others}"));
+            message.push_str(&format!("; also {others}"));
         }
         Diagnostic::new(&MIXED_NAMESPACES, first.name_span(), message)
             .label(self.container.name_span(), "the container")

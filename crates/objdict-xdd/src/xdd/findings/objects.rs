@@ -1,4 +1,4 @@
-//! The rules about objects: what stands twice, and what contradicts the parameter that it refers to.
+//! The rules about objects: duplicates, and contradictions between an object and its parameter.
 
 use std::collections::HashMap;
 
@@ -11,131 +11,61 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    /// an object stands twice
-    ///
-    /// ## What it checks
-    /// Whether each index occurs once in `CANopenObjectList`. The first object is read.
-    ///
-    /// ## Why it matters
-    /// Some tools take the first one, some the last one, some refuse the file: the device has two dictionaries.
-    ///
-    /// ## Example
-    /// Two `<CANopenObject index="1018" …>`
-    ///
-    /// ## How to mend
-    /// Keep one of them.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DUPLICATE_OBJECT = "cia311/duplicate-object", Error;
+    summary: "an object is defined twice",
+    checks: "Whether each index occurs once in `CANopenObjectList`. The first object is used.",
+    why: "Some tools use the first one, some the last one, some reject the file: the object dictionary is ambiguous.",
+    example: r#"Two `<CANopenObject index="1018" …>`"#,
+    remedy: "Keep one of them.",
+    source: "CiA 311 annex A",
 
-    /// a sub-object stands twice
-    ///
-    /// ## What it checks
-    /// Whether each sub-index occurs once in its object. The first sub-object is read.
-    ///
-    /// ## Why it matters
-    /// Some tools take the first one, some the last one, some refuse the file.
-    ///
-    /// ## Example
-    /// Two `<CANopenSubObject subIndex="01" …>` in one object
-    ///
-    /// ## How to mend
-    /// Keep one of them, or give the other its own sub-index.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DUPLICATE_SUB_OBJECT = "cia311/duplicate-sub-object", Error;
+    summary: "a sub-object is defined twice",
+    checks: "Whether each sub-index occurs once in its object. The first sub-object is used.",
+    why: "Some tools use the first one, some the last one, some reject the file.",
+    example: r#"Two `<CANopenSubObject subIndex="01" …>` in one object"#,
+    remedy: "Keep one of them, or change the sub-index of the other.",
+    source: "CiA 311 annex A",
 
-    /// an object has another data type than its parameter
-    ///
-    /// ## What it checks
-    /// Whether `dataType` of an object agrees with the simple type of the parameter that it refers to, where the data type has such a type. Those of 24, 40, 48 and 56 bits, times, DOMAIN and OCTET_STRING have none, so any will do.
-    ///
-    /// ## Why it matters
-    /// Some tools take the data type of the object, some that of the parameter: they read another number of bytes from the device.
-    ///
-    /// ## Example
-    /// `dataType="0006"` of an object whose parameter has `<UDINT/>`
-    ///
-    /// ## How to mend
-    /// Correct one of the two, or leave out `dataType`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     CONTRADICTING_DATA_TYPE = "cia311/contradicting-data-type", Error;
+    summary: "an object and its parameter have different data types",
+    checks: "Whether `dataType` of an object matches the simple type of the parameter that it refers to, if there is a simple type for it. Types of 24, 40, 48 and 56 bits, times, DOMAIN and OCTET_STRING have none, so any type is accepted.",
+    why: "Some tools use the data type of the object, some that of the parameter: they read a different number of bytes from the device.",
+    example: r#"`dataType="0006"` of an object whose parameter has `<UDINT/>`"#,
+    remedy: "Correct one of the two, or remove `dataType`.",
+    source: "CiA 311 annex A",
 
-    /// an object has another access type than its parameter
-    ///
-    /// ## What it checks
-    /// Whether `accessType` of an object agrees with `access` of the parameter that it refers to, where both are there. `readWriteInput` and `readWriteOutput` are `rw`; `ro` and `const` may stand for each other.
-    ///
-    /// ## Why it matters
-    /// Some tools take the one, some the other: they refuse to write a value that the device takes, or try to write one that it refuses.
-    ///
-    /// ## Example
-    /// `accessType="ro"` of an object whose parameter has `access="readWrite"`
-    ///
-    /// ## How to mend
-    /// Correct one of the two, or leave out `accessType`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     CONTRADICTING_ACCESS = "cia311/contradicting-access", Warning;
+    summary: "an object and its parameter have different access types",
+    checks: "Whether `accessType` of an object matches `access` of the parameter that it refers to, if both are stated. `readWriteInput` and `readWriteOutput` are `rw`; `ro` and `const` are equivalent.",
+    why: "Tools use one or the other: they refuse to write a writable entry, or try to write a read-only one.",
+    example: r#"`accessType="ro"` of an object whose parameter has `access="readWrite"`"#,
+    remedy: "Correct one of the two, or remove `accessType`.",
+    source: "CiA 311 annex A",
 
-    /// an object has another default, limit or value than its parameter
-    ///
-    /// ## What it checks
-    /// Whether `defaultValue`, `actualValue`, `lowLimit` and `highLimit` of an object are what the parameter says that it refers to, where both are there. Numbers are compared as numbers; limits only with a single range.
-    ///
-    /// ## Why it matters
-    /// Some tools take the one, some the other.
-    ///
-    /// ## Example
-    /// `defaultValue="1"` of an object whose parameter has `<defaultValue value="2"/>`
-    ///
-    /// ## How to mend
-    /// Correct one of the two, or leave out that of the object.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     CONTRADICTING_VALUE = "cia311/contradicting-value", Warning;
+    summary: "an object and its parameter have different values, defaults or limits",
+    checks: "Whether `defaultValue`, `actualValue`, `lowLimit` and `highLimit` of an object match the parameter that it refers to, if both are stated. Numbers are compared as numbers; limits only if the parameter has a single range.",
+    why: "Some tools use one, some the other.",
+    example: r#"`defaultValue="1"` of an object whose parameter has `<defaultValue value="2"/>`"#,
+    remedy: "Correct one of the two, or remove that of the object.",
+    source: "CiA 311 annex A",
 
-    /// the number of objects is wrong
-    ///
-    /// ## What it checks
-    /// Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and `mandatoryObjects` and `optionalObjects` together that of the others, with or without the definitions of data types below 1000h. Which objects are mandatory depends on the device, so these two are counted together.
-    ///
-    /// ## Why it matters
-    /// Someone added or removed objects by hand and did not count; perhaps one got lost.
-    ///
-    /// ## Example
-    /// `mandatoryObjects="3" optionalObjects="10"` with twelve objects below 2000h and from 6000h on
-    ///
-    /// ## How to mend
-    /// Write the right numbers, or leave the attributes out.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     WRONG_OBJECT_COUNT = "cia311/wrong-object-count", Warning;
+    summary: "the number of objects is wrong",
+    checks: "Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and the sum of `mandatoryObjects` and `optionalObjects` the number of the others, with or without data type definitions below 1000h. Only the sum is checked because the mandatory objects depend on the device.",
+    why: "Objects were added or removed without updating the count; an object may be missing.",
+    example: r#"`mandatoryObjects="3" optionalObjects="10"` with twelve objects below 2000h and from 6000h on"#,
+    remedy: "Write the right numbers, or remove the attributes.",
+    source: "CiA 311 annex A",
 
-    /// the default bit rate is not among the supported ones
-    ///
-    /// ## What it checks
-    /// Whether `defaultValue` of `baudRate` is one of its `supportedBaudRate`, where both are there.
-    ///
-    /// ## Why it matters
-    /// Out of the box the device has a bit rate that no tool offers for it.
-    ///
-    /// ## Example
-    /// `<baudRate defaultValue="1000 Kbps"><supportedBaudRate value="125 Kbps"/></baudRate>`
-    ///
-    /// ## How to mend
-    /// Add the bit rate, or correct the default.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DEFAULT_BAUD_RATE_NOT_SUPPORTED = "cia311/default-baud-rate-not-supported", Warning;
+    summary: "the default bit rate is not supported",
+    checks: "Whether `defaultValue` of `baudRate` is one of its `supportedBaudRate`, if both are stated.",
+    why: "Tools do not offer the bit rate that the device uses by default.",
+    example: r#"`<baudRate defaultValue="1000 Kbps"><supportedBaudRate value="125 Kbps"/></baudRate>`"#,
+    remedy: "Add the bit rate, or correct the default.",
+    source: "CiA 311 annex A",
 }
 
 /// All rules of this module.
@@ -176,7 +106,7 @@ fn twice<'a>(
     if let Some(first) = first.get(&number) {
         let what = if name == n::index { "object" } else { "sub-index" };
         let message =
-            format!("{what} `{}` stands twice; the first one is read", attribute.value().trim_ascii());
+            format!("{what} `{}` is defined twice; the first one is used", attribute.value().trim_ascii());
         let finding = Diagnostic::new(rule, attribute.value_span(), message);
         findings.push(finding.label(first.value_span(), "first here").help("keep one of the two"));
     } else {
@@ -215,12 +145,12 @@ fn data_type(object: Element<'_>, attribute: Attribute<'_>, parameter: Element<'
         return;
     }
     let message = format!(
-        "`{}` is {data_type}, and the parameter is of type `{}`",
+        "`{}` is {data_type}, but the type of the parameter is `{}`",
         attribute.value().trim_ascii(),
         element.name()
     );
     let finding = Diagnostic::new(&CONTRADICTING_DATA_TYPE, attribute.value_span(), message);
-    findings.push(finding.label(element.name_span(), "the parameter's").help("correct one of the two"));
+    findings.push(finding.label(element.name_span(), "the parameter").help("correct one of the two"));
 }
 
 /// Whether values of a data type may be called by a simple type.
@@ -259,13 +189,13 @@ fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findi
     if right.contains(&stated) || !matches!(stated, "ro" | "wo" | "rw" | "const") {
         return;
     }
-    let message = format!("`{stated}` here, and `{of_parameter}` at the parameter");
+    let message = format!("the access type is `{stated}` here, but `{of_parameter}` in the parameter");
     let finding = Diagnostic::new(&CONTRADICTING_ACCESS, attribute.value_span(), message);
     let help = match right {
-        [] => "correct one of the two, or leave out `accessType`".to_owned(),
-        [right, ..] => format!("write `{right}`, correct the parameter, or leave out `accessType`"),
+        [] => "correct one of the two or remove `accessType`".to_owned(),
+        [right, ..] => format!("write `{right}`, correct the parameter or remove `accessType`"),
     };
-    findings.push(finding.label(other.value_span(), "the parameter's").help(help));
+    findings.push(finding.label(other.value_span(), "the parameter").help(help));
 }
 
 /// An end of the range of a parameter that has one range and nothing else.
@@ -297,10 +227,10 @@ fn value(
         return;
     }
     let message =
-        format!("`{}` is `{stated}` here, and `{text}` at the `{}`", attribute.name(), parameter.name());
+        format!("`{}` is `{stated}` here, but `{text}` in the `{}`", attribute.name(), parameter.name());
     let finding = Diagnostic::new(&CONTRADICTING_VALUE, attribute.value_span(), message);
-    let help = format!("correct one of the two, or leave out `{}`", attribute.name());
-    findings.push(finding.label(other.value_span(), "the parameter's").help(help));
+    let help = format!("correct one of the two or remove `{}`", attribute.name());
+    findings.push(finding.label(other.value_span(), "the parameter").help(help));
 }
 
 /// A text without what people write in one way or another: blanks and capital letters.
@@ -322,7 +252,7 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
     {
         let there = counted(ours.len(), "object", "objects");
         let message =
-            format!("`manufacturerObjects` is {stated}, and from 2000h to 5FFFh the list has {there}");
+            format!("`manufacturerObjects` is {stated}, but the list has {there} from 2000h to 5FFFh");
         let finding = Diagnostic::new(&WRONG_OBJECT_COUNT, attribute.value_span(), message);
         findings.push(finding.help(format!("write `{}`", ours.len())));
     }
@@ -334,13 +264,13 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
     let stated = mandatory.saturating_add(optional);
     if stated != others.len() && stated != others.len() - definitions {
         let message = format!(
-            "`mandatoryObjects` is {mandatory}, `optionalObjects` {optional}, and outside 2000h to 5FFFh the list has {}",
+            "`mandatoryObjects` is {mandatory} and `optionalObjects` {optional}, but the list has {} outside 2000h to 5FFFh",
             counted(others.len(), "object", "objects")
         );
         let finding = Diagnostic::new(&WRONG_OBJECT_COUNT, second.value_span(), message);
-        let finding = finding.label(attribute.value_span(), "the mandatory ones");
+        let finding = finding.label(attribute.value_span(), "the mandatory objects");
         findings.push(match others.len().checked_sub(mandatory) {
-            Some(right) => finding.help(format!("write `{right}`, if {mandatory} are mandatory")),
+            Some(right) => finding.help(format!("write `{right}` if {mandatory} are mandatory")),
             None => finding.help("count the objects again"),
         });
     }
@@ -352,10 +282,10 @@ fn default_baud_rate(baud_rate: Element<'_>, findings: &mut Findings) {
         baud_rate.children_named(n::supportedBaudRate).filter_map(|rate| rate.attribute(n::value)).peekable();
     let value = default.value();
     if supported.peek().is_some() && !supported.any(|rate| rate.value().trim_ascii() == value.trim_ascii()) {
-        let message = format!("the default `{value}` is not among the supported bit rates");
+        let message = format!("the default bit rate `{value}` is not supported");
         let finding = Diagnostic::new(&DEFAULT_BAUD_RATE_NOT_SUPPORTED, default.value_span(), message);
         findings.push(
-            finding.help(format!("add `<supportedBaudRate value=\"{value}\"/>`, or correct the default")),
+            finding.help(format!("add `<supportedBaudRate value=\"{value}\"/>` or correct the default")),
         );
     }
 }

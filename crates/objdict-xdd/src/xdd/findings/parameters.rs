@@ -10,95 +10,45 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    /// a parameter has a value that it does not allow
-    ///
-    /// ## What it checks
-    /// Whether the default and the actual value of a parameter are among its `allowedValues`, where these list values or several ranges of numbers. A single range is the limits of the entry, which `cia306/value-outside-limits` looks at.
-    ///
-    /// ## Why it matters
-    /// A tool that offers the allowed values cannot show the one that the device has; one that checks refuses it.
-    ///
-    /// ## Example
-    /// `<defaultValue value="3"/>` with the allowed values 0, 1 and 2
-    ///
-    /// ## How to mend
-    /// Add the value to the allowed ones, or choose another one.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     VALUE_NOT_ALLOWED = "cia311/value-not-allowed", Warning;
+    summary: "a parameter has a value outside its allowed values",
+    checks: "Whether the default and the actual value of a parameter are among its `allowedValues`, if these list values or several ranges. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
+    why: "Tools that offer the allowed values cannot show the actual one; tools that check reject it.",
+    example: r#"`<defaultValue value="3"/>` with the allowed values 0, 1 and 2"#,
+    remedy: "Add the value to the allowed values, or use another one.",
+    source: "CiA 311 annex A",
 
-    /// the lower end of a range lies above the upper end
-    ///
-    /// ## What it checks
-    /// Whether `minValue` of a range is not greater than `maxValue`, where both are numbers. The single range of a parameter that one entry refers to is the limits of the entry, which `cia306/low-limit-above-high` looks at.
-    ///
-    /// ## Why it matters
-    /// No value fits.
-    ///
-    /// ## Example
-    /// `<range><minValue value="10"/><maxValue value="1"/></range>`
-    ///
-    /// ## How to mend
-    /// Exchange the two.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MIN_ABOVE_MAX = "cia311/min-above-max", Error;
+    summary: "the lower end of a range is above the upper end",
+    checks: "Whether `minValue` of a range is not greater than `maxValue`, if both are numbers. `cia306/low-limit-above-high` checks the single range of a parameter that one entry refers to, which defines the limits of the entry.",
+    why: "No value is in the range.",
+    example: r#"`<range><minValue value="10"/><maxValue value="1"/></range>`"#,
+    remedy: "Swap the values.",
+    source: "CiA 311 annex A",
 
-    /// a property stands twice
-    ///
-    /// ## What it checks
-    /// Whether the names of a parameter's properties differ.
-    ///
-    /// ## Why it matters
-    /// Some tools take the first value, some the last one.
-    ///
-    /// ## Example
-    /// `<property name="CO_storageGroup" value="RAM"/>` and `<property name="CO_storageGroup" value="ROM"/>`
-    ///
-    /// ## How to mend
-    /// Keep one of them.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DUPLICATE_PROPERTY = "cia311/duplicate-property", Warning;
+    summary: "a property is defined twice",
+    checks: "Whether the properties of a parameter have different names.",
+    why: "Some tools use the first value, some the last one.",
+    example: r#"`<property name="CO_storageGroup" value="RAM"/>` and `<property name="CO_storageGroup" value="ROM"/>`"#,
+    remedy: "Keep one of them.",
+    source: "CiA 311 annex A",
 
-    /// a parameter is supported under a condition that is not given
-    ///
-    /// ## What it checks
-    /// Whether a parameter with `support="conditional"` has `conditionalSupport`.
-    ///
-    /// ## Why it matters
-    /// Nobody can tell when the device has the parameter.
-    ///
-    /// ## Example
-    /// `<parameter uniqueID="P" support="conditional">` without `conditionalSupport`
-    ///
-    /// ## How to mend
-    /// Name the parameters that it depends on, or write `mandatory` or `optional`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MISSING_CONDITION = "cia311/missing-condition", Note;
+    summary: "a parameter has conditional support without a condition",
+    checks: r#"Whether a parameter with `support="conditional"` has `conditionalSupport`."#,
+    why: "Tools cannot determine when the device has the parameter.",
+    example: r#"`<parameter uniqueID="P" support="conditional">` without `conditionalSupport`"#,
+    remedy: "Add `conditionalSupport` with the parameters that it depends on, or write `mandatory` or `optional`.",
+    source: "CiA 311 annex A",
 
-    /// a member of a variable is named by neither id nor index, or by both
-    ///
-    /// ## What it checks
-    /// Whether `memberRef` has either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.
-    ///
-    /// ## Why it matters
-    /// It is not known which part of the variable the parameter is.
-    ///
-    /// ## Example
-    /// `<memberRef/>`
-    ///
-    /// ## How to mend
-    /// Write one of the two attributes.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     AMBIGUOUS_MEMBER = "cia311/ambiguous-member", Warning;
+    summary: "a member of a variable has both an id and an index, or neither",
+    checks: "Whether `memberRef` has either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.",
+    why: "The referenced part of the variable is ambiguous.",
+    example: "`<memberRef/>`",
+    remedy: "Write one of the two attributes.",
+    source: "CiA 311 annex A",
 }
 
 /// All rules of this module.
@@ -141,7 +91,7 @@ fn condition(parameter: Element<'_>, findings: &mut Findings) {
     let has_condition =
         parameter.child(n::conditionalSupport).is_some() || parameter.attribute(n::templateIDRef).is_some();
     if support.value().trim_ascii() == "conditional" && !has_condition {
-        let message = "the parameter is supported under a condition, but names none";
+        let message = "the parameter has conditional support, but no condition";
         let finding = Diagnostic::new(&MISSING_CONDITION, support.value_span(), message);
         findings
             .push(finding.help("add `conditionalSupport` with the ids of the parameters that it depends on"));
@@ -182,10 +132,13 @@ fn ranges(allowed: Element<'_>, findings: &mut Findings) {
     for range in allowed.children_named(n::range) {
         let Some([(low_at, low), (high_at, high)]) = ends(range) else { continue };
         if low.compare(&high) == Some(Ordering::Greater) {
-            let message =
-                format!("the range starts at `{}` and ends at `{}`", low_at.value(), high_at.value());
+            let message = format!(
+                "the lower end `{}` of the range is above the upper end `{}`",
+                low_at.value(),
+                high_at.value()
+            );
             let finding = Diagnostic::new(&MIN_ABOVE_MAX, low_at.value_span(), message);
-            findings.push(finding.label(high_at.value_span(), "the upper end").help("exchange the two"));
+            findings.push(finding.label(high_at.value_span(), "the upper end").help("swap the values"));
         }
     }
 }
@@ -200,7 +153,7 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
         .children_named(n::range)
         .map(|range| ends(range).map(|[(_, low), (_, high)]| (low, high)))
         .collect();
-    // one that cannot be told may be the value
+    // a value that cannot be compared may be allowed
     let (Some(singles), Some(ranges)) = (singles, ranges) else { return };
     if singles.is_empty() && ranges.is_empty() {
         return;
@@ -217,14 +170,11 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
             value.compare(low) != Some(Ordering::Less) && value.compare(high) != Some(Ordering::Greater)
         };
         if !singles.iter().any(|single| single.is_same(&value)) && !ranges.iter().any(is_within) {
-            let message = format!(
-                "`{}` is `{}`, which is not among the allowed values",
-                name.text(),
-                attribute.value()
-            );
+            let message =
+                format!("`{}` is `{}`, which is not an allowed value", name.text(), attribute.value());
             let finding = Diagnostic::new(&VALUE_NOT_ALLOWED, attribute.value_span(), message);
             let finding = finding.label(allowed.name_span(), "the allowed values");
-            findings.push(finding.help("add the value to the allowed ones, or choose another one"));
+            findings.push(finding.help("add the value to the allowed values or use another one"));
         }
     }
 }
@@ -239,8 +189,8 @@ fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number)]) -> bool 
 fn member_ref(member: Element<'_>, findings: &mut Findings) {
     let (id, index) = (member.attribute(n::uniqueIDRef), member.attribute(n::index));
     let message = match (id, index) {
-        (Some(_), Some(_)) => "the member is named by its id and by an index",
-        (None, None) => "the member is named neither by its id nor by an index",
+        (Some(_), Some(_)) => "the member has both an id and an index",
+        (None, None) => "the member has neither an id nor an index",
         _ => return,
     };
     let finding = Diagnostic::new(&AMBIGUOUS_MEMBER, member.name_span(), message);

@@ -9,156 +9,76 @@ use crate::xml::{Element, Name, n};
 use super::walk::Walk;
 
 text_rules! {
-    /// a profile body does not say which one it is
-    ///
-    /// ## What it checks
-    /// Whether `ProfileBody` has `xsi:type`. Without it the elements in it decide.
-    ///
-    /// ## Why it matters
-    /// The type is abstract in the schema: tools that go by it cannot read the body.
-    ///
-    /// ## Example
-    /// `<ProfileBody fileName="drive.xdd">`
-    ///
-    /// ## How to mend
-    /// Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace where it has one.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MISSING_BODY_TYPE = "cia311/missing-body-type", Error;
+    summary: "a profile body does not state its type",
+    checks: "Whether `ProfileBody` has `xsi:type`. Without it the type is derived from the content.",
+    why: "The type is abstract in the schema: tools that rely on `xsi:type` cannot read the body.",
+    example: r#"`<ProfileBody fileName="drive.xdd">`"#,
+    remedy: r#"Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace where it has one."#,
+    source: "CiA 311 annex A",
 
-    /// a profile body is of a type that CiA 311 does not have
-    ///
-    /// ## What it checks
-    /// Whether `xsi:type` is `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Without one of them the elements in the body decide.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or leave the body out.
-    ///
-    /// ## Example
-    /// `xsi:type="ProfileBody_CANopen"`
-    ///
-    /// ## How to mend
-    /// Write one of the two types.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     UNKNOWN_BODY_TYPE = "cia311/unknown-body-type", Error;
+    summary: "a profile body has a type that CiA 311 does not define",
+    checks: "Whether `xsi:type` is `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Otherwise the type is derived from the content.",
+    why: "Tools reject the file, or ignore the body.",
+    example: r#"`xsi:type="ProfileBody_CANopen"`"#,
+    remedy: "Write one of the two types.",
+    source: "CiA 311 annex A",
 
-    /// one of the two profiles is missing
-    ///
-    /// ## What it checks
-    /// Whether the container has a device profile and a communication network profile. Without the latter, which has the object dictionary, it is an error, without the former a warning.
-    ///
-    /// ## Why it matters
-    /// Tools look for the vendor and the parameters in the one, for the objects in the other.
-    ///
-    /// ## Example
-    /// A container with a body of type `ProfileBody_Device_CANopen` alone
-    ///
-    /// ## How to mend
-    /// Add the other profile.
-    ///
-    /// ## Source
-    /// CiA 311 §5
     MISSING_PROFILE = "cia311/missing-profile", Warning;
+    summary: "one of the two profiles is missing",
+    checks: "Whether the container has a device profile and a communication network profile. A missing communication network profile, which contains the object dictionary, is an error, a missing device profile a warning.",
+    why: "Tools read the vendor and the parameters from the device profile, and the objects from the communication network profile.",
+    example: "A container with only a body of type `ProfileBody_Device_CANopen`",
+    remedy: "Add the other profile.",
+    source: "CiA 311 §5",
 
-    /// a profile stands twice
-    ///
-    /// ## What it checks
-    /// Whether there is one body of each type. The first one is read.
-    ///
-    /// ## Why it matters
-    /// Some tools take the first one, some the last one.
-    ///
-    /// ## Example
-    /// Two profiles with `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`
-    ///
-    /// ## How to mend
-    /// Keep one of them; another device needs a file of its own.
-    ///
-    /// ## Source
-    /// CiA 311 §5
     DUPLICATE_PROFILE = "cia311/duplicate-profile", Error;
+    summary: "a profile is defined twice",
+    checks: "Whether there is one body of each type. The first one is used.",
+    why: "Some tools use the first one, some the last one.",
+    example: r#"Two profiles with `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`"#,
+    remedy: "Keep one of them; describe another device in a file of its own.",
+    source: "CiA 311 §5",
 
-    /// the header of a profile says another class than its body
-    ///
-    /// ## What it checks
-    /// Whether `ProfileClassID` is `Device` before a device body and `CommunicationNetwork` before a communication network body.
-    ///
-    /// ## Why it matters
-    /// Tools that choose the profile by its header take the wrong body.
-    ///
-    /// ## Example
-    /// `<ProfileClassID>Device</ProfileClassID>` before `ProfileBody_CommunicationNetwork_CANopen`
-    ///
-    /// ## How to mend
-    /// Write the class of the body.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     PROFILE_CLASS_MISMATCH = "cia311/profile-class-mismatch", Warning;
+    summary: "the header of a profile states another class than its body",
+    checks: "Whether `ProfileClassID` is `Device` before a device body and `CommunicationNetwork` before a communication network body.",
+    why: "Tools that select the profile by its header use the wrong body.",
+    example: "`<ProfileClassID>Device</ProfileClassID>` before `ProfileBody_CommunicationNetwork_CANopen`",
+    remedy: "Write the class of the body.",
+    source: "CiA 311 annex A",
 
-    /// the two profiles do not agree about the file
-    ///
-    /// ## What it checks
-    /// Whether `fileName`, `fileVersion` and the date, time and name of the creation are the same in both bodies, where both have them.
-    ///
-    /// ## Why it matters
-    /// Both speak of the same file. Some tools show the one, some the other.
-    ///
-    /// ## Example
-    /// `fileVersion="2"` in one body and `fileVersion="1"` in the other
-    ///
-    /// ## How to mend
-    /// Write the same into both.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     CONTRADICTING_FILE_ATTRIBUTE = "cia311/contradicting-file-attribute", Warning;
+    summary: "the two profiles contradict each other about the file",
+    checks: "Whether `fileName`, `fileVersion`, and the date, time and author of the creation are the same in both bodies, if both have them.",
+    why: "Both describe the same file. Some tools show one, some the other.",
+    example: r#"`fileVersion="2"` in one body and `fileVersion="1"` in the other"#,
+    remedy: "Write the same value to both.",
+    source: "CiA 311 annex A",
 
-    /// the name of the file has a path before it
-    ///
-    /// ## What it checks
-    /// Whether `fileName` is a name with an ending and without folders.
-    ///
-    /// ## Why it matters
-    /// The folder was on the computer of the one who wrote the file.
-    ///
-    /// ## Example
-    /// `fileName="C:\xdd\drive.xdd"`
-    ///
-    /// ## How to mend
-    /// Write `drive.xdd`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     FILE_NAME_WITH_PATH = "cia311/file-name-with-path", Note;
+    summary: "the file name contains a path",
+    checks: "Whether `fileName` is a name with an extension and without folders.",
+    why: "The path is specific to the computer of the author.",
+    example: r#"`fileName="C:\xdd\drive.xdd"`"#,
+    remedy: "Write `drive.xdd`.",
+    source: "CiA 311 annex A",
 
-    /// the two profiles name different vendors or products
-    ///
-    /// ## What it checks
-    /// Whether `vendorID` and `productID` in `DeviceIdentity` and in `identity` of the application layers are the same numbers, where both are there.
-    ///
-    /// ## Why it matters
-    /// Tools compare one or the other with the identity object of the device on the bus.
-    ///
-    /// ## Example
-    /// `<vendorID>0x1A3</vendorID>` in one and `<vendorID>0x1A4</vendorID>` in the other
-    ///
-    /// ## How to mend
-    /// Write the same number into both.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     CONTRADICTING_IDENTITY = "cia311/contradicting-identity", Warning;
+    summary: "the two profiles name different vendors or products",
+    checks: "Whether `vendorID` and `productID` in `DeviceIdentity` and in `identity` of the application layers are the same numbers, if both have them.",
+    why: "Tools compare one or the other with the identity object of the device on the bus.",
+    example: "`<vendorID>0x1A3</vendorID>` in one and `<vendorID>0x1A4</vendorID>` in the other",
+    remedy: "Write the same number to both.",
+    source: "CiA 311 annex A",
 }
 
-/// A body with what it says it is, and what it is.
+/// A body, its stated class and its actual class.
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     stated: Option<ProfileClass>,
-    /// What it is, by its type, else by what is in it.
+    /// Derived from its type, or else from its content.
     class: Option<ProfileClass>,
     /// The same in the table.
     pub(super) schema: Option<&'static schema::Element>,
@@ -190,7 +110,7 @@ pub(super) fn body(element: Element<'_>) -> Option<Body> {
     Some(Body { stated, class, schema })
 }
 
-/// Whether a body says which one it is.
+/// Whether a body states its type.
 pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findings) {
     if body.stated.is_some() {
         return;
@@ -198,22 +118,22 @@ pub(super) fn check_type(element: Element<'_>, body: Body, findings: &mut Findin
     let [device, network] = ProfileClass::ALL.map(ProfileClass::type_name);
     let help = match body.class {
         Some(class) => format!("write `xsi:type=\"{}\"`", class.type_name()),
-        None => format!("the types are `{device}` and `{network}`"),
+        None => format!("write `{device}` or `{network}`"),
     };
     let finding = match element.attribute(n::r#type) {
         Some(attribute) => {
-            let message = format!("CiA 311 has no profile body of type `{}`", attribute.value());
+            let message = format!("`{}` is not a profile body type of CiA 311", attribute.value());
             Diagnostic::new(&UNKNOWN_BODY_TYPE, attribute.value_span(), message)
         }
         None => {
-            let message = "`ProfileBody` does not say which body it is";
+            let message = "`ProfileBody` does not state its type";
             Diagnostic::new(&MISSING_BODY_TYPE, element.name_span(), message)
         }
     };
     findings.push(finding.help(help));
 }
 
-/// What the profiles say together.
+/// Whether the profiles are consistent.
 pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
     let found = walk.bodies.iter();
     let bodies: Vec<_> = found.filter_map(|&element| Some((element, body(element)?.class?))).collect();
@@ -226,7 +146,7 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
         }
         check_class(element, class, findings);
     }
-    // a body of neither class may be the other one
+    // a body of unknown class may be the missing one
     if bodies.len() == walk.bodies.len() && !bodies.is_empty() {
         check_missing(container, device, network, findings);
     }
@@ -236,7 +156,7 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
     if let Some(attribute) = device.or(network).and_then(|body| body.attribute(n::fileName)) {
         let value = attribute.value();
         if let Some((_, name)) = value.rsplit_once(['/', '\\']).filter(|(_, name)| !name.is_empty()) {
-            let message = format!("`{value}` has a path before the name of the file");
+            let message = format!("`{value}` contains a path");
             let finding = Diagnostic::new(&FILE_NAME_WITH_PATH, attribute.value_span(), message);
             findings.push(finding.help(format!("write `{name}`")));
         }
@@ -248,10 +168,10 @@ fn duplicate(element: Element<'_>, first: Element<'_>, class: ProfileClass) -> D
         ProfileClass::Device => "device profile",
         ProfileClass::Network => "communication network profile",
     };
-    let message = format!("there is a second {what}; the first one is read");
+    let message = format!("a second {what}; the first one is used");
     Diagnostic::new(&DUPLICATE_PROFILE, element.name_span(), message)
         .label(first.name_span(), "first here")
-        .help("keep one of the two; another device needs a file of its own")
+        .help("keep one of the two; describe another device in a file of its own")
 }
 
 fn check_class(body: Element<'_>, class: ProfileClass, findings: &mut Findings) {
@@ -259,9 +179,9 @@ fn check_class(body: Element<'_>, class: ProfileClass, findings: &mut Findings) 
     let Some(id) = id else { return };
     let text = id.text();
     let (stated, right) = (text.trim_ascii(), class.name());
-    // any other word is no class of a body of CiA 311, or no class at all
+    // other words are not classes of CiA 311
     if stated != right && ProfileClass::ALL.iter().any(|class| class.name() == stated) {
-        let message = format!("the header says class `{stated}`, the body is one of class `{right}`");
+        let message = format!("the class in the header is `{stated}`, but the body is of class `{right}`");
         let finding = Diagnostic::new(&PROFILE_CLASS_MISMATCH, id.text_span(), message);
         findings.push(finding.label(body.name_span(), "the body").help(format!("write `{right}`")));
     }
@@ -275,12 +195,12 @@ fn check_missing(
 ) {
     let (message, help, severity) = match (device, network) {
         (Some(_), None) => (
-            "there is no communication network profile, so no object dictionary",
+            "the communication network profile with the object dictionary is missing",
             "add a profile with a body of type `ProfileBody_CommunicationNetwork_CANopen`",
             Severity::Error,
         ),
         (None, Some(_)) => (
-            "there is no device profile, so no vendor and no product",
+            "the device profile with vendor and product is missing",
             "add a profile with a body of type `ProfileBody_Device_CANopen`",
             Severity::Warning,
         ),
@@ -297,7 +217,7 @@ fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &m
         if said_there.trim_ascii() != said_here.trim_ascii() {
             let places = [(there.value_span(), &*said_there), (here.value_span(), &*said_here)];
             let finding = contradiction(&CONTRADICTING_FILE_ATTRIBUTE, name, places);
-            findings.push(finding.help("write the same into both"));
+            findings.push(finding.help("write the same value to both"));
         }
     }
 }
@@ -308,11 +228,12 @@ fn contradiction(
     name: Name,
     [(there, said_there), (here, said_here)]: [(Span, &str); 2],
 ) -> Diagnostic {
-    let message = format!("`{}` is `{said_here}` here and `{said_there}` in the device profile", name.text());
+    let message =
+        format!("`{}` is `{said_here}` here, but `{said_there}` in the device profile", name.text());
     Diagnostic::new(rule, here, message).label(there, "there")
 }
 
-/// Whether both identities are of one device.
+/// Whether both profiles identify the same device.
 pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
     let find = |name: Name| walk.seen.of([name]).next();
     let (Some(device), Some(network)) = (find(n::DeviceIdentity), find(n::identity)) else { return };
@@ -324,7 +245,7 @@ pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
             let places =
                 [(there.text_span(), said_there.trim_ascii()), (here.text_span(), said_here.trim_ascii())];
             let finding = contradiction(&CONTRADICTING_IDENTITY, name, places);
-            walk.findings.push(finding.help("write the same number into both"));
+            walk.findings.push(finding.help("write the same number to both"));
         }
     }
 }

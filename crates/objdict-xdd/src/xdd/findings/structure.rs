@@ -6,170 +6,80 @@ use crate::xdd::schema::{self, Need, Slot};
 use crate::xml::{Attribute, Element, n};
 
 text_rules! {
-    /// an element is missing
-    ///
-    /// ## What it checks
-    /// Whether each element contains those that CiA 311 wants in it. What nothing works without, such as `ApplicationLayers` and `CANopenObjectList`, is an error, the rest a warning.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it.
-    ///
-    /// ## Example
-    /// `<DeviceFunction/>` without `capabilities`
-    ///
-    /// ## How to mend
-    /// Add the element.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MISSING_ELEMENT = "cia311/missing-element", Warning;
+    summary: "an element is missing",
+    checks: "Whether each element contains its mandatory child elements of CiA 311. A missing element that the file is useless without, such as `ApplicationLayers` and `CANopenObjectList`, is an error, others are a warning.",
+    why: "Schema validation rejects the file.",
+    example: "`<DeviceFunction/>` without `capabilities`",
+    remedy: "Add the element.",
+    source: "CiA 311 annex A",
 
-    /// an attribute is missing
-    ///
-    /// ## What it checks
-    /// Whether each element has the attributes that CiA 311 wants. Those without which the element means nothing, such as `index` of an object and `uniqueID` of a parameter, are an error, the rest a warning.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it, others put in zeros.
-    ///
-    /// ## Example
-    /// `<CANopenGeneralFeatures nrOfRxPDO="4"/>` without `granularity`
-    ///
-    /// ## How to mend
-    /// Add the attribute.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning;
+    summary: "an attribute is missing",
+    checks: "Whether each element has its mandatory attributes of CiA 311. A missing attribute that makes the element useless, such as `index` of an object and `uniqueID` of a parameter, is an error, others are a warning.",
+    why: "Schema validation rejects the file, other tools assume zeros.",
+    example: r#"`<CANopenGeneralFeatures nrOfRxPDO="4"/>` without `granularity`"#,
+    remedy: "Add the attribute.",
+    source: "CiA 311 annex A",
 
-    /// an element that the standard does not have there
-    ///
-    /// ## What it checks
-    /// Whether CiA 311 has each element in the place where it stands. Elements in a namespace of their own are a note. They are kept.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it, others pass over the element with everything in it.
-    ///
-    /// ## Example
-    /// `<defaultvalue value="1"/>` in `allowedValues`
-    ///
-    /// ## How to mend
-    /// Check the spelling and the place. What a manufacturer adds to a parameter belongs into `property`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     UNKNOWN_ELEMENT = "cia311/unknown-element", Warning;
+    summary: "an element is not defined here in CiA 311",
+    checks: "Whether CiA 311 defines each element in its place. Elements in a namespace of their own are a note. Unknown elements are preserved.",
+    why: "Schema validation rejects the file, other tools ignore the element with its content.",
+    example: r#"`<defaultvalue value="1"/>` in `allowedValues`"#,
+    remedy: "Check the spelling and the place. Use `property` for manufacturer-specific data of a parameter.",
+    source: "CiA 311 annex A",
 
-    /// an attribute that its element does not have
-    ///
-    /// ## What it checks
-    /// Whether CiA 311 has each attribute in its element. Attributes with a prefix belong to others and are not looked at. They are kept.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it, others pass over the attribute.
-    ///
-    /// ## Example
-    /// `<CANopenObject index="1000" sub="0">`
-    ///
-    /// ## How to mend
-    /// Check the spelling, or remove the attribute.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     UNKNOWN_ATTRIBUTE = "cia311/unknown-attribute", Warning;
+    summary: "an attribute is not defined for its element",
+    checks: "Whether CiA 311 defines each attribute of an element. Attributes with a prefix are not checked. Unknown attributes are preserved.",
+    why: "Schema validation rejects the file, other tools ignore the attribute.",
+    example: r#"`<CANopenObject index="1000" sub="0">`"#,
+    remedy: "Check the spelling, or remove the attribute.",
+    source: "CiA 311 annex A",
 
-    /// a name differs from that of the standard in capital letters
-    ///
-    /// ## What it checks
-    /// Whether elements and attributes that CiA 311 does not have are names of CiA 311 in other letters. They are taken for those.
-    ///
-    /// ## Why it matters
-    /// XML tells capital letters from small ones: other tools do not find the value. Some versions of CANopenEditor write `NodeID` for `nodeID`.
-    ///
-    /// ## Example
-    /// `<deviceCommissioning NodeID="5">`
-    ///
-    /// ## How to mend
-    /// Write the name as the standard has it.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     MISSPELT_NAME = "cia311/misspelt-name", Warning;
+    summary: "a name differs from the standard in case",
+    checks: "Whether unknown elements and attributes differ from a name of CiA 311 only in case. They are read as that name.",
+    why: "XML is case-sensitive: other tools do not find the value. Some versions of CANopenEditor write `NodeID` for `nodeID`.",
+    example: r#"`<deviceCommissioning NodeID="5">`"#,
+    remedy: "Write the name as in the standard.",
+    source: "CiA 311 annex A",
 
-    /// elements stand in another order than the standard has
-    ///
-    /// ## What it checks
-    /// Whether the elements in an element stand in the order of CiA 311. The first one that does not is shown.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it. Most read it all the same.
-    ///
-    /// ## Example
-    /// `<defaultValue value="1"/>` before `<UINT/>`
-    ///
-    /// ## How to mend
-    /// Move the element.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     WRONG_ORDER = "cia311/wrong-order", Warning;
+    summary: "elements are in the wrong order",
+    checks: "Whether child elements are in the order of CiA 311. Only the first one out of order is reported.",
+    why: "Schema validation rejects the file. Most tools still read it.",
+    example: r#"`<defaultValue value="1"/>` before `<UINT/>`"#,
+    remedy: "Move the element.",
+    source: "CiA 311 annex A",
 
-    /// an element stands twice
-    ///
-    /// ## What it checks
-    /// Whether elements that CiA 311 has once, such as the data type of a parameter, stand once. The first one is read.
-    ///
-    /// ## Why it matters
-    /// Some tools take the first one, some the last one, some refuse the file.
-    ///
-    /// ## Example
-    /// `<UINT/>` and `<UDINT/>` in one parameter
-    ///
-    /// ## How to mend
-    /// Keep one of them.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     REPEATED_ELEMENT = "cia311/repeated-element", Error;
+    summary: "an element is defined twice",
+    checks: "Whether elements that may occur once, such as the data type of a parameter, occur once. The first one is used.",
+    why: "Some tools use the first one, some the last one, some reject the file.",
+    example: "`<UINT/>` and `<UDINT/>` in one parameter",
+    remedy: "Keep one of them.",
+    source: "CiA 311 annex A",
 
-    /// text stands where only elements belong
-    ///
-    /// ## What it checks
-    /// Whether there is text directly in an element that takes none.
-    ///
-    /// ## Why it matters
-    /// Nobody reads it. Perhaps a tag around it was lost, or it was meant to be a comment.
-    ///
-    /// ## Example
-    /// `<parameter uniqueID="P1">Speed<UINT/></parameter>`
-    ///
-    /// ## How to mend
-    /// Put it into a `label` or `description`, or between `<!--` and `-->`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     STRAY_TEXT = "cia311/stray-text", Warning;
+    summary: "there is text where only elements are allowed",
+    checks: "Whether an element that takes no text contains text.",
+    why: "Tools ignore the text. A tag around it may be missing, or it was meant as a comment.",
+    example: r#"`<parameter uniqueID="P1">Speed<UINT/></parameter>`"#,
+    remedy: "Move it into a `label` or `description`, or between `<!--` and `-->`.",
+    source: "CiA 311 annex A",
 
-    /// version 1.0 does not have this
-    ///
-    /// ## What it checks
-    /// Whether a file in the namespace of version 1.0 has elements or attributes that came with version 1.1.
-    ///
-    /// ## Why it matters
-    /// Tools for version 1.0 pass over them, or refuse the file.
-    ///
-    /// ## Example
-    /// `<moduleManagement>` in `http://www.canopen.org/xml/1.0`
-    ///
-    /// ## How to mend
-    /// Remove it, or make the file one of version 1.1.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     NEWER_VERSION = "cia311/newer-version", Warning;
+    summary: "an element or attribute is not defined in version 1.0",
+    checks: "Whether a file in the namespace of version 1.0 has elements or attributes that were added in version 1.1.",
+    why: "Tools for version 1.0 ignore them, or reject the file.",
+    example: "`<moduleManagement>` in `http://www.canopen.org/xml/1.0`",
+    remedy: "Remove it, or change the namespace of the file to version 1.1.",
+    source: "CiA 311 annex A",
 }
 
-/// The attribute whose name someone wrote in other letters.
+/// The known attribute whose name differs only in case.
 pub(super) fn meant_attribute(
     element: Element<'_>,
     schema: &'static schema::Element,
@@ -190,12 +100,12 @@ pub(super) fn unknown_attribute(
     if let Some((_, meant)) = meant {
         return misspelt(attribute.name_span(), attribute.name(), meant.name.text());
     }
-    let message = format!("`{}` has no attribute `{}`; it is kept", element.name(), attribute.name());
+    let message = format!("unknown attribute `{1}` of `{0}`", element.name(), attribute.name());
     Diagnostic::new(&UNKNOWN_ATTRIBUTE, attribute.name_span(), message)
-        .help("check the spelling; tools that check against the schema refuse it")
+        .help("check the spelling or remove the attribute; schema validation rejects it")
 }
 
-/// The element whose name someone wrote in other letters.
+/// The known element whose name differs only in case.
 pub(super) fn meant_element(
     schema: &'static schema::Element,
     child: Element<'_>,
@@ -219,14 +129,14 @@ pub(super) fn unknown_element(
     if let Some((_, meant)) = meant {
         return misspelt(child.name_span(), child.name(), meant.name.text());
     }
-    let message = format!("`{}` has no element `{}` in it; it is kept", parent.name(), child.name());
+    let message = format!("unknown element `{1}` in `{0}`", parent.name(), child.name());
     Diagnostic::new(&UNKNOWN_ELEMENT, child.name_span(), message)
         .severity(if is_ours { Severity::Warning } else { Severity::Note })
-        .help("check the spelling and the place; tools that check against the schema refuse it")
+        .help("check the spelling and the place; schema validation rejects it")
 }
 
 fn misspelt(at: Span, name: &str, meant: &str) -> Diagnostic {
-    let message = format!("`{name}` is spelt `{meant}` in the standard");
+    let message = format!("`{name}` is spelled `{meant}` in the standard");
     Diagnostic::new(&MISSPELT_NAME, at, message).help(format!("write `{meant}`"))
 }
 
@@ -250,17 +160,17 @@ pub(super) fn missing_element(element: Element<'_>, slot: &Slot, count: u32) -> 
         }
         ([one], _) => {
             let message =
-                format!("`{parent}` has {count} `{}`; it takes {} at least", one.name.text(), slot.least);
+                format!("`{parent}` has {count} `{}`, but needs at least {}", one.name.text(), slot.least);
             (message, format!("add another `{}`", one.name.text()))
         }
         ([first, ..], _) if first.name == n::label => {
-            (format!("`{parent}` has neither a name nor a description"), "add a `label`".to_owned())
+            (format!("`{parent}` has neither a label nor a description"), "add a `label`".to_owned())
         }
         ([_, _, _, _, _, ..], _) => (
             format!("`{parent}` has no data type"),
-            "add the element of a simple type, such as `UINT`, or `dataTypeIDRef`".to_owned(),
+            "add a simple type such as `UINT`, or `dataTypeIDRef`".to_owned(),
         ),
-        _ => (format!("`{parent}` has none of {}", listing(names)), "add one of them".to_owned()),
+        _ => (format!("`{parent}` needs one of {}", listing(names)), "add one of them".to_owned()),
     };
     Diagnostic::new(&MISSING_ELEMENT, element.name_span(), message).severity(severity(slot.need)).help(help)
 }
@@ -271,7 +181,7 @@ pub(super) fn wrong_order(parent: Element<'_>, child: Element<'_>, last: Option<
     let message = format!("in `{}`, `{}` belongs before `{last_name}`", parent.name(), child.name());
     let finding = Diagnostic::new(&WRONG_ORDER, child.name_span(), message);
     let finding = match last {
-        Some(last) => finding.label(last.name_span(), "stands before it"),
+        Some(last) => finding.label(last.name_span(), "precedes it"),
         None => finding,
     };
     finding.help(format!("move `{}` up", child.name()))
@@ -280,9 +190,9 @@ pub(super) fn wrong_order(parent: Element<'_>, child: Element<'_>, last: Option<
 pub(super) fn repeated_element(parent: Element<'_>, child: Element<'_>, first: Element<'_>) -> Diagnostic {
     let (parent, name, first_name) = (parent.name(), child.name(), first.name());
     let message = if name == first_name {
-        format!("`{name}` stands in `{parent}` once only; the first one is read")
+        format!("`{parent}` takes only one `{name}`; the first one is used")
     } else {
-        format!("`{parent}` has `{first_name}` already, so it takes no `{name}`")
+        format!("`{parent}` already has `{first_name}`, so `{name}` is not allowed")
     };
     Diagnostic::new(&REPEATED_ELEMENT, child.name_span(), message)
         .label(first.name_span(), "first here")
@@ -295,19 +205,19 @@ pub(super) fn stray_text(element: Element<'_>, at: Span) -> Diagnostic {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     };
-    let message = format!("`{}` takes no text, but there is `{text}`", element.name());
+    let message = format!("`{}` takes no text, but contains `{text}`", element.name());
     Diagnostic::new(&STRAY_TEXT, at, message)
-        .help("put it into a `label` or `description`, or make it a comment")
+        .help("move it into a `label` or `description`, or make it a comment")
 }
 
 pub(super) fn newer_attribute(element: Element<'_>, attribute: Attribute<'_>) -> Diagnostic {
-    let message = format!("version 1.0 has no attribute `{}` of `{}`", attribute.name(), element.name());
+    let message = format!("version 1.0 has no attribute `{}` for `{}`", attribute.name(), element.name());
     Diagnostic::new(&NEWER_VERSION, attribute.name_span(), message)
-        .help("remove it, or make the file one of version 1.1")
+        .help("remove it or change the namespace of the file to version 1.1")
 }
 
 pub(super) fn newer_element(parent: Element<'_>, child: Element<'_>) -> Diagnostic {
     let message = format!("version 1.0 has no `{}` in `{}`", child.name(), parent.name());
     Diagnostic::new(&NEWER_VERSION, child.name_span(), message)
-        .help("remove it, or make the file one of version 1.1")
+        .help("remove it or change the namespace of the file to version 1.1")
 }

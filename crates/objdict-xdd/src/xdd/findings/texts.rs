@@ -8,59 +8,29 @@ use crate::xml::{Attribute, Element, n};
 use super::walk::Walk;
 
 text_rules! {
-    /// a name stands twice in one language
-    ///
-    /// ## What it checks
-    /// Whether an element has one `label` and one `description` a language at most.
-    ///
-    /// ## Why it matters
-    /// Some tools show the first one, some the last one.
-    ///
-    /// ## Example
-    /// `<label lang="en">Speed</label><label lang="en">Velocity</label>`
-    ///
-    /// ## How to mend
-    /// Keep one of them, or write the language of the other.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DUPLICATE_LABEL = "cia311/duplicate-label", Warning;
+    summary: "a label or description is defined twice in one language",
+    checks: "Whether an element has at most one `label` and one `description` per language.",
+    why: "Some tools show the first one, some the last one.",
+    example: r#"`<label lang="en">Speed</label><label lang="en">Velocity</label>`"#,
+    remedy: "Keep one of them, or correct the language of the other.",
+    source: "CiA 311 annex A",
 
-    /// a text is in a language that the file does not list
-    ///
-    /// ## What it checks
-    /// Whether the language of each `label` and `description` is one of `supportedLanguages` of the profile body, where it has that attribute. Each language is shown once.
-    ///
-    /// ## Why it matters
-    /// Tools that offer the listed languages never show the text.
-    ///
-    /// ## Example
-    /// `<label lang="de">` in a body with `supportedLanguages="en"`
-    ///
-    /// ## How to mend
-    /// Add the language to `supportedLanguages`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     UNLISTED_LANGUAGE = "cia311/unlisted-language", Note;
+    summary: "a text is in a language that the file does not list",
+    checks: "Whether the language of each `label` and `description` is in `supportedLanguages` of the profile body, if that attribute is present. Each language is reported once.",
+    why: "Tools that offer the listed languages never show the text.",
+    example: r#"`<label lang="de">` in a body with `supportedLanguages="en"`"#,
+    remedy: "Add the language to `supportedLanguages`.",
+    source: "CiA 311 annex A",
 
-    /// a text is taken from a dictionary that the file does not have
-    ///
-    /// ## What it checks
-    /// Whether there is a `dictionary` with the `dictID` of each `labelRef` and `descriptionRef`.
-    ///
-    /// ## Why it matters
-    /// The text cannot be found.
-    ///
-    /// ## Example
-    /// `<labelRef dictID="texts" textID="speed"/>` without a `dictionaryList`
-    ///
-    /// ## How to mend
-    /// Correct the id, or add the dictionary to `DeviceFunction/dictionaryList`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DANGLING_DICTIONARY_REF = "cia311/dangling-dictionary-ref", Warning;
+    summary: "a text refers to a dictionary that does not exist",
+    checks: "Whether there is a `dictionary` with the `dictID` of each `labelRef` and `descriptionRef`.",
+    why: "Tools have no text to show.",
+    example: r#"`<labelRef dictID="texts" textID="speed"/>` without a `dictionaryList`"#,
+    remedy: "Correct the id, or add the dictionary to `DeviceFunction/dictionaryList`.",
+    source: "CiA 311 annex A",
 }
 
 /// The languages that a container's bodies do not list, as far as they were found.
@@ -87,10 +57,11 @@ pub(super) fn check<'a>(
                 && other.is_some_and(|other| other.trim_ascii().eq_ignore_ascii_case(text.trim_ascii()))
         });
         if let Some(first) = first {
-            let message = format!("`{}` has two `{}` in the language `{text}`", element.name(), child.name());
+            let message =
+                format!("`{}` has two `{}` elements in the language `{text}`", element.name(), child.name());
             let finding = Diagnostic::new(&DUPLICATE_LABEL, language.value_span(), message);
             let finding = finding.label(first.tag_span(), "first here");
-            findings.push(finding.help("keep one of them, or write the language of the other"));
+            findings.push(finding.help("keep one of them or correct the language of the other"));
         }
         // a hostile file has thousands
         if before.len() < 64 {
@@ -122,7 +93,7 @@ fn check_language<'a>(
     if languages.unlisted.len() < 64 && !languages.unlisted.iter().any(is_known) {
         languages.unlisted.push((body, language.to_owned()));
         let at = child.attribute(n::lang).map_or(child.name_span(), Attribute::value_span);
-        let message = format!("the language `{language}` is not among `supportedLanguages`");
+        let message = format!("the language `{language}` is not in `supportedLanguages`");
         let finding = Diagnostic::new(&UNLISTED_LANGUAGE, at, message);
         let help = format!("add `{language}` to `supportedLanguages`");
         findings.push(finding.label(listed.value_span(), "the languages of the profile").help(help));
@@ -138,9 +109,9 @@ pub(super) fn check_dictionaries(walk: &mut Walk<'_, '_>) {
         let Some(id) = text.attribute(n::dictID) else { continue };
         let value = id.value();
         if !ids.contains(&value) {
-            let message = format!("there is no dictionary `{value}`");
+            let message = format!("the dictionary `{value}` does not exist");
             let finding = Diagnostic::new(&DANGLING_DICTIONARY_REF, id.value_span(), message);
-            walk.findings.push(finding.help("correct the id, or add the dictionary to `dictionaryList`"));
+            walk.findings.push(finding.help("correct the id or add the dictionary to `dictionaryList`"));
         }
     }
 }

@@ -7,59 +7,29 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    /// two names of an enumeration have the same value
-    ///
-    /// ## What it checks
-    /// Whether the values of an `enum` differ; numbers are compared as numbers.
-    ///
-    /// ## Why it matters
-    /// Tools show one name or the other for the value.
-    ///
-    /// ## Example
-    /// `<enumValue value="1">` and `<enumValue value="0x01">`
-    ///
-    /// ## How to mend
-    /// Correct one of the values.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     DUPLICATE_ENUM_VALUE = "cia311/duplicate-enum-value", Warning;
+    summary: "two names of an enumeration have the same value",
+    checks: "Whether the values of an `enum` are different; numbers are compared as numbers.",
+    why: "Some tools show one name for the value, some the other.",
+    example: r#"`<enumValue value="1">` and `<enumValue value="0x01">`"#,
+    remedy: "Correct one of the values.",
+    source: "CiA 311 annex A",
 
-    /// an enumeration has another number of values than it says
-    ///
-    /// ## What it checks
-    /// Whether `size` of an `enum` is the number of its `enumValue`.
-    ///
-    /// ## Why it matters
-    /// A value was added or removed without counting; perhaps one got lost.
-    ///
-    /// ## Example
-    /// `<enum size="2" …>` with three values
-    ///
-    /// ## How to mend
-    /// Write the right number, or leave out `size`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     WRONG_ENUM_SIZE = "cia311/wrong-enum-size", Warning;
+    summary: "the size of an enumeration is wrong",
+    checks: "Whether `size` of an `enum` is the number of its `enumValue` elements.",
+    why: "A value was added or removed without updating the size; a value may be missing.",
+    example: r#"`<enum size="2" …>` with three values"#,
+    remedy: "Write the right number, or remove `size`.",
+    source: "CiA 311 annex A",
 
-    /// an array has no elements
-    ///
-    /// ## What it checks
-    /// Whether `lowerLimit` of a `subrange` is not greater than `upperLimit`.
-    ///
-    /// ## Why it matters
-    /// There is no index that fits.
-    ///
-    /// ## Example
-    /// `<subrange lowerLimit="8" upperLimit="1"/>`
-    ///
-    /// ## How to mend
-    /// Exchange the two.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     EMPTY_SUBRANGE = "cia311/empty-subrange", Error;
+    summary: "an array has no elements",
+    checks: "Whether `lowerLimit` of a `subrange` is not greater than `upperLimit`.",
+    why: "No index is valid.",
+    example: r#"`<subrange lowerLimit="8" upperLimit="1"/>`"#,
+    remedy: "Swap the limits.",
+    source: "CiA 311 annex A",
 }
 
 /// All rules of this module.
@@ -96,9 +66,9 @@ fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
     let Some(Number::Integer(stated)) = Number::parse(&size.value()) else { return };
     if stated != count {
         let there = counted(usize::try_from(count).unwrap_or_default(), "value", "values");
-        let message = format!("the enumeration has {there}, not `{}`", size.value());
+        let message = format!("the enumeration has {there}, but `size` is `{}`", size.value());
         let finding = Diagnostic::new(&WRONG_ENUM_SIZE, size.value_span(), message);
-        findings.push(finding.help(format!("write `{count}`, or leave out `size`")));
+        findings.push(finding.help(format!("write `{count}` or remove `size`")));
     }
 }
 
@@ -113,9 +83,9 @@ fn array(data_type: Element<'_>, findings: &mut Findings) {
             continue;
         };
         if low > high {
-            let message = format!("the indexes start at {low} and end at {high}");
+            let message = format!("the lower limit {low} is above the upper limit {high}");
             let finding = Diagnostic::new(&EMPTY_SUBRANGE, low_at.value_span(), message);
-            findings.push(finding.label(high_at.value_span(), "the upper limit").help("exchange the two"));
+            findings.push(finding.label(high_at.value_span(), "the upper limit").help("swap the limits"));
         }
     }
 }

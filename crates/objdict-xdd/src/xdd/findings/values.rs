@@ -5,203 +5,93 @@ use crate::source::Span;
 use crate::xdd::schema::{BAUD_RATES, Kind};
 
 text_rules! {
-    /// a number is none, or too large
-    ///
-    /// ## What it checks
-    /// Whether attributes that are numbers, such as `objectType`, `granularity` and `nodeID`, are written in decimal and fit: most into a byte, the numbers of PDOs into 16 bits.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, leave the value out, or cut it to size. Here only `index`, `dataType` and the like are in hex.
-    ///
-    /// ## Example
-    /// `objectType="0x7"`
-    ///
-    /// ## How to mend
-    /// Write the number in decimal.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_NUMBER = "cia311/invalid-number", Error;
+    summary: "a number is invalid or too large",
+    checks: "Whether numeric attributes, such as `objectType`, `granularity` and `nodeID`, are decimal and in range: 8 bits for most, 16 bits for numbers of PDOs.",
+    why: "Tools reject the file, ignore the value, or truncate it. Only `index`, `dataType` and similar attributes are hexadecimal.",
+    example: r#"`objectType="0x7"`"#,
+    remedy: "Write the number in decimal.",
+    source: "CiA 311 annex A",
 
-    /// an offset or multiplier is no number
-    ///
-    /// ## What it checks
-    /// Whether `offset` and `multiplier` of parameters and values are numbers, with or without a fraction, and no multiplier is 0.
-    ///
-    /// ## Why it matters
-    /// The standard says (value + offset) * multiplier and calls both of them texts, so no tool finds the mistake before it calculates.
-    ///
-    /// ## Example
-    /// `multiplier="0,1"`
-    ///
-    /// ## How to mend
-    /// Write a number with a decimal point.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_SCALING = "cia311/invalid-scaling", Warning;
+    summary: "an offset or multiplier is invalid",
+    checks: "Whether `offset` and `multiplier` of parameters and values are numbers, with or without a fraction, and no multiplier is 0.",
+    why: "The standard defines (value + offset) * multiplier but declares both as text, so schema validation does not find the error.",
+    example: r#"`multiplier="0,1"`"#,
+    remedy: "Write a number with a decimal point.",
+    source: "CiA 311 annex A",
 
-    /// a flag is neither `true` nor `false`
-    ///
-    /// ## What it checks
-    /// Whether attributes that are flags are `true`, `false`, `1` or `0`, in small letters.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or take the flag for false.
-    ///
-    /// ## Example
-    /// `bootUpSlave="True"`
-    ///
-    /// ## How to mend
-    /// Write `true` or `false`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_BOOLEAN = "cia311/invalid-boolean", Error;
+    summary: "a Boolean is neither `true` nor `false`",
+    checks: "Whether Boolean attributes are `true`, `false`, `1` or `0`, in lower case.",
+    why: "Tools reject the file, or read the value as false.",
+    example: r#"`bootUpSlave="True"`"#,
+    remedy: "Write `true` or `false`.",
+    source: "CiA 311 annex A",
 
-    /// a hex number is not written with so many hex digits and nothing else
-    ///
-    /// ## What it checks
-    /// Whether `index` has four hex digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or do not find the object.
-    ///
-    /// ## Example
-    /// `index="0x1000"`, `subIndex="1"`
-    ///
-    /// ## How to mend
-    /// Write `1000`, `01`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_HEX = "cia311/invalid-hex", Error;
+    summary: "a hexadecimal number has the wrong form",
+    checks: "Whether `index` has four hexadecimal digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`.",
+    why: "Tools reject the file, or do not find the object.",
+    example: r#"`index="0x1000"`, `subIndex="1"`"#,
+    remedy: "Write only the digits, such as `1000` or `01`.",
+    source: "CiA 311 annex A",
 
-    /// a date is not written `yyyy-mm-dd`
-    ///
-    /// ## What it checks
-    /// Whether dates are dates of the calendar and written year, month, day, with a time zone or without.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or leave the date out. An EDS writes month, day, year.
-    ///
-    /// ## Example
-    /// `fileCreationDate="01-31-2026"`
-    ///
-    /// ## How to mend
-    /// Write `2026-01-31`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_DATE = "cia311/invalid-date", Warning;
+    summary: "a date is not written `yyyy-mm-dd`",
+    checks: "Whether dates exist in the calendar and are written year, month, day, with or without a time zone.",
+    why: "Tools reject the file, or ignore the date. An EDS uses month, day, year.",
+    example: r#"`fileCreationDate="01-31-2026"`"#,
+    remedy: "Write `2026-01-31`.",
+    source: "CiA 311 annex A",
 
-    /// a time of day is not written `hh:mm:ss`
-    ///
-    /// ## What it checks
-    /// Whether times have two digits each for hour, minute and second, with a fraction and a time zone or without.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or leave the time out. An EDS writes `09:45AM`.
-    ///
-    /// ## Example
-    /// `fileCreationTime="9:45"`
-    ///
-    /// ## How to mend
-    /// Write `09:45:00`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_TIME = "cia311/invalid-time", Warning;
+    summary: "a time of day is not written `hh:mm:ss`",
+    checks: "Whether times have two digits each for hour, minute and second, with or without a fraction and a time zone.",
+    why: "Tools reject the file, or ignore the time. An EDS uses `09:45AM`.",
+    example: r#"`fileCreationTime="9:45"`"#,
+    remedy: "Write `09:45:00`.",
+    source: "CiA 311 annex A",
 
-    /// a word is none of those that the standard has for it
-    ///
-    /// ## What it checks
-    /// Whether access types, PDO mappings, LED states and all other words are words of the list, in the same capital and small letters.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or take what they have as default.
-    ///
-    /// ## Example
-    /// `accessType="rwr"`, which belongs into the parameter as `access="readWriteInput"`
-    ///
-    /// ## How to mend
-    /// Write one of the words.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_WORD = "cia311/invalid-word", Error;
+    summary: "a keyword is not defined in the standard",
+    checks: "Whether access types, PDO mappings, LED states and all other keywords are those of the standard, in the same case.",
+    why: "Tools reject the file, or use their default.",
+    example: r#"`accessType="rwr"`, which belongs into the parameter as `access="readWriteInput"`"#,
+    remedy: "Write one of the keywords of the standard.",
+    source: "CiA 311 annex A",
 
-    /// a bit rate is none of those that the standard has
-    ///
-    /// ## What it checks
-    /// Whether `supportedBaudRate` and the default are `10 Kbps`, `20 Kbps`, `50 Kbps`, `100 Kbps`, `125 Kbps`, `250 Kbps`, `500 Kbps`, `800 Kbps`, `1000 Kbps` or `auto-baudRate`.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or the device seems to lack the bit rate.
-    ///
-    /// ## Example
-    /// `<supportedBaudRate value="125"/>`
-    ///
-    /// ## How to mend
-    /// Write `125 Kbps`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_BAUD_RATE = "cia311/invalid-baud-rate", Error;
+    summary: "a bit rate is not defined in the standard",
+    checks: "Whether `supportedBaudRate` and the default are `10 Kbps`, `20 Kbps`, `50 Kbps`, `100 Kbps`, `125 Kbps`, `250 Kbps`, `500 Kbps`, `800 Kbps`, `1000 Kbps` or `auto-baudRate`.",
+    why: "Tools reject the file, or do not offer the bit rate.",
+    example: r#"`<supportedBaudRate value="125"/>`"#,
+    remedy: "Write `125 Kbps`.",
+    source: "CiA 311 annex A",
 
-    /// a dummy entry is not of the form `Dummy0001=0`
-    ///
-    /// ## What it checks
-    /// Whether `entry` of `dummy` is `Dummy0001` to `Dummy0007` with `=0` or `=1`.
-    ///
-    /// ## Why it matters
-    /// The standard has no other ones: tools refuse the file, or the filler is not known.
-    ///
-    /// ## Example
-    /// `<dummy entry="0005=1"/>`
-    ///
-    /// ## How to mend
-    /// Write `Dummy0005=1`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A
     INVALID_DUMMY = "cia311/invalid-dummy", Error;
+    summary: "a dummy entry is not of the form `Dummy0001=0`",
+    checks: "Whether `entry` of `dummy` is `Dummy0001` to `Dummy0007` with `=0` or `=1`.",
+    why: "The standard defines no others: tools reject the file, or ignore the dummy entry.",
+    example: r#"`<dummy entry="0005=1"/>`"#,
+    remedy: "Write `Dummy0005=1`.",
+    source: "CiA 311 annex A",
 
-    /// an id is no name
-    ///
-    /// ## What it checks
-    /// Whether ids start with a letter or `_` and have only letters, digits, `.`, `-` and `_` in them.
-    ///
-    /// ## Why it matters
-    /// Tools that check a file against the schema refuse it, others do not find what refers to the id.
-    ///
-    /// ## Example
-    /// `uniqueID="1000-1"`
-    ///
-    /// ## How to mend
-    /// Write `UID_1000-1`, and change what refers to it.
-    ///
-    /// ## Source
-    /// CiA 311 annex A, XML Schema (NCName)
     INVALID_ID = "cia311/invalid-id", Warning;
+    summary: "an id is not a valid XML name",
+    checks: "Whether ids start with a letter or `_` and contain only letters, digits, `.`, `-` and `_`.",
+    why: "Schema validation rejects the file, other tools do not resolve references to the id.",
+    example: r#"`uniqueID="1000-1"`"#,
+    remedy: "Write a name such as `UID_1000-1`, and update its references.",
+    source: "CiA 311 annex A, XML Schema (NCName)",
 
-    /// a language is not written as `en` or `en-us`
-    ///
-    /// ## What it checks
-    /// Whether `lang` and `supportedLanguages` are language codes of up to eight letters, with more parts behind a dash.
-    ///
-    /// ## Why it matters
-    /// Tools refuse the file, or show the text to nobody.
-    ///
-    /// ## Example
-    /// `lang="en_US"`
-    ///
-    /// ## How to mend
-    /// Write `en-us`.
-    ///
-    /// ## Source
-    /// CiA 311 annex A, XML Schema (language)
     INVALID_LANGUAGE = "cia311/invalid-language", Warning;
+    summary: "a language is not written as `en` or `en-us`",
+    checks: "Whether `lang` and `supportedLanguages` are language codes of up to eight letters, with further parts after a hyphen.",
+    why: "Tools reject the file, or never show the text.",
+    example: r#"`lang="en_US"`"#,
+    remedy: "Write `en-us`.",
+    source: "CiA 311 annex A, XML Schema (language)",
 }
 
 /// Whether `text`, which stands at `at` and is called `name`, is what its kind takes; if not, a finding says so.
@@ -236,40 +126,39 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
     match kind {
         Kind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
         Kind::Decimal if decimal(text).is_some() => {
-            new(&INVALID_SCALING, "no multiplier: all values become 0")
-                .help("write the factor, or remove the attribute for 1")
+            new(&INVALID_SCALING, "not a valid multiplier: all values become 0")
+                .help("write the factor or remove the attribute for 1")
         }
-        Kind::Decimal => new(&INVALID_SCALING, &format!("no number; `{name}` takes one"))
+        Kind::Decimal => new(&INVALID_SCALING, &format!("not a number, as `{name}` requires"))
             .help("write a number with a decimal point"),
         Kind::Boolean => {
-            new(&INVALID_BOOLEAN, &format!("neither `true` nor `false`; `{name}` takes one of them"))
-                .help("write `true` or `false` in small letters")
+            new(&INVALID_BOOLEAN, &format!("not a valid `{name}`: `true` or `false` is expected"))
+                .help("write `true` or `false` in lower case")
         }
         Kind::Hex(least, most) => {
             let digits = if least == most {
-                format!("{least} hex digits")
+                format!("{least} hexadecimal digits")
             } else {
-                format!("{least} to {most} hex digits in pairs")
+                format!("{least} to {most} hexadecimal digits in pairs")
             };
-            new(&INVALID_HEX, &format!("not what `{name}` takes, {digits}")).help(hex_help(text, least))
+            new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected"))
+                .help(hex_help(text, least))
         }
-        Kind::Date => new(&INVALID_DATE, "no date of the form `yyyy-mm-dd`")
+        Kind::Date => new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
             .help("write year, month and day with four, two and two digits: `2026-01-31`"),
-        Kind::Time => new(&INVALID_TIME, "no time of the form `hh:mm:ss`")
+        Kind::Time => new(&INVALID_TIME, "not a time of the form `hh:mm:ss`")
             .help("write hour (00 to 23), minute and second with two digits each: `09:45:00`"),
         Kind::Word(words) | Kind::Words(words) => {
-            new(&INVALID_WORD, &format!("none of the words that `{name}` takes")).help(word_help(text, words))
+            new(&INVALID_WORD, &format!("not a valid `{name}`")).help(word_help(text, words))
         }
-        Kind::BaudRate => {
-            new(&INVALID_BAUD_RATE, "none of the bit rates that the standard has").help(rate_help(text))
-        }
+        Kind::BaudRate => new(&INVALID_BAUD_RATE, "not a bit rate of CiA 311").help(rate_help(text)),
         Kind::Dummy => new(&INVALID_DUMMY, "not of the form `Dummy0001=0`")
             .help("write `Dummy`, the data type from 0001 to 0007, and `=0` or `=1`"),
         Kind::Language | Kind::Languages => {
-            new(&INVALID_LANGUAGE, "no language code").help(language_help(text))
+            new(&INVALID_LANGUAGE, "not a language code").help(language_help(text))
         }
         Kind::Id | Kind::Name | Kind::Names | Kind::Text | Kind::Rate | Kind::Reference(_) => {
-            new(&INVALID_ID, &format!("no name, as `{name}` takes it"))
+            new(&INVALID_ID, &format!("not a valid `{name}`"))
                 .help("start with a letter or `_`, and use letters, digits, `.`, `-` and `_`")
         }
     }
@@ -280,18 +169,18 @@ fn invalid_number(text: &str, shown: &str, name: &str, (low, high): (i128, i128)
     let hex = digits.and_then(|digits| i128::from_str_radix(digits, 16).ok());
     let (message, help) = match (whole_number(text), hex) {
         (Some(_), _) if high == i128::MAX => (
-            format!("{shown} does not fit `{name}`, which takes {low} and more"),
-            "write a number that fits".to_owned(),
+            format!("{shown} is out of range for `{name}`: at least {low}"),
+            "write a number in this range".to_owned(),
         ),
         (Some(_), _) => (
-            format!("{shown} does not fit `{name}`, which takes {low} to {high}"),
-            "write a number that fits".to_owned(),
+            format!("{shown} is out of range for `{name}`: {low} to {high}"),
+            "write a number in this range".to_owned(),
         ),
         (None, Some(hex)) => {
-            (format!("{shown} is in hex; `{name}` takes decimal digits"), format!("write `{hex}`"))
+            (format!("{shown} is hexadecimal, but `{name}` is decimal"), format!("write `{hex}`"))
         }
         (None, None) => (
-            format!("{shown} is no number; `{name}` takes one in decimal"),
+            format!("{shown} is not a decimal number, as `{name}` requires"),
             "write decimal digits".to_owned(),
         ),
     };
@@ -304,7 +193,7 @@ fn hex_help(text: &str, least: usize) -> String {
     let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);
     match u32::from_str_radix(digits, 16) {
         Ok(number) if format!("{number:X}").len() <= least => format!("write `{number:0least$X}`"),
-        _ => "write pairs of hex digits without anything before or behind them".to_owned(),
+        _ => "write only pairs of hexadecimal digits".to_owned(),
     }
 }
 
@@ -313,7 +202,7 @@ fn word_help(text: &str, words: &[&str]) -> String {
         Some(word) => format!("write `{word}`"),
         None if matches!(text, "rwr" | "rww") && words.contains(&"rw") => {
             let access = if text == "rwr" { "readWriteInput" } else { "readWriteOutput" };
-            format!("write `rw`, and `access=\"{access}\"` at the parameter that the entry refers to")
+            format!("write `rw`, and `access=\"{access}\"` in the parameter that the entry refers to")
         }
         None => match words {
             [word] => format!("write `{word}`"),
@@ -371,7 +260,7 @@ fn without_zone(text: &str) -> &str {
     if is_zone { rest } else { text }
 }
 
-/// Numbers of so many digits each, with a character between them.
+/// Numbers with the given lengths, separated by a character.
 fn numbers(text: &str, between: char, lengths: &[usize]) -> Option<Vec<u32>> {
     let parts: Vec<&str> = text.split(between).collect();
     let fits = parts.len() == lengths.len()
@@ -424,7 +313,7 @@ fn is_name_character(character: char) -> bool {
     character.is_alphanumeric() || matches!(character, '.' | '-' | '_' | '\u{B7}') || is_combining(character)
 }
 
-/// Accents and the like, which names may have behind their first character.
+/// Combining characters, which names may have after their first character.
 fn is_combining(character: char) -> bool {
     matches!(character, '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
 }

@@ -8,7 +8,7 @@ use crate::diagnostic::Findings;
 use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
 use crate::xml::{Attribute, Element, Name, n};
 
-/// What the walk finds and what it remembers for the rules that look at several elements at once.
+/// The findings of the walk, and its memory for rules that compare several elements.
 pub(super) struct Walk<'a, 'f> {
     pub(super) findings: &'f mut Findings,
     pub(super) forms: Forms<'a>,
@@ -76,7 +76,7 @@ impl<'a> Walk<'a, '_> {
     fn attributes(&mut self, element: Element<'a>, schema: &'static schema::Element) {
         let mut present = 0_u32;
         for attribute in element.attributes() {
-            // `xsi:type` and the like, and what others add under names of their own
+            // `xsi:type` and similar, and extensions in other namespaces
             if !attribute.prefix().is_empty() {
                 continue;
             }
@@ -161,7 +161,7 @@ impl<'a> Walk<'a, '_> {
             let Some((number, known)) = found else { continue };
             if number < at && is_in_order {
                 self.findings.push(structure::wrong_order(element, child, last));
-                // one finding says it for all that follow
+                // one finding covers all that follow
                 is_in_order = false;
             } else if number >= at {
                 (at, last) = (number, Some(child));

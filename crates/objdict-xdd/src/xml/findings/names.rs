@@ -3,237 +3,107 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    /// the file has a character that XML forbids
-    ///
-    /// ## What it checks
-    /// Whether there are control characters other than tab, LF and CR, or U+FFFE and U+FFFF.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file. Such characters come from names that were cut in the middle or read from the memory of a device.
-    ///
-    /// ## Example
-    /// A NUL in `<vendorName>`.
-    ///
-    /// ## How to mend
-    /// Remove the character; XML has no way to write it.
-    ///
-    /// ## Source
-    /// XML 1.0 §2.2
     FORBIDDEN_CHARACTER = "xml/forbidden-character", Error;
+    summary: "the file contains a character that XML forbids",
+    checks: "Whether the file contains control characters other than tab, LF and CR, or U+FFFE and U+FFFF.",
+    why: "XML parsers reject the file. Such characters come from truncated names or from device memory.",
+    example: "A NUL in `<vendorName>`.",
+    remedy: "Remove the character; XML cannot represent it.",
+    source: "XML 1.0 §2.2",
 
-    /// a `&` starts no reference
-    ///
-    /// ## What it checks
-    /// Whether each `&` is followed by a name or a number and `;`, and whether the number is one of a character that XML allows. A bad reference is read as the text it is.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<vendorName>Miller & Sons</vendorName>`
-    ///
-    /// ## How to mend
-    /// Write `&amp;` for `&`.
-    ///
-    /// ## Source
-    /// XML 1.0 §4.1
     BAD_REFERENCE = "xml/bad-reference", Error;
+    summary: "a `&` does not start a reference",
+    checks: "Whether each `&` is followed by a name or a number and `;`, and whether the number is that of a character that XML allows. An invalid reference is read as text.",
+    why: "XML parsers reject the file.",
+    example: "`<vendorName>Miller & Sons</vendorName>`",
+    remedy: "Write `&amp;` for `&`.",
+    source: "XML 1.0 §4.1",
 
-    /// a reference names an entity that is not known
-    ///
-    /// ## What it checks
-    /// Whether each `&name;` is one of `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` or declared as text in the document type. An entity that is another file or markup is not read. The reference is read as the text it is.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file. Names such as `&nbsp;` and `&deg;` are of HTML.
-    ///
-    /// ## Example
-    /// `<label lang="en">Temperature in &deg;C</label>`
-    ///
-    /// ## How to mend
-    /// Write the character itself, or its number: `&#176;`.
-    ///
-    /// ## Source
-    /// XML 1.0 §4.1, WFC: Entity Declared
     UNKNOWN_ENTITY = "xml/unknown-entity", Error;
+    summary: "a reference names an unknown entity",
+    checks: "Whether each `&name;` is one of `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` or declared as text in the document type. Entities that are external files or markup are not read. An unknown reference is read as text.",
+    why: "XML parsers reject the file. Names such as `&nbsp;` and `&deg;` exist only in HTML.",
+    example: r#"`<label lang="en">Temperature in &deg;C</label>`"#,
+    remedy: "Write the character itself, or its number such as `&#176;`.",
+    source: "XML 1.0 §4.1, WFC: Entity Declared",
 
-    /// the name of an element or attribute is no name of XML
-    ///
-    /// ## What it checks
-    /// Whether names start with a letter or `_`, go on with letters, digits, `-`, `.` and `_`, and have at most one `:`, with something before and behind it.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<1018>`
-    ///
-    /// ## How to mend
-    /// Spell the name as CiA 311 does.
-    ///
-    /// ## Source
-    /// XML 1.0 §2.3; Namespaces in XML 1.0 §4
     BAD_NAME = "xml/bad-name", Error;
+    summary: "the name of an element or attribute is not a valid XML name",
+    checks: "Whether names start with a letter or `_`, continue with letters, digits, `-`, `.` and `_`, and have at most one `:`, with text before and after it.",
+    why: "XML parsers reject the file.",
+    example: "`<1018>`",
+    remedy: "Write the name as in CiA 311.",
+    source: "XML 1.0 §2.3; Namespaces in XML 1.0 §4",
 
-    /// a prefix is not declared
-    ///
-    /// ## What it checks
-    /// Whether the prefix of each element and attribute is declared by an `xmlns:` attribute of the element itself or of one around it.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file. The prefix is mostly lost when a part of another file is copied.
-    ///
-    /// ## Example
-    /// `<ProfileBody xsi:type="ProfileBody_Device_CANopen">` without `xmlns:xsi`
-    ///
-    /// ## How to mend
-    /// Declare the prefix at the root, for example `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`.
-    ///
-    /// ## Source
-    /// Namespaces in XML 1.0 §5, NSC: Prefix Declared
     UNBOUND_PREFIX = "xml/unbound-prefix", Error;
+    summary: "a prefix is not declared",
+    checks: "Whether the prefix of each element and attribute is declared by an `xmlns:` attribute of the element or a parent element.",
+    why: "XML parsers reject the file. The declaration is mostly lost when part of another file is copied.",
+    example: r#"`<ProfileBody xsi:type="ProfileBody_Device_CANopen">` without `xmlns:xsi`"#,
+    remedy: r#"Declare the prefix at the root, for example `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`."#,
+    source: "Namespaces in XML 1.0 §5, NSC: Prefix Declared",
 
-    /// a declaration of a namespace is not allowed
-    ///
-    /// ## What it checks
-    /// Whether `xmlns:prefix` has a value, and whether the prefixes `xml` and `xmlns` and their namespaces stay what they are.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<ISO15745ProfileContainer xmlns:q1="">`
-    ///
-    /// ## How to mend
-    /// Remove the declaration, or give it its namespace.
-    ///
-    /// ## Source
-    /// Namespaces in XML 1.0 §3, §5
     BAD_NAMESPACE = "xml/bad-namespace", Error;
+    summary: "a namespace declaration is invalid",
+    checks: "Whether `xmlns:prefix` has a value, and whether the prefixes `xml` and `xmlns` and their namespaces are not redefined.",
+    why: "XML parsers reject the file.",
+    example: r#"`<ISO15745ProfileContainer xmlns:q1="">`"#,
+    remedy: "Remove the declaration, or write its namespace.",
+    source: "Namespaces in XML 1.0 §3, §5",
 
-    /// an element has an attribute twice
-    ///
-    /// ## What it checks
-    /// Whether the names of all attributes of an element differ, also when prefixes are replaced by their namespaces. The first one is read.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<CANopenObject index="1000" index="1001"/>`
-    ///
-    /// ## How to mend
-    /// Remove one of them.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1, WFC: Unique Att Spec; Namespaces in XML 1.0 §6.3
     DUPLICATE_ATTRIBUTE = "xml/duplicate-attribute", Error;
+    summary: "an element has an attribute twice",
+    checks: "Whether all attributes of an element have different names, also after prefixes are replaced by their namespaces. The first one is used.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="1000" index="1001"/>`"#,
+    remedy: "Remove one of the two.",
+    source: "XML 1.0 §3.1, WFC: Unique Att Spec; Namespaces in XML 1.0 §6.3",
 
-    /// no blank stands before an attribute
-    ///
-    /// ## What it checks
-    /// Whether blanks part an attribute from the name or the attribute before it.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<CANopenObject index="1000"name="Device type"/>`
-    ///
-    /// ## How to mend
-    /// Add a blank.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1
     MISSING_BLANK = "xml/missing-blank", Error;
+    summary: "a space is missing before an attribute",
+    checks: "Whether white space separates an attribute from the preceding name or attribute.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="1000"name="Device type"/>`"#,
+    remedy: "Add a space.",
+    source: "XML 1.0 §3.1",
 
-    /// an attribute has no value
-    ///
-    /// ## What it checks
-    /// Whether each attribute has a `=` and a value. One without is not read.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file; only HTML has such attributes.
-    ///
-    /// ## Example
-    /// `<dummyUsage entry/>`
-    ///
-    /// ## How to mend
-    /// Write `entry="…"`, or remove the attribute.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1
     MISSING_VALUE = "xml/missing-value", Error;
+    summary: "an attribute has no value",
+    checks: "Whether each attribute has a `=` and a value. Attributes without a value are ignored.",
+    why: "XML parsers reject the file; only HTML has such attributes.",
+    example: "`<dummyUsage entry/>`",
+    remedy: r#"Add a value, or remove the attribute."#,
+    source: "XML 1.0 §3.1",
 
-    /// the value of an attribute has no quotes
-    ///
-    /// ## What it checks
-    /// Whether each value stands in `"` or `'`. Without quotes it is read up to the next blank.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<CANopenObject index=1000/>`
-    ///
-    /// ## How to mend
-    /// Put quotes around the value.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1
     UNQUOTED_VALUE = "xml/unquoted-value", Error;
+    summary: "an attribute value has no quotes",
+    checks: r#"Whether each value is in `"` or `'`. A value without quotes ends at the next white space."#,
+    why: "XML parsers reject the file.",
+    example: "`<CANopenObject index=1000/>`",
+    remedy: "Put quotes around the value.",
+    source: "XML 1.0 §3.1",
 
-    /// the value of an attribute has no closing quote
-    ///
-    /// ## What it checks
-    /// Whether a value ends with the quote that it starts with. Without one it is read up to the end of the tag or to the attribute behind it.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file, and name a place far behind, where the next quote is.
-    ///
-    /// ## Example
-    /// `<CANopenObject index="1000 name="Device type"/>`
-    ///
-    /// ## How to mend
-    /// Add the quote.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1
     UNCLOSED_VALUE = "xml/unclosed-value", Error;
+    summary: "an attribute value has no closing quote",
+    checks: "Whether a value ends with its opening quote character. A value without one ends at the end of the tag or at the next attribute.",
+    why: "XML parsers reject the file, and report the error at the next quote, far from the cause.",
+    example: r#"`<CANopenObject index="1000 name="Device type"/>`"#,
+    remedy: "Add the closing quote.",
+    source: "XML 1.0 §3.1",
 
-    /// the value of an attribute has a `<` in it
-    ///
-    /// ## What it checks
-    /// Whether values are free of `<`.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<CANopenObject index="2000" name="speed < 3000"/>`
-    ///
-    /// ## How to mend
-    /// Write `&lt;`.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1, WFC: No < in Attribute Values
     LESS_THAN_IN_VALUE = "xml/less-than-in-value", Error;
+    summary: "an attribute value contains `<`",
+    checks: "Whether values contain `<`.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="2000" name="speed < 3000"/>`"#,
+    remedy: "Write `&lt;`.",
+    source: "XML 1.0 §3.1, WFC: No < in Attribute Values",
 
-    /// a tag has something in it that is no attribute
-    ///
-    /// ## What it checks
-    /// Whether start tags have nothing but attributes behind their names, and end tags nothing at all.
-    ///
-    /// ## Why it matters
-    /// XML parsers refuse the file.
-    ///
-    /// ## Example
-    /// `<label lang="en",>`
-    ///
-    /// ## How to mend
-    /// Remove it.
-    ///
-    /// ## Source
-    /// XML 1.0 §3.1
     JUNK_IN_TAG = "xml/junk-in-tag", Error;
+    summary: "a tag contains something other than attributes",
+    checks: "Whether start tags have only attributes after their names, and end tags nothing.",
+    why: "XML parsers reject the file.",
+    example: r#"`<label lang="en",>`"#,
+    remedy: "Remove the text.",
+    source: "XML 1.0 §3.1",
 }
