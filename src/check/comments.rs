@@ -1,4 +1,4 @@
-//! Comments that say what is not to be reported: `; objdict: allow cia306/file-name -- named by the customer`.
+//! Comments that suppress findings: `; objdict: allow cia306/file-name -- named by the customer`.
 
 use crate::format::Description;
 use crate::format::ini::{Document, LineKind};
@@ -6,29 +6,29 @@ use crate::format::ini::{Document, LineKind};
 use crate::format::xml::{self, Tree};
 use crate::source::Span;
 
-/// What such a comment starts with, behind the mark of a comment.
+/// The start of such a comment, after the comment character.
 const KEYWORD: &str = "objdict:";
 
-/// What stands between the rules and the reason.
+/// The separator between the rules and the reason.
 const REASON: &str = "--";
 
-/// A comment to this program.
+/// A comment for this program.
 #[derive(Debug)]
 pub(super) struct Directive {
-    /// What is taken away with the comment: its line, where nothing else stands there.
+    /// The text that is removed with the comment: its line if it contains nothing else.
     pub(super) removed: Span,
     /// From the keyword to the end of the comment.
     pub(super) text: Span,
-    /// What is to be done; empty where it does not say.
+    /// The instruction; empty if it is missing.
     pub(super) verb: Span,
-    /// The words behind that, up to the reason.
+    /// The words after it, up to the reason.
     pub(super) rules: Vec<Span>,
-    /// What it holds for; `None` for the whole file.
+    /// The scope; `None` for the whole file.
     pub(super) scope: Option<Span>,
 }
 
 impl Directive {
-    /// The parts of a comment whose text, without its marks, is `inner`; `None` for one to people.
+    /// The parts of a comment whose text, without its delimiters, is `inner`; `None` for an ordinary comment.
     fn parse(text: &str, removed: Span, inner: Span) -> Option<Self> {
         let is_mark = |c: char| matches!(c, ';' | '#' | '/') || is_blank(c);
         let start = inner.start + leading(inner.of(text), is_mark);
@@ -50,7 +50,7 @@ impl Directive {
 /// The directives of a text, in their order.
 pub(super) fn directives(description: &Description) -> Vec<Directive> {
     let text = description.source().text();
-    // hardly any file has one
+    // few files have one
     let mut places = memchr::memchr_iter(b':', text.as_bytes());
     let is_keyword = |end: usize| {
         let start = (end + 1).saturating_sub(KEYWORD.len());
@@ -66,11 +66,11 @@ pub(super) fn directives(description: &Description) -> Vec<Directive> {
     description.document().map_or_else(Vec::new, in_lines)
 }
 
-/// A comment holds for the section that comes next, and before the first one for all of them.
+/// A comment applies to the next section, and before the first section to the whole file.
 fn in_lines(document: &Document) -> Vec<Directive> {
     let text = document.text();
     let mut directives: Vec<Directive> = Vec::new();
-    // those whose section has not begun, and then those whose section has not ended
+    // the first directive whose section has not started, and the first whose section has not ended
     let (mut waiting, mut open) = (0, 0);
     let mut is_first = true;
     for line in document.lines() {
@@ -88,7 +88,7 @@ fn in_lines(document: &Document) -> Vec<Directive> {
         }
     }
     let end = text.len() as u32;
-    // what is at the end of the text is in the last section
+    // a finding at the end of the text is in the last section
     end_at(&mut directives[open..waiting], end.saturating_add(1));
     if !is_first {
         directives[waiting..].iter_mut().for_each(|directive| directive.scope = Some(Span::empty(end)));
@@ -102,7 +102,7 @@ fn end_at(directives: &mut [Directive], end: u32) {
     }
 }
 
-/// A comment holds for the element that comes next, and before the root for the whole file.
+/// A comment applies to the next element, and before the root to the whole file.
 #[cfg(feature = "xdd")]
 fn in_elements(tree: &Tree) -> Vec<Directive> {
     let text = tree.text();
@@ -122,7 +122,7 @@ fn in_elements(tree: &Tree) -> Vec<Directive> {
     xml::comments(text).filter_map(directive).collect()
 }
 
-/// The line of a comment with its end, where nothing else stands in it; else the comment.
+/// The line of a comment with its line end if it contains nothing else; otherwise the comment.
 fn line_around(text: &str, comment: Span) -> Span {
     let (before, behind) = (&text[..comment.start as usize], &text[comment.end as usize..]);
     let line_start = before.trim_end_matches([' ', '\t']).len();
@@ -138,7 +138,7 @@ fn line_around(text: &str, comment: Span) -> Span {
     Span::new(line_start as u32, comment.end + (blanks + line_end) as u32)
 }
 
-/// The words of a text, with commas and blanks between them.
+/// The words of a text, separated by commas and blanks.
 fn words(text: &str) -> impl Iterator<Item = Span> {
     let mut at = 0;
     let is_between = |c: char| c == ',' || is_blank(c);
@@ -154,7 +154,7 @@ fn leading(text: &str, is_left: impl Fn(char) -> bool) -> u32 {
     (text.len() - text.trim_start_matches(is_left).len()) as u32
 }
 
-/// Blanks, line ends, and what DOS leaves at the end of a file.
+/// Blanks, line ends, and the end-of-file character of DOS.
 fn is_blank(c: char) -> bool {
     c.is_whitespace() || matches!(c, '\0' | '\u{1A}')
 }
@@ -165,7 +165,7 @@ mod tests {
     use crate::format::{self, Format};
     use crate::source::SourceFile;
 
-    /// Each directive as its rules, what it holds for, and what is removed with it.
+    /// Each directive as its rules, its scope, and the text that is removed with it.
     fn found(text: &str, format: Format) -> Vec<(Vec<String>, String, String)> {
         let description = format::read(SourceFile::from_text("test", text), format);
         let padded = format!("{text} ");

@@ -1,5 +1,5 @@
-//! Everything that is wrong with a description: one call for what the text shows and what the model shows, without what the
-//! text says not to report.
+//! All findings of a description: one call for the rules about the text and about the model, without the findings that
+//! comments suppress.
 
 mod comments;
 mod suppression;
@@ -11,18 +11,18 @@ use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
 use crate::lint::{self, Options};
 
-/// All findings about a description, in the order of its text.
+/// All findings of a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
     check_with(description, &Options::default())
 }
 
-/// As [`check`], with more known than the description says.
+/// As [`check`], with options.
 pub fn check_with(description: &Description, options: &Options) -> Findings {
     let is_xml = description.format().syntax() == Syntax::Xml;
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
     if options.tools.is_empty() || is_xml {
-        // what is known of other tools is about the texts of CiA 306
+        // the rules about other tools cover only the text formats of CiA 306
         let options = Options { tools: Vec::new(), ..options.clone() };
         findings.append(lint::check(description.device(), &options));
     } else {

@@ -1,4 +1,4 @@
-//! What a description says not to report of itself.
+//! Suppression of findings by comments.
 
 use super::comments::{Directive, directives};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Selection, listing, say};
@@ -8,7 +8,7 @@ use crate::registry;
 use crate::registry::own::{INVALID_SUPPRESSION, UNUSED_SUPPRESSION, unknown_rule};
 use crate::source::Span;
 
-/// Takes the findings away that the text says not to report. What is wrong with what it says is found instead.
+/// Removes the findings that comments suppress, and returns findings about these comments.
 pub(super) fn apply(description: &Description, options: &Options, findings: &mut Findings) -> Findings {
     let mut about = Findings::new();
     let text = description.source().text();
@@ -22,13 +22,13 @@ pub(super) fn apply(description: &Description, options: &Options, findings: &mut
     findings.suppress(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         let mut is_allowed = false;
-        // all that allow it are of use
+        // every comment that allows the finding counts as used
         for suppression in &mut suppressions {
             is_allowed |= suppression.allows(finding.rule, start);
         }
         is_allowed
     });
-    // what no device of a network needs is not known here, where one of them is looked at
+    // of a file with several devices only one is checked here, so a comment may be used by another
     if description.device_count() == 1 {
         let format = description.format();
         suppressions.iter().for_each(|suppression| suppression.report_unused(format, options, &mut about));
@@ -36,7 +36,7 @@ pub(super) fn apply(description: &Description, options: &Options, findings: &mut
     about
 }
 
-/// A comment that allows something.
+/// A comment that allows rules.
 struct Suppression {
     directive: Directive,
     allowed: Vec<Allowed>,
@@ -54,17 +54,17 @@ impl Suppression {
         let verb = directive.verb.of(text);
         if !verb.eq_ignore_ascii_case("allow") {
             let message = if verb.is_empty() {
-                "the comment does not say what objdict shall do".into()
+                "the comment has no instruction for objdict".into()
             } else {
-                say!("`{}` is nothing that objdict can do", verb)
+                say!("`{}` is not an objdict instruction", verb)
             };
             let finding = Diagnostic::new(&INVALID_SUPPRESSION, directive.text, message);
-            about.push(finding.help("write `objdict: allow` and the ids of rules"));
+            about.push(finding.help("write `objdict: allow` followed by the ids of rules"));
             return None;
         }
         if directive.rules.is_empty() {
             let finding = Diagnostic::new(&INVALID_SUPPRESSION, directive.text, "the comment allows no rule");
-            about.push(finding.help("name the rules behind `allow`, such as `cia306/file-name`"));
+            about.push(finding.help("add the rules after `allow`, such as `cia306/file-name`"));
             return None;
         }
         let mut allowed = Vec::new();
@@ -78,7 +78,7 @@ impl Suppression {
         Some(Self { directive, allowed })
     }
 
-    /// Whether a finding that starts at an offset is not to be reported.
+    /// Whether the comment suppresses a finding that starts at an offset.
     fn allows(&mut self, rule: &RuleInfo, start: u32) -> bool {
         if self.directive.scope.is_some_and(|scope| !(scope.start..scope.end).contains(&start)) {
             return false;
@@ -96,11 +96,11 @@ impl Suppression {
         let unused: Vec<&Allowed> = self.allowed.iter().filter(is_unused).collect();
         let place = match self.directive.scope {
             None => "in this file",
-            Some(_) => "in what follows",
+            Some(_) => "in the following section",
         };
         if unused.len() == self.directive.rules.len() {
             let message = say!(
-                "there is nothing of {} {} to allow",
+                "the comment allows {}, but there is no such finding {}",
                 listing(unused.iter().map(|one| one.rules)),
                 place
             );
@@ -111,15 +111,15 @@ impl Suppression {
         }
         for allowed in unused {
             let rules = allowed.rules;
-            let message = say!("there is nothing of `{}` {} to allow", rules, place);
+            let message = say!("the comment allows `{}`, but there is no such finding {}", rules, place);
             let finding = Diagnostic::new(&UNUSED_SUPPRESSION, allowed.span, message);
             let fix = Fix::safe(say!("remove `{}` from the comment", rules))
                 .replace(self.with_gap(allowed.span), "");
-            about.push(finding.help("remove it from the comment").fix(fix));
+            about.push(finding.help("remove the rule from the comment").fix(fix));
         }
     }
 
-    /// The name of a rule with the comma and the blanks between it and the next one; of the last one, and before.
+    /// The name of a rule with the separator to the next one; for the last one, with the separator before it.
     fn with_gap(&self, span: Span) -> Span {
         let rules = &self.directive.rules;
         let at = rules.iter().position(|rule| *rule == span).unwrap_or_default();
@@ -131,7 +131,7 @@ impl Suppression {
     }
 }
 
-/// Whether rules are looked at in files of this format.
+/// Whether rules are checked in files of this format.
 fn is_active(rules: Selection, format: Format, options: &Options) -> bool {
     let group = match rules {
         Selection::Group(group) => group,

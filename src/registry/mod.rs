@@ -1,5 +1,5 @@
-//! Every rule there is: those that the readers of the formats raise, those of the linter, and those about what is said of
-//! rules. `explain`, severities, suppression and the documentation know no difference.
+//! All rules: those of the format readers, those of the linter, and those about the configuration and suppression of
+//! rules. `explain`, severities, suppression and the documentation treat them alike.
 
 pub(crate) mod own;
 
@@ -26,7 +26,7 @@ pub fn groups() -> BTreeSet<&'static str> {
     rules().into_iter().map(RuleInfo::group).collect()
 }
 
-/// The rules that a name means: the id of a rule, or a group.
+/// The rules that a name selects: the id of a rule, or a group.
 pub fn select(name: &str) -> Option<Selection> {
     match name.contains('/') {
         true => rule(name).map(Selection::Rule),
@@ -34,13 +34,13 @@ pub fn select(name: &str) -> Option<Selection> {
     }
 }
 
-/// The rule or group that was most likely meant by a name that there is not.
+/// The probable rule or group for an unknown name.
 pub fn nearest_selection(name: &str) -> Option<Selection> {
     let group = if name.contains('/') { None } else { nearest(name, groups()) };
     group.map(Selection::Group).or_else(|| nearest_rule(name).map(Selection::Rule))
 }
 
-/// The rule that was most likely meant by an id or name that there is not.
+/// The probable rule for an unknown id or name.
 pub fn nearest_rule(name: &str) -> Option<&'static RuleInfo> {
     let lower = name.to_ascii_lowercase();
     let wanted = lower.rsplit('/').next().unwrap_or(&lower);

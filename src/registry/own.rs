@@ -1,5 +1,5 @@
-//! The rules about what is said to objdict itself, in `objdict.toml` and in comments. They stand beside the list of all rules,
-//! for the names of rules are what they are about.
+//! The rules about instructions to objdict itself, in `objdict.toml` and in comments. They are next to the list of all rules
+//! because they check the names of rules.
 
 use super::nearest_selection;
 use crate::diagnostic::{Diagnostic, RuleInfo, Text, say, text_rule};
@@ -17,19 +17,19 @@ pub(super) static RULES: &[&RuleInfo] = &[
 
 text_rule! {
     INVALID_TOML = "objdict/invalid-toml", Error;
-    summary: "the configuration is no TOML",
-    checks: "Whether `objdict.toml` can be read at all. While it cannot, the files that it holds for are not checked, and the exit code is 2.",
-    why: "A check without its configuration reports what nobody wants to know and passes over what was asked for.",
-    example: r#"`cia306/file-name = "off"`: the id of a rule has a `/` in it, so it must stand in quotes"#,
-    remedy: "Correct the line that is shown.",
+    summary: "the configuration is not valid TOML",
+    checks: "Whether `objdict.toml` is valid TOML. If it is not, the files that it applies to are not checked, and the exit code is 2.",
+    why: "A check without its configuration reports unwanted findings and misses those that were requested.",
+    example: r#"`cia306/file-name = "off"`: the id of a rule contains a `/` and must be quoted"#,
+    remedy: "Correct the reported line.",
     source: "objdict, docs/config.md; TOML 1.1",
 }
 
 text_rule! {
     UNKNOWN_SETTING = "objdict/unknown-setting", Warning;
-    summary: "the configuration has a setting that there is not",
-    checks: "Whether `objdict.toml` knows each key of the top level.",
-    why: "Most likely it is misspelled, and what it should say does not hold.",
+    summary: "the configuration contains an unknown setting",
+    checks: "Whether each top-level key of `objdict.toml` is a known setting.",
+    why: "The name is probably misspelled, and the setting has no effect.",
     example: "`node_id = 5` instead of `node-id = 5`",
     remedy: "Correct the name or remove the setting.",
     source: "objdict, docs/config.md",
@@ -37,54 +37,54 @@ text_rule! {
 
 text_rule! {
     INVALID_SETTING = "objdict/invalid-setting", Error;
-    summary: "a setting has a value that it cannot have",
-    checks: "Whether each setting of `objdict.toml` has a value of its type and, where there are only some, one of them.",
-    why: "The setting does not hold, and the check does something else than was meant.",
+    summary: "a setting has an invalid value",
+    checks: "Whether each setting of `objdict.toml` has a value of its type and, for a fixed set of values, one of them.",
+    why: "The setting has no effect, and the check differs from the intended one.",
     example: "`node-id = 128`",
-    remedy: "Write a value that the setting can have.",
+    remedy: "Write a valid value.",
     source: "objdict, docs/config.md",
 }
 
 text_rule! {
     UNKNOWN_RULE = "objdict/unknown-rule", Warning;
-    summary: "a rule or group is named that there is not",
-    checks: "Whether each name of a rule in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.",
-    why: "What is said of it holds for no rule.",
+    summary: "an unknown rule or group",
+    checks: "Whether each rule name in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.",
+    why: "The setting or comment has no effect.",
     example: "`; objdict: allow cia306/filename`",
-    remedy: "Correct the name; `objdict rules` lists all.",
+    remedy: "Correct the name; `objdict rules` lists all rules.",
     source: "objdict, docs/config.md",
 }
 
 text_rule! {
     INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning;
-    summary: "a comment to objdict says nothing that it understands",
-    checks: "Whether a comment that starts with `objdict:` goes on with `allow` and the ids of rules, or names of groups, with blanks or commas between them.",
-    why: "Whoever wrote the comment expects that something is not reported, and it is.",
+    summary: "a comment contains an invalid objdict instruction",
+    checks: "Whether a comment that starts with `objdict:` continues with `allow` and the ids of rules or names of groups, separated by blanks or commas.",
+    why: "The author expects the comment to suppress a finding, but it is reported.",
     example: "`; objdict: ignore cia306/file-name`",
-    remedy: "Write `; objdict: allow cia306/file-name`; a reason may follow behind ` -- `.",
+    remedy: "Write `; objdict: allow cia306/file-name`; a reason may follow after ` -- `.",
     source: "objdict, docs/config.md",
 }
 
 text_rule! {
     UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe;
-    summary: "a comment allows what is not there",
-    checks: "Whether each rule that a comment `objdict: allow` names finds something in the section or element that follows, or in the file when the comment stands before the first one. Rules that are off, and those about tools and profiles of a house that the check was not told of, are not looked at.",
-    why: "What was allowed is mended or has moved; the comment would hide the same mistake when somebody makes it again.",
+    summary: "a comment allows a rule without findings",
+    checks: "Whether each rule in a comment `objdict: allow` has a finding in the following section or element, or in the file if the comment is before the first one. Rules that are off, and rules about tools or custom profiles that are not selected, are not checked.",
+    why: "The allowed problem was fixed or moved. The comment would hide the same problem if it occurs again.",
     example: "`; objdict: allow cia306/file-name` in a file whose `FileName` is right",
-    remedy: "Remove the comment, or the rule from it; or move it before the section that it is meant for.",
+    remedy: "Remove the comment or the rule from it, or move the comment before the intended section.",
     source: "objdict, docs/config.md",
 }
 
-/// A setting with a value that it cannot have.
+/// A setting with an invalid value.
 pub(crate) fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
     Diagnostic::new(&INVALID_SETTING, span, message)
 }
 
-/// A name that is no rule and no group.
+/// A name that is neither a rule nor a group.
 pub(crate) fn unknown_rule(span: Span, name: &str) -> Diagnostic {
     let finding = Diagnostic::new(&UNKNOWN_RULE, span, say!("there is no rule or group `{}`", name));
     match nearest_selection(name) {
         Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
-        None => finding.help("`objdict rules` lists all rules"),
+        None => finding.help("run `objdict rules` to list all rules"),
     }
 }

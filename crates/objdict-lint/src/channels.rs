@@ -1,4 +1,4 @@
-//! The kinds of channels that an I/O module can have, and how many of them there are (CiA 401, 1000h).
+//! The kinds of channels of an I/O module and their numbers (CiA 401, 1000h).
 
 use std::ops::RangeInclusive;
 
@@ -15,7 +15,7 @@ const LAST: u16 = 4;
 pub(crate) struct ChannelKind {
     /// Its bit of the device type.
     pub bit: u8,
-    /// What it is called.
+    /// Its name in messages.
     pub name: &'static str,
     /// The objects that hold its values, the usual one first.
     indexes: &'static [RangeInclusive<u16>],
@@ -50,7 +50,7 @@ impl ChannelKind {
         self.indexes.iter().cloned().flatten().map(move |index| index_in(block, index))
     }
 
-    /// Whether a logical device has channels of the kind, or a module may bring them.
+    /// Whether a logical device has channels of the kind, or a module may provide them.
     pub(crate) fn may_be_in(&self, device: &Device, block: u8) -> bool {
         self.indexes(block).any(|index| demands::is_there(device, index))
     }
@@ -61,8 +61,8 @@ impl ChannelKind {
     }
 }
 
-/// The PDOs of an EDS that the profile gives a mapping, with that mapping: none when bit 23 of the device type says that
-/// the manufacturer maps the channels, and none of a module of several logical devices.
+/// The PDOs of an EDS with a default mapping in the profile: none if bit 23 of the device type marks the mapping as
+/// manufacturer-specific, and none for a module of several logical devices.
 pub(crate) fn default_pdos<'a>(
     facts: &'a Facts<'a>,
     applied: &Applied<'_>,
@@ -83,7 +83,7 @@ pub(crate) fn default_pdos<'a>(
     described.collect()
 }
 
-/// How many elements the arrays have that the default mapping is made of; `None` where modules bring them.
+/// The number of elements of the arrays in the default mapping; `None` if modules provide them.
 pub(crate) fn of_device(device: &Device) -> Option<Channels> {
     let number = |index: u16| {
         let object = device.object(index).filter(|object| !object.orphan);

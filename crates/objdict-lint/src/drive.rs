@@ -1,5 +1,5 @@
-//! An axis of a drive after CiA 402, as the rules of that group ask about it: the objects of one logical device, by the
-//! indexes that the document gives them.
+//! An axis of a drive according to CiA 402, for the rules of that group: the objects of one logical device, by the
+//! indexes of the document.
 
 use super::Facts;
 use super::demands::{Applied, is_there};
@@ -44,7 +44,7 @@ impl<'a> Drive<'a> {
         Self { device: facts.device, block: applied.block }
     }
 
-    /// The index that an object of the document has on this axis.
+    /// The index of an object of the document on this axis.
     pub(crate) const fn index(self, index: u16) -> u16 {
         profile::index_in(self.block, index)
     }
@@ -64,7 +64,7 @@ impl<'a> Drive<'a> {
         self.object(index).is_some()
     }
 
-    /// Whether an object is not described, nor named in a list, nor to be had with a module.
+    /// Whether an object is neither described nor listed nor available from a module.
     pub(crate) fn lacks(self, index: u16) -> bool {
         !is_there(self.device, self.index(index))
     }
@@ -76,27 +76,27 @@ impl<'a> Drive<'a> {
         is_single.then_some(&object.main)
     }
 
-    /// The number that an entry has, configured or by default.
+    /// The configured or default number of an entry.
     pub(crate) fn value(self, index: u16, sub: u8) -> Option<i128> {
         self.object(index)?.value(sub)?.as_integer()
     }
 
-    /// Where the object stands.
+    /// The place of the object.
     pub(crate) fn place(self, index: u16) -> Place {
         Place::object(self.index(index))
     }
 
-    /// Where the value of an entry stands.
+    /// The place of the value of an entry.
     pub(crate) fn value_place(self, index: u16, sub: u8) -> Place {
         self.device.value_place(self.index(index), sub)
     }
 
-    /// The supported drive modes, bit by bit; `None` where the description does not say.
+    /// The bits of the supported drive modes; `None` if the description does not state them.
     pub(crate) fn modes(self) -> Option<u32> {
         self.value(0x6502, 0).and_then(|modes| u32::try_from(modes).ok())
     }
 
-    /// Whether a mode is among the supported ones.
+    /// Whether a mode is supported.
     pub(crate) fn supports(self, bit: u8) -> Option<bool> {
         self.modes().map(|modes| modes >> bit & 1 == 1)
     }

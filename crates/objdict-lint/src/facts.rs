@@ -1,4 +1,4 @@
-//! What several rules need to know of a device's communication, found out once a run.
+//! The communication of a device, evaluated once for all rules.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -12,20 +12,20 @@ use crate::{Options, Srdo};
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
     pub device: &'a Device,
-    /// What the check was told.
+    /// The options of the check.
     pub options: &'a Options,
-    /// Its PDOs, first RPDOs, then TPDOs, by number; those that `CompactPDO` implies are not among them.
+    /// The PDOs, first RPDOs, then TPDOs, by number; without those that `CompactPDO` implies.
     pub pdos: Vec<PdoFacts<'a>>,
-    /// Every COB-ID that an object states, PDOs last; those of SRDOs are not among them.
+    /// Every COB-ID that an object states, PDOs last; without those of SRDOs.
     pub cob_ids: Vec<CobIdUse>,
-    /// Its SRDOs, by number.
+    /// The SRDOs, by number.
     pub srdos: Vec<Srdo<'a>>,
 }
 
-/// A PDO with what its mapping entries name.
+/// A PDO with the targets of its mapping entries.
 pub(crate) struct PdoFacts<'a> {
     pub pdo: Pdo<'a>,
-    /// The slots in use that name an object, in the order of the frame.
+    /// The slots in use that refer to an object, in the order of the frame.
     pub mapped: Vec<Mapped<'a>>,
 }
 
@@ -33,29 +33,29 @@ pub(crate) struct PdoFacts<'a> {
 pub(crate) struct Mapped<'a> {
     /// Sub-index of the mapping.
     pub slot: u8,
-    /// What it names.
+    /// The object that the entry refers to.
     pub object: MappedObject,
-    /// What there is.
+    /// The described target.
     pub target: Target<'a>,
 }
 
-/// What a mapping entry names.
+/// The target of a mapping entry.
 pub(crate) enum Target<'a> {
-    /// A data type: a filler.
+    /// A data type: a dummy entry.
     Dummy,
     /// The object is described, the sub-index is not.
     NoEntry,
     /// The object is not described.
     NoObject,
-    /// Not described, but a module or a dynamic channel may bring it.
+    /// Not described, but a module or a dynamic channel may provide it.
     Elsewhere,
-    /// Sub-index 0 of an ARRAY or RECORD, so a number of entries.
+    /// Sub-index 0 of an ARRAY or RECORD, the number of entries.
     Count,
     /// An entry with a value.
     Entry(Cow<'a, Entry>),
 }
 
-/// A COB-ID with where it stands and what for.
+/// A COB-ID with its entry and its service.
 pub(crate) struct CobIdUse {
     pub index: u16,
     pub sub: u8,
@@ -63,13 +63,13 @@ pub(crate) struct CobIdUse {
     pub cob_id: CobId,
 }
 
-/// What a COB-ID is for.
+/// The service of a COB-ID.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Service {
     Sync,
     Time,
     Emcy,
-    /// The EMCY of another node.
+    /// EMCY of another node.
     EmcyConsumer,
     /// From client to server, of a server of this device.
     ServerRequest(u16),
@@ -87,7 +87,7 @@ impl<'a> Facts<'a> {
         Self { device, options, pdos, cob_ids, srdos: Srdo::all(device) }
     }
 
-    /// The node-IDs that the description can be for: the one that the check was told or that of a DCF, else all.
+    /// The node-IDs that the description applies to: that of the options or of a DCF, otherwise all.
     pub(crate) fn node_ids(&self) -> RangeInclusive<u8> {
         match self.options.node_id.or(self.device.node_id()) {
             Some(node_id) => node_id..=node_id,
@@ -95,21 +95,21 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The number that a sub-index holds after it was configured; a formula on the first node that the description can be
-    /// for.
+    /// The configured number of a sub-index; a formula is evaluated for the first node-ID that the description applies
+    /// to.
     pub(crate) fn number(&self, index: u16, sub: u8) -> Option<i128> {
         self.device.value(index, sub)?.integer_for(*self.node_ids().start())
     }
 
-    /// Whether the device follows a device profile, as far as 1000h says.
+    /// Whether the device follows a device profile according to 1000h.
     pub(crate) fn has_profile(&self) -> bool {
         self.device.profile().is_some_and(|profile| profile != 0)
     }
 }
 
 impl Facts<'_> {
-    /// The base that the number of an EDS stands on, where it lies in the predefined connection set and lacks the
-    /// node-ID. A DCF is for one node and may have numbers.
+    /// The predefined base of a COB-ID in an EDS that lies in the predefined connection set but is missing the
+    /// node-ID. A DCF describes one node and may contain numbers.
     pub(crate) fn base_without_node_id(&self, cob_id: &CobIdUse) -> Option<u16> {
         let base = match cob_id.service {
             Service::Emcy => predefined::EMCY,
@@ -125,8 +125,8 @@ impl Facts<'_> {
 }
 
 impl Facts<'_> {
-    /// Whom the CAN-ID of a service in use belongs to on a node, where that is another service. SDO channels may use
-    /// the identifiers of the default SDOs of other nodes, and the default SDO has them.
+    /// The owner of the CAN-ID of an active service on a node, if that is another service. SDO channels may use
+    /// the identifiers of the default SDOs of other nodes, and the default SDO owns them.
     pub(crate) fn owner(&self, cob_id: &CobIdUse, node: u8) -> Option<&'static str> {
         let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
         let can_id = cob_id.cob_id.can_id(node);
@@ -144,7 +144,7 @@ impl Facts<'_> {
         restricted(can_id)
     }
 
-    /// Whether the CAN-ID of a service belongs to another one on every node that the description is for.
+    /// Whether the CAN-ID of a service belongs to another one on every node that the description applies to.
     pub(crate) fn is_restricted(&self, cob_id: &CobIdUse) -> bool {
         self.node_ids().all(|node| self.owner(cob_id, node).is_some())
     }
@@ -159,25 +159,25 @@ impl<'a> PdoFacts<'a> {
         Self { pdo, mapped }
     }
 
-    /// The communication parameter, when it is described as the RECORD that it is.
+    /// The communication parameter, if it is described as a RECORD.
     pub(crate) fn communication_record(&self) -> Option<&'a Object> {
         self.pdo.communication.filter(|object| !object.orphan && object.object_type().has_subs())
     }
 
-    /// Its COB-ID, when it is stated.
+    /// The COB-ID, if it is stated.
     pub(crate) fn cob_id(&self) -> Option<CobIdUse> {
         let (index, service) = (self.pdo.communication_index(), Service::Pdo(self.pdo.kind, self.pdo.number));
         self.pdo.cob_id.map(|cob_id| CobIdUse { index, sub: 1, service, cob_id })
     }
 
-    /// Whether all that it carries is described and has the length that the mapping says, so that sums mean something.
+    /// Whether all mapped objects are described and have the length of the mapping, so that their sum is meaningful.
     pub(crate) fn lengths_are_right(&self) -> bool {
         self.mapped.iter().all(|mapped| mapped.wrong_length().is_none() && !mapped.target.is_missing())
     }
 }
 
 impl Mapped<'_> {
-    /// The length that it should have, when it has another.
+    /// The correct length, if the mapping states another.
     pub(crate) fn wrong_length(&self) -> Option<u8> {
         let Target::Entry(entry) = &self.target else { return None };
         entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)
@@ -185,12 +185,12 @@ impl Mapped<'_> {
 }
 
 impl<'a> Target<'a> {
-    /// What there is of an object that a mapping entry names.
+    /// The target of a mapped object.
     pub(crate) fn of(device: &'a Device, mapped: MappedObject) -> Self {
         target(device, mapped)
     }
 
-    /// Whether there is nothing to map.
+    /// Whether the target is not described.
     pub(crate) fn is_missing(&self) -> bool {
         matches!(self, Self::NoEntry | Self::NoObject)
     }
@@ -213,7 +213,7 @@ fn target(device: &Device, mapped: MappedObject) -> Target<'_> {
     }
 }
 
-/// Whether a module brings an object or new sub-indexes of it, or a dynamic channel lies there.
+/// Whether a module provides an object or new sub-indexes of it, or the index belongs to a dynamic channel.
 fn comes_from_elsewhere(device: &Device, index: u16) -> bool {
     let by_module = device.modules.as_ref().is_some_and(|modules| {
         let mut modules = modules.supported.values();
@@ -248,7 +248,7 @@ fn cob_ids(device: &Device, pdos: &[PdoFacts<'_>]) -> Vec<CobIdUse> {
 }
 
 impl CobIdUse {
-    /// Whether the device sends or receives anything under it. SYNC is always received.
+    /// Whether the device sends or receives frames with it. SYNC is always received.
     pub(crate) fn is_in_use(&self) -> bool {
         match self.service {
             Service::Sync => true,
@@ -262,7 +262,7 @@ impl CobIdUse {
         }
     }
 
-    /// Whether the device sends under it; else it receives.
+    /// Whether the device sends frames with it; otherwise it receives them.
     pub(crate) fn is_sent(&self) -> bool {
         match self.service {
             Service::Sync | Service::Time => self.cob_id.bit_30(),
@@ -272,7 +272,7 @@ impl CobIdUse {
         }
     }
 
-    /// The bits of the number that are no flag of the service but lie outside its CAN-ID.
+    /// The set bits that belong neither to the flags of the service nor to its CAN-ID.
     pub(crate) fn wrong_bits(&self) -> u32 {
         let reserved = match self.service {
             Service::Emcy | Service::EmcyConsumer => self.cob_id.number() & CobId::BIT_30,
@@ -300,7 +300,7 @@ impl Sayable for Service {
     }
 }
 
-/// Whether a sub-index is there and the description says nothing of its value, not even something wrong.
+/// Whether a sub-index exists but the description states no value for it, not even an invalid one.
 pub(crate) fn is_unstated(object: &Object, sub: u8) -> bool {
     if !object.has(sub) || object.value(sub).is_some() {
         return false;

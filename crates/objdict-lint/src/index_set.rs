@@ -1,21 +1,21 @@
 //! Sets of object indexes.
 
-/// A set of indexes, a bit each: a list of a hostile file may be long, and asking it must not take time. Most devices have
-/// objects in a few places, so there are bits only where some are.
+/// A set of indexes with one bit each: a list of a hostile file may be long, and a lookup must be fast. Most devices have
+/// objects in a few ranges, so only their pages are allocated.
 pub(crate) struct IndexSet {
-    /// For the high byte of an index, where the bits of its low byte are.
+    /// For the high byte of an index, the page with the bits of its low byte.
     pages: [u16; 256],
-    /// 256 bits each; those of the first page, where no index is, are not set.
+    /// 256 bits each; the first page is always empty.
     bits: Vec<[u64; 4]>,
 }
 
 impl IndexSet {
-    /// No index.
+    /// An empty set.
     pub(crate) fn new() -> Self {
         Self { pages: [0; 256], bits: vec![[0; 4]] }
     }
 
-    /// Puts an index; false when it was there already.
+    /// Inserts an index; false if the set already contains it.
     pub(crate) fn insert(&mut self, index: u16) -> bool {
         let page = &mut self.pages[usize::from(index >> 8)];
         if *page == 0 {

@@ -1,7 +1,7 @@
-//! The linter: rules about the model. A rule knows no files and no formats; it looks at a [`Device`] and speaks of
+//! The linter: rules about the model. A rule knows no files and no formats; it checks a [`Device`] and reports
 //! [`Place`](crate::model::Place)s.
 
-// what rules share is for all of them
+// without the catalogue, some of the shared code has no user
 #![cfg_attr(not(feature = "catalogue"), allow(dead_code, unused_imports))]
 
 mod channels;
@@ -37,10 +37,10 @@ pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
 pub(crate) use supply::{ListFixes, sub_0, with_members};
 
-/// The group of the rules that speak of nothing but tools.
+/// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";
 
-/// All rules on one device.
+/// Applies all rules to one device.
 pub fn check(device: &Device, options: &Options) -> Findings {
     let mut findings = Findings::new();
     let facts = Facts::new(device, options);
@@ -61,13 +61,13 @@ pub fn check(device: &Device, options: &Options) -> Findings {
     findings
 }
 
-/// The rules that look at a device: those about other tools where it is asked for tools.
+/// The rules that apply; rules about other tools only if tools are selected.
 fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
     let for_tools = !options.tools.is_empty();
     rules().filter(move |rule| for_tools || rule.info.group() != PORTABILITY)
 }
 
-/// One walk over what documents demand, for all rules of their groups.
+/// One walk over the documents that apply, for all rules of their groups.
 fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
     let applied = demands::applied(facts.device, facts.options);
     for one in &applied {
@@ -91,7 +91,7 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// One walk over the objects for all rules that look at one object or one entry at a time.
+/// One walk over the objects for all rules that check one object or one entry at a time.
 fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
     let mut object_checks = Vec::new();
     let mut entry_checks = Vec::new();
@@ -114,14 +114,14 @@ fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
         }
         for (&index, extension) in &module.extensions {
             let mut object = Object { main: extension.entry.clone(), ..Object::default() };
-            // some state the type of the object that is extended
+            // some descriptions state the type of the extended object
             object.main.object_type = object.main.object_type.filter(|object_type| !object_type.has_subs());
             check_entries(device, Origin::Extension(number), index, &object, &entry_checks, findings);
         }
     }
 }
 
-/// All rules about entries on those that an object describes.
+/// Applies all rules about entries to the described entries of an object.
 fn check_entries(
     device: &Device,
     origin: Origin,

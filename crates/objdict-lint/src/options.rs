@@ -1,4 +1,4 @@
-//! What a check is told beside the description.
+//! The options of a check.
 
 use std::sync::Arc;
 
@@ -6,16 +6,16 @@ use super::Severities;
 use crate::diagnostic::Tool;
 use crate::profile::Profile;
 
-/// What a check is told beside the description.
+/// The options of a check.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The node-ID that formulas are worked out for; without it that of a DCF, else every node-ID from 1 to 127.
+    /// The node-ID for which formulas are evaluated; without it that of a DCF, otherwise every node-ID from 1 to 127.
     pub node_id: Option<u8>,
-    /// Profiles that the device shall follow, beside those that it says itself; see [`crate::profile::named`] and
+    /// Profiles that apply in addition to that of the device type; see [`crate::profile::named`] and
     /// [`Profile::from_toml`].
     pub profiles: Vec<Arc<Profile>>,
-    /// The tools that the description shall be fit for: rules of the group `portability` look for what they choke on.
+    /// The tools that the description must be compatible with; rules of the group `portability` check this.
     pub tools: Vec<Tool>,
-    /// How grave findings are, where that is not left to the rules.
+    /// Severities that differ from those of the rules.
     pub severities: Severities,
 }

@@ -1,9 +1,9 @@
-//! Texts that are no values of their field, but leave little doubt about which value is meant.
+//! Texts that are not valid values of their field, but whose intended value is clear.
 
 use crate::diagnostic::{Fix, say};
 use crate::model::{Access, ClockTime, DataType, Date, Field, Misfit, ObjectType, Place, Reason};
 
-/// The fix of a misfit at `place`, where it is clear enough what is meant.
+/// The fix of an invalid value at `place`, if the intended value is clear.
 pub(crate) fn respell(misfit: &Misfit, data_type: Option<DataType>, place: Place) -> Option<Fix> {
     let text = misfit.text.trim();
     let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
@@ -20,7 +20,7 @@ pub(crate) fn respell(misfit: &Misfit, data_type: Option<DataType>, place: Place
         (Field::PdoMapping, _) => safe(flag(text)?.to_owned()),
         (_, Reason::NotADate) => safe(date(text)?.to_string()),
         (_, Reason::NotAClockTime) => safe(clock_time(text)?.to_string()),
-        // what has a digit 8 or 9 is no octal number, so it can only be a decimal one
+        // a number with a digit 8 or 9 cannot be octal, so it is decimal
         (_, Reason::NotOctal) => safe(without_zeros(text)?),
         (_, Reason::NotANumber) if is_hex(text) && data_type.is_none() => risky(format!("0x{text}")),
         _ => return None,
@@ -28,7 +28,7 @@ pub(crate) fn respell(misfit: &Misfit, data_type: Option<DataType>, place: Place
     Some(fix.set(place, value))
 }
 
-/// What a text that is none of the access types most likely means.
+/// The probable access type of a text that is not a valid one.
 pub(crate) fn nearest_access(text: &str) -> Option<Access> {
     let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
     Access::from_name(&letters).or(match letters.to_ascii_lowercase().as_str() {
@@ -53,8 +53,8 @@ fn flag(text: &str) -> Option<&'static str> {
     }
 }
 
-/// A date in another form, where day and month cannot be taken for each other: by the order of the standard, with dots and
-/// the day first, with the year first, or because there is no such month.
+/// A date in another form whose day and month are unambiguous: in the order of the standard, with dots and
+/// the day first, with the year first, or with a day above 12.
 fn date(text: &str) -> Option<Date> {
     let separator = ['-', '/', '.'].into_iter().find(|separator| text.contains(*separator))?;
     let parts: Vec<&str> = text.split(separator).map(str::trim).collect();
@@ -77,7 +77,7 @@ fn date(text: &str) -> Option<Date> {
     }
 }
 
-/// A time with single digits, blanks or small letters, or of a day of 24 hours.
+/// A time with single digits, blanks or lower-case letters, or in 24-hour form.
 fn clock_time(text: &str) -> Option<ClockTime> {
     let lower = text.to_ascii_lowercase();
     let (digits, half) = match (lower.strip_suffix("am"), lower.strip_suffix("pm")) {
@@ -89,7 +89,7 @@ fn clock_time(text: &str) -> Option<ClockTime> {
     let (hour, minute): (u8, u8) = (hour.parse().ok()?, minute.parse().ok()?);
     match half {
         Some(half) if (1..=12).contains(&hour) => ClockTime::new(hour % 12 + half, minute),
-        // 13:05PM is no time of twelve hours, but there is only one that it can be
+        // 13:05PM is not a 12-hour time, but its meaning is unambiguous
         Some(12) if hour > 12 => ClockTime::new(hour, minute),
         None => ClockTime::new(hour, minute),
         Some(_) => None,
@@ -102,7 +102,7 @@ fn without_zeros(text: &str) -> Option<String> {
     is_decimal.then(|| format!("{sign}{}", digits.trim_start_matches('0')))
 }
 
-/// Whether a text is a hex number that lacks its `0x`.
+/// Whether a text is a hexadecimal number without `0x`.
 fn is_hex(text: &str) -> bool {
     (1..=8).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit())
 }

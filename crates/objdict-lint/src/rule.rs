@@ -1,4 +1,4 @@
-//! What a rule about the model is made of.
+//! Rules about the model.
 
 use crate::demands::{Against, Applied, Expected};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
@@ -9,55 +9,55 @@ use crate::{Facts, PdoFacts, stated};
 pub struct Rule {
     /// Its id, severity and page.
     pub info: RuleInfo,
-    /// What it looks at.
+    /// The check and its subject.
     pub(crate) check: Check,
 }
 
-/// A look at one entry.
+/// A check of one entry.
 pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
 
-/// What a rule looks at. The linter walks over the device once and asks each rule at its places.
+/// The subject of a rule. The linter walks over the device once and calls each rule at its places.
 #[derive(Clone, Copy)]
 pub(crate) enum Check {
     /// The device as a whole.
     Device(fn(&Device, &mut Findings)),
-    /// Each object with its index; one without a section of its own ([`Object::orphan`]) too.
+    /// Each object with its index, including those without a section of their own ([`Object::orphan`]).
     Object(fn(&Device, u16, &Object, &mut Findings)),
-    /// Each entry that the description states: an object's own section, or a sub-index; of the modules too.
+    /// Each described entry, also of modules: an object's own section, or a sub-index.
     Entry(EntryCheck),
     /// The communication as a whole.
     Facts(fn(&Facts<'_>, &mut Findings)),
-    /// Each PDO that the description has an object for.
+    /// Each PDO with at least one described object.
     Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
-    /// Each logical device that the document of the rule's group holds for.
+    /// Each logical device that the document of the rule's group applies to.
     Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
-    /// Each object that the document says something of.
+    /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
-    /// Each described entry that the document says something of, of objects that have the shape that it gives them.
+    /// Each described entry that the document defines, in objects with the structure of the document.
     Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
 }
 
-/// An entry with where it is.
+/// An entry with its position.
 #[derive(Clone, Copy)]
 pub(crate) struct EntryAt<'a> {
     pub device: &'a Device,
     pub origin: Origin,
     pub index: u16,
-    /// Its object; of an extension one that has nothing but the entry.
+    /// Its object; for an extension, an object with only this entry.
     pub object: &'a Object,
     /// The sub-index; `None` for the object's own section.
     pub sub: Option<u8>,
     pub entry: &'a Entry,
 }
 
-/// Whose entry it is.
+/// The owner of an entry.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// The device's.
+    /// The device.
     Device,
-    /// That of a fixed object of the module with this number.
+    /// A fixed object of the module with this number.
     Fixed(u16),
-    /// What the module with this number adds to an object.
+    /// An extension of an object by the module with this number.
     Extension(u16),
 }
 
@@ -84,7 +84,7 @@ impl EntryAt<'_> {
         self.place().field(field)
     }
 
-    /// The object type of the entry, VAR where it is missing; `None` where the description leaves it in doubt.
+    /// The object type of the entry, VAR if it is missing; `None` if the description is ambiguous.
     pub(crate) fn object_type(&self) -> Option<ObjectType> {
         match self.sub {
             None => stated::object_type(self.object),
@@ -93,17 +93,17 @@ impl EntryAt<'_> {
         }
     }
 
-    /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or what a compact object's sub-indexes
-    /// share; not the bare header of an ARRAY or RECORD.
+    /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or the shared attributes of a compact
+    /// object; not the header of an ARRAY or RECORD.
     pub(crate) fn holds_value(&self) -> bool {
         self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()
     }
 }
 
-/// So many further places of one finding are shown.
+/// The maximum number of further places of one finding.
 const MAX_RELATED: usize = 8;
 
-/// A finding with the other places where the same is wrong; when they are many, with the first ones and a count.
+/// A finding with the other places of the same problem; if they are many, the first ones and a count.
 pub(crate) fn with_others<T: Into<Text>>(
     finding: Diagnostic,
     places: impl Iterator<Item = (Place, T)>,
@@ -121,7 +121,7 @@ pub(crate) fn with_others<T: Into<Text>>(
     finding
 }
 
-/// A [`Rule`]: the words of [`rule_info!`](objdict_model::rule_info), and behind the severity what it looks at.
+/// A [`Rule`]: the fields of [`rule_info!`](objdict_model::rule_info), with the check after the severity.
 /// `one! { "cia306/name", Error, Entry(check), fix Safe; summary: "…", … }`
 macro_rules! one {
     (
@@ -136,7 +136,7 @@ macro_rules! one {
 }
 pub(crate) use one;
 
-/// Declares the rule of a file in the words of [`one!`]: a `static RULE`.
+/// Declares the rule of a file with the fields of [`one!`]: a `static RULE`.
 macro_rules! rule {
     ($($rule:tt)+) => {
         pub(crate) static RULE: $crate::Rule = $crate::rule::one! { $($rule)+ };
@@ -144,7 +144,7 @@ macro_rules! rule {
 }
 pub(crate) use rule;
 
-/// Declares the rules of a group that are a page each, for a look that groups share: a `static RULES` of what [`one!`] takes.
+/// Declares the rules of a group that use shared checks, with the fields of [`one!`]: a `static RULES`.
 macro_rules! demands {
     ($(
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;

@@ -1,4 +1,4 @@
-//! How grave the findings of rules are, where somebody says it otherwise than the rules.
+//! Severities that the user sets in place of those of the rules.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -6,21 +6,21 @@ use std::str::FromStr;
 
 use crate::diagnostic::{Findings, RuleInfo, Selection, Severity};
 
-/// What is made of the findings of a rule.
+/// The level of the findings of a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// They are not reported.
+    /// The findings are not reported.
     Off,
-    /// They are all this grave.
+    /// All findings have this severity.
     At(Severity),
 }
 
 impl Level {
-    /// All levels, from the mildest.
+    /// All levels, lowest first.
     pub const ALL: [Self; 4] =
         [Self::Off, Self::At(Severity::Note), Self::At(Severity::Warning), Self::At(Severity::Error)];
 
-    /// The word for it.
+    /// The name of the level.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -48,7 +48,7 @@ impl FromStr for Level {
 #[error("`{0}` is not a valid severity: `off`, `note`, `warning` or `error`")]
 pub struct UnknownLevel(pub String);
 
-/// The severities of findings that differ from those of their rules. What is set later counts more.
+/// Severities that the user sets in place of those of the rules. A later setting takes precedence.
 #[derive(Clone, Debug, Default)]
 pub struct Severities {
     rules: BTreeMap<&'static str, Level>,
@@ -58,7 +58,7 @@ pub struct Severities {
 }
 
 impl Severities {
-    /// Gives the findings of rules a level, whatever they had. A group that is set takes its rules with it.
+    /// Sets the level of the findings of rules. A group replaces the levels of its rules.
     pub fn set(&mut self, rules: Selection, level: Level) {
         match rules {
             Selection::Group(group) => {
@@ -76,7 +76,7 @@ impl Severities {
         self.only.push(rules);
     }
 
-    /// Takes over what `later` says.
+    /// Adds the settings of `later`, which take precedence.
     pub fn extend(&mut self, later: &Self) {
         let groups = &later.groups;
         self.rules.retain(|id, _| !groups.contains_key(group_of(id)));
@@ -87,7 +87,7 @@ impl Severities {
         }
     }
 
-    /// The level of a rule; `None` for one that findings have of their own.
+    /// The level of a rule; `None` if its findings keep their own severity.
     pub fn of(&self, rule: &RuleInfo) -> Option<Level> {
         self.of_id(rule.id)
     }
@@ -109,7 +109,7 @@ impl Severities {
         self.rules.get(id).or_else(|| self.groups.get(group_of(id))).copied()
     }
 
-    /// The findings as they are reported.
+    /// Applies the levels to findings.
     pub fn apply(&self, mut findings: Findings) -> Findings {
         if self.rules.is_empty() && self.groups.is_empty() && self.only.is_empty() {
             return findings;

@@ -1,10 +1,10 @@
-//! SRDOs: two objects read together (EN 50325-5, formerly CiA 304).
+//! SRDOs: the communication parameter and the mapping of each (EN 50325-5, formerly CiA 304).
 
 use crate::Facts;
 use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{CobId, Device, MappedObject, MappingSlot, Object};
 
-/// An SRDO: what its communication parameter and its mapping hold after the device was configured.
+/// An SRDO: the configured values of its communication parameter and its mapping.
 pub(crate) struct Srdo<'a> {
     /// Number, 1 to 64.
     pub number: u16,
@@ -14,12 +14,12 @@ pub(crate) struct Srdo<'a> {
     pub mapping: Option<&'a Object>,
     /// Sub-index 0 of the mapping.
     pub mapped_count: Option<u8>,
-    /// Sub-indexes 1 to 16 of the mapping that there are.
+    /// The described sub-indexes 1 to 16 of the mapping.
     pub slots: Vec<MappingSlot>,
 }
 
 impl<'a> Srdo<'a> {
-    /// The SRDOs that the description has an object for, by number.
+    /// The SRDOs with at least one described object, by number.
     pub(crate) fn all(device: &'a Device) -> Vec<Self> {
         if device.objects.range(0x1301..=0x13C0).next().is_none() {
             return Vec::new();
@@ -51,17 +51,17 @@ impl<'a> Srdo<'a> {
         0x1380 + self.number
     }
 
-    /// Index of the first of its objects that there is.
+    /// Index of the first described object.
     pub(crate) fn first_index(&self) -> u16 {
         if self.communication.is_some() { self.communication_index() } else { self.mapping_index() }
     }
 
-    /// What a sub-index of the communication parameter holds.
+    /// The value of a sub-index of the communication parameter.
     pub(crate) fn number(&self, sub: u8) -> Option<i128> {
         self.communication?.value(sub)?.as_integer()
     }
 
-    /// A COB-ID, sub-index 5 or 6, on the node of a DCF; `None` for a formula on no node.
+    /// A COB-ID, sub-index 5 or 6, for the node of a DCF; `None` for a formula without a node-ID.
     pub(crate) fn cob_id(&self, facts: &Facts<'_>, sub: u8) -> Option<i128> {
         let cob_id = CobId::from_value(self.communication?.value(sub)?.as_ref())?;
         let node_ids = facts.node_ids();
@@ -69,19 +69,19 @@ impl<'a> Srdo<'a> {
         is_known.then(|| i128::from(cob_id.on_node(*node_ids.start())))
     }
 
-    /// Whether it is sent or received.
+    /// Whether the SRDO is active: sent or received.
     pub(crate) fn is_on(&self) -> bool {
         matches!(self.number(1), Some(1 | 2))
     }
 
-    /// The entries in use with their sub-indexes.
+    /// The mapping entries in use with their sub-indexes.
     pub(crate) fn mapped(&self) -> impl Iterator<Item = (u8, MappedObject)> {
         let count = self.mapped_count.filter(|&count| count <= 16).unwrap_or(0);
         let used = self.slots.iter().take_while(move |slot| slot.sub <= count);
         used.filter_map(|slot| Some((slot.sub, slot.object?))).filter(|(_, object)| !object.is_unused())
     }
 
-    /// The entries in use, the plain one with the inverted one.
+    /// The mapping entries in use as pairs of the plain and the inverted one.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = ((u8, MappedObject), (u8, MappedObject))> {
         let inverted = |sub: u8| self.mapped().find(|(other, _)| *other == sub + 1);
         self.mapped()

@@ -1,10 +1,10 @@
-//! What stacks demand of a description, as findings.
+//! Findings for the requirements of stacks.
 
 use crate::canopennode::{self, Cause};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
 
-/// The demands of a kind that a device does not meet.
+/// Reports the requirements of one kind that a device does not meet.
 pub(crate) fn unmet(rule: &'static RuleInfo, cause: Cause, device: &Device, findings: &mut Findings) {
     for unmet in canopennode::unmet(device).into_iter().filter(|unmet| unmet.cause == cause) {
         findings.push(Diagnostic::new(rule, unmet.place, unmet.message).help(unmet.help));

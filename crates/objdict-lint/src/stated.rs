@@ -1,11 +1,11 @@
-//! What a description leaves no doubt about. A rule that builds on it is silent where a more basic rule has spoken.
+//! Unambiguous statements of a description. A rule that uses them reports nothing where a more basic rule has a finding.
 
 use std::cmp::Ordering;
 
 use crate::model::{Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
 
-/// The object type, VAR where it is missing. `None` where the text of `ObjectType` or `CompactSubObj` is no value of it,
-/// where the object has no section of its own, and where `ObjectType` is missing though the object has sub-indexes.
+/// The object type, VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a valid value,
+/// if the object has no section of its own, or if `ObjectType` is missing although the object has sub-indexes.
 pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
     let misfits = &object.main.misfits;
     let unreadable = !misfits.is_empty()
@@ -20,17 +20,17 @@ pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
     }
 }
 
-/// Whether an object has sub-indexes, or says so, whatever its object type.
+/// Whether an object has or states sub-indexes, regardless of its object type.
 pub(crate) fn is_structured(object: &Object) -> bool {
     !object.subs.is_empty() || object.compact.is_some() || object.sub_number.is_some_and(|number| number > 0)
 }
 
-/// Whether the device has an object: it is described, or listed, so that a missing section is reported.
+/// Whether the device has an object: described, or only listed, which has its own rule.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.objects.contains_key(&index) || device.lists.contains(index)
 }
 
-/// Whether the text of a field is no value of it, so that `cia306/invalid-value` has spoken.
+/// Whether the text of a field is not a valid value, which `cia306/invalid-value` reports.
 pub(crate) fn is_misfit(entry: &Entry, field: &Field) -> bool {
     !entry.misfits.is_empty() && entry.misfits.get(field).is_some()
 }
@@ -40,12 +40,12 @@ pub(crate) fn described_subs(object: &Object) -> usize {
     object.subs.len() - usize::from(object.subs.get(0xFF).is_some())
 }
 
-/// The node-IDs that formulas are tried with: that of the node, else the smallest and the largest.
+/// The node-IDs for which formulas are evaluated: that of the node, otherwise the lowest and the highest.
 pub(crate) fn node_ids(device: &Device) -> [u8; 2] {
     device.node_id().map_or([1, 127], |node_id| [node_id, node_id])
 }
 
-/// Compares two numbers on the node `node_id`; REAL in the width of the type. `None` for what is no number.
+/// Compares two numbers for the node `node_id`; REAL in the precision of the type. `None` if one is not a number.
 pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Ordering> {
     match (left, right) {
         (Value::Unsigned(left), Value::Unsigned(right)) => Some(left.cmp(right)),
@@ -56,7 +56,7 @@ pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Orderi
     }
 }
 
-/// The first of the node-IDs for which two numbers compare like `order`; numbers without a formula compare alike on all.
+/// The first of the node-IDs for which two numbers compare like `order`; only formulas depend on the node-ID.
 pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids: [u8; 2]) -> Option<u8> {
     let [first, last] = node_ids;
     let holds = |node_id| compare(left, right, node_id) == Some(order);
@@ -67,13 +67,13 @@ pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids:
     (is_formula && holds(last)).then_some(last)
 }
 
-/// Whether sub-index 0 counts something else than sub-indexes, or only those in use: the error history, the number of
+/// Whether sub-index 0 does not count all sub-indexes, or counts only those in use: the error history, the number of
 /// PDOs of version 3, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2, EN 50325-5).
 pub(crate) fn counts_otherwise(index: u16) -> bool {
     matches!(index, 0x1003 | 0x1004 | 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF | 0x1FA0..=0x1FFF)
 }
 
-/// Whether SDO can carry values of any length or structure only, so that no PDO can map them.
+/// Whether values of the type have variable length or a structure, so that they cannot be mapped to a PDO.
 pub(crate) fn is_unmappable(kind: TypeKind) -> bool {
     matches!(
         kind,

@@ -1,9 +1,9 @@
-//! What fixes add: lists of objects (CiA 306-1 §4.6.3.1) with what they lack, and sub-index 0.
+//! Additions by fixes: missing members of object lists (CiA 306-1 §4.6.3.1) and sub-index 0.
 
 use crate::diagnostic::{Change, Fix, MAX_FIX_LINES};
 use crate::model::{Field, Object, Part};
 
-/// A list with other members: where they belong in a list that is sorted, else at its end.
+/// A list with further members: in order if the list is sorted, otherwise at its end.
 pub(crate) fn with_members(list: &[u16], others: impl IntoIterator<Item = u16>) -> Vec<u16> {
     let is_sorted = list.is_sorted();
     let mut members = list.to_vec();
@@ -27,19 +27,19 @@ pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
     Change::Add(Part::Entry(index, 0), keys.to_vec())
 }
 
-/// The fixes of a rule that write lists anew. Each changes as many lines as its list has, and a hostile list is long: all of
-/// them together have a bound.
+/// The fixes of a rule that rewrite lists. Each changes as many lines as its list has, and a hostile list is long, so their
+/// total is limited.
 pub(crate) struct ListFixes {
     lines: usize,
 }
 
 impl ListFixes {
-    /// None yet.
+    /// A counter for the fixes of one rule.
     pub(crate) fn new() -> Self {
         Self { lines: MAX_FIX_LINES }
     }
 
-    /// The fix of one more finding, unless there are enough.
+    /// The fix of one more finding, unless the limit is reached.
     pub(crate) fn next(&mut self, list: &[u16], fix: impl FnOnce() -> Fix) -> Option<Fix> {
         self.lines = self.lines.checked_sub(list.len().max(1))?;
         Some(fix())

@@ -9,6 +9,8 @@
 //! 6206h and not 6207h        both; `or`, and brackets
 //! ```
 
+mod words;
+
 use std::borrow::Cow;
 use std::fmt;
 use std::ops::RangeInclusive;

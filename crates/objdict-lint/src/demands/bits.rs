@@ -1,12 +1,13 @@
-//! Values of bits beside what a document says of them.
+//! Bits of values, compared with a document.
 
 use super::Expected;
+use super::entries::alternatives;
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series};
 use crate::model::DataType;
 use crate::profile::{BitField, device_type_index};
 use crate::stated;
 
-/// Bits are set that the document gives no meaning.
+/// Bits are set that the document does not define.
 pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
     let reserved = value & !at.facts.bits().fold(0, |known, field| known | mask(&field));
@@ -16,7 +17,7 @@ pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings
     let bits: Vec<u32> = (0..64).filter(|bit| reserved >> bit & 1 == 1).collect();
     let (noun, verb, them) = if bits.len() == 1 { ("bit", "is", "it") } else { ("bits", "are", "them") };
     let document = at.document();
-    let message = say!("{} {} of {} {} set, {} reserves {}", noun, series(bits), at, verb, document, them);
+    let message = say!("{} {} of {} {} set; {} reserves {}", noun, series(bits), at, verb, document, them);
     let place = at.place().field(at.value_field());
     let digits =
         at.entry.data_type.and_then(DataType::bit_length).map_or(0, |bits| usize::from(bits).div_ceil(4));
@@ -25,7 +26,7 @@ pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings
     findings.push(finding.fix(Fix::risky(say!("write `{}`", cleared)).set(place, cleared)));
 }
 
-/// A group of bits has a value that the document gives no meaning, though it lists meanings.
+/// A group of bits has a value that is not among those that the document defines.
 pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
     for field in at.facts.bits().filter(|field| field.meanings().len() > 0) {
@@ -37,21 +38,20 @@ pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, 
             (first, last) => say!("bits {} to {}", first, last),
         };
         let message = say!(
-            "`{}` as {} ({} of {}) means nothing in {}",
+            "`{}` is not a value that {} defines for {} ({} of {})",
             field.of(value),
+            at.document(),
             field.name,
             bits,
-            at,
-            at.document()
+            at
         );
-        let known = field.meanings().map(|(range, meaning)| say!("{} {}", range.start(), meaning));
+        let known = field.meanings().map(|(range, meaning)| say!("{} ({})", range.start(), meaning));
         let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
-        findings.push(finding.help(say!("the document knows {}", series(known))));
+        findings.push(finding.help(say!("write {}", alternatives(known))));
     }
 }
 
-/// The value that has bits; `None` where another rule speaks of it, and of 1000h where the logical devices have types of
-/// their own.
+/// The value that has bits; `None` if another rule covers it, and for 1000h if each logical device has its own type.
 fn value(at: &Expected<'_>) -> Option<u64> {
     let against = &at.against;
     let is_type_of_all =

@@ -1,4 +1,4 @@
-//! What PDOs carry beside what a document says of it.
+//! Objects in PDOs, compared with a document.
 
 use super::Applied;
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
@@ -6,7 +6,7 @@ use crate::model::PdoKind;
 use crate::profile::Mapping;
 use crate::{Facts, Target};
 
-/// A PDO carries an entry that the document has for PDOs of the other direction, though its access type would allow it.
+/// A PDO maps an entry that the document defines for the other direction, although its access type allows it.
 pub(crate) fn mapped_in_wrong_direction(
     rule: &'static RuleInfo,
     facts: &Facts<'_>,
@@ -24,12 +24,12 @@ pub(crate) fn mapped_in_wrong_direction(
                 Some(Mapping::Rpdo) => PdoKind::Rpdo,
                 _ => continue,
             };
-            // what its own section forbids is reported as that
+            // what the entry itself forbids has another rule
             if right == pdo.pdo.kind || !entry.is_mappable() || !entry.fits_pdo(pdo.pdo.kind) {
                 continue;
             }
             let message = say!(
-                "{} carries {:04X}h:{:02X} ({}), {} has it for {}s",
+                "{} maps {:04X}h:{:02X} ({}), which {} defines for {}s",
                 pdo.pdo,
                 index,
                 sub,
@@ -39,7 +39,7 @@ pub(crate) fn mapped_in_wrong_direction(
             );
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
             let finding = Diagnostic::new(rule, place, message);
-            findings.push(finding.help(say!("map it into one of the {}s", right.name())));
+            findings.push(finding.help(say!("map the object to a {}", right.name())));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a document demands and the device does not have.
+//! Objects and sub-indexes that a document requires and the device lacks.
 
 use super::{Against, Applied};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
@@ -6,7 +6,7 @@ use crate::model::{Device, ObjectType, Part, Place};
 use crate::profile::{Need, index_in};
 use crate::{Facts, stated};
 
-/// Objects that the document demands are missing.
+/// Objects that the document requires are missing.
 pub(crate) fn missing_object(
     rule: &'static RuleInfo,
     facts: &Facts<'_>,
@@ -20,43 +20,44 @@ pub(crate) fn missing_object(
         if is_communication || !facts.is_demanded(device, applied.block) || is_there(device, index) {
             continue;
         }
-        let why = why(facts.need);
+        let condition = condition(facts.need, device, applied.block);
+        let document = applied.document();
         let message =
-            say!("{:04X}h ({}) is missing, {} demands it{}", index, facts.name, applied.document(), why);
+            say!("{:04X}h ({}) is missing; {} requires it{}", index, facts.name, document, condition);
         let place = Place::object(crate::profile::device_type_index(device, applied.block));
         findings.push(
-            Diagnostic::new(rule, place, message)
-                .help(say!("describe the object: `{}`", Part::Object(index))),
+            Diagnostic::new(rule, place, message).help(say!("add the object: `{}`", Part::Object(index))),
         );
     }
 }
 
-/// Whether an object is described, or another rule says that it should be, or something else may bring it.
+/// Whether an object is described, its absence has another rule, or a module may provide it.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.is_modular() || stated::is_there(device, index)
 }
 
-/// Why something is demanded, as the end of a message.
-fn why(need: Need<'_>) -> Text {
+/// When something is required, as the end of a message.
+fn condition(need: Need<'_>, device: &Device, block: u8) -> Text {
     match need {
-        Need::When(condition) => say!(" when `{}`", Text::from(condition.to_string())),
+        Need::When(condition) => say!(" when {}", Text::from(condition.in_words(device, block))),
         Need::Mandatory | Need::Optional => Text::default(),
     }
 }
 
-/// Sub-indexes that the document demands are missing.
+/// Sub-indexes that the document requires are missing.
 pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let is_structured = at.stated_type().is_some_and(ObjectType::has_subs);
     if !is_structured || !at.has_its_shape() || at.device.is_modular() {
         return;
     }
-    // sub-index 0 is the matter of a rule of its own
+    // sub-index 0 has its own rule
     let missing = at.facts.entries().filter(|facts| facts.first > 0 && !at.object.has(facts.first));
     for facts in missing.filter(|facts| facts.need.is_there(at.device, at.applied.block)) {
-        let why = why(facts.need);
+        let condition = condition(facts.need, at.device, at.applied.block);
         let (sub, document) = (facts.first, at.applied.document());
         let name = if facts.name.is_empty() { Text::default() } else { say!(" ({})", facts.name) };
-        let message = say!("{} has no sub-index {}{}, {} demands it{}", at, sub, name, document, why);
+        let message =
+            say!("{} is missing sub-index {}{}; {} requires it{}", at, sub, name, document, condition);
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
         findings.push(finding.help(say!("add `{}`", Part::Entry(at.index, sub))));
     }

@@ -1,6 +1,6 @@
-//! What is described beside what documents demand of it: one walk for the rules of all documents. A rule holds the
-//! device against the document of its own group (`cia401/…` against CiA 401, `house/…` against profiles that were
-//! loaded), so the rules of a group are a page each, and the looking is here.
+//! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the device with the
+//! document of its own group (`cia401/…` with CiA 401, `house/…` with custom profiles), so the groups contain only the
+//! rule pages, and the checks are here.
 
 mod bits;
 mod entries;
@@ -23,7 +23,7 @@ pub(crate) use objects::{
     different_channel_count, misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type,
 };
 
-/// A document that holds for a logical device.
+/// A document that applies to a logical device.
 #[derive(Clone, Copy)]
 pub(crate) struct Applied<'a> {
     pub profile: &'a Profile,
@@ -31,7 +31,7 @@ pub(crate) struct Applied<'a> {
     pub block: u8,
 }
 
-/// An object of the device beside what a document says of it.
+/// An object of the device and its definition in a document.
 #[derive(Clone, Copy)]
 pub(crate) struct Against<'a> {
     pub device: &'a Device,
@@ -41,7 +41,7 @@ pub(crate) struct Against<'a> {
     pub facts: ObjectFacts<'a>,
 }
 
-/// A described entry beside what a document says of it.
+/// A described entry and its definition in a document.
 #[derive(Clone, Copy)]
 pub(crate) struct Expected<'a> {
     pub against: Against<'a>,
@@ -51,7 +51,7 @@ pub(crate) struct Expected<'a> {
     pub facts: EntryFacts<'a>,
 }
 
-/// The documents that hold for a device: those for all devices, that of its device type, and those that were asked for.
+/// The documents that apply to a device: those for all devices, that of its device type, and those of the options.
 pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Applied<'a>> {
     let mut applied = Vec::new();
     let number = profile::number_of(device, 0);
@@ -72,7 +72,7 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
             applied.extend(of_number(block, profile::number_of(device, block)));
             continue;
         }
-        // several axes of one profile, though the device type does not say so
+        // several axes of one profile, although the device type does not state them
         let repeated = applied.iter().filter(|one| one.block == 0 && one.profile.repeats);
         let repeated = repeated.filter(|one| has_block(device, one.profile, block)).copied();
         let repeated: Vec<_> = repeated.map(|one| Applied { block, ..one }).collect();
@@ -81,13 +81,13 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
     applied
 }
 
-/// Whether the device has an object that the document gives a further logical device.
+/// Whether the device has an object that the document defines for a further logical device.
 fn has_block(device: &Device, profile: &Profile, block: u8) -> bool {
     let (first, last) = (profile::index_in(block, 0x6000), profile::index_in(block, 0x67FE));
     device.objects.range(first..=last).any(|(&index, _)| profile.object_in(block, index).is_some())
 }
 
-/// The objects of the device that a document says something of.
+/// The objects of the device that a document defines.
 pub(crate) fn against<'a>(device: &'a Device, applied: &Applied<'a>) -> impl Iterator<Item = Against<'a>> {
     let applied = *applied;
     device.objects.iter().filter_map(move |(&index, object)| {
@@ -104,8 +104,8 @@ impl Applied<'_> {
 }
 
 impl<'a> Against<'a> {
-    /// The described entries that the document says something of; what the sub-indexes of a compactly stored object share
-    /// counts as one entry. None where the object has not the shape that the document gives it.
+    /// The described entries that the document defines; the shared attributes of a compactly stored object count as one
+    /// entry. There are none if the structure of the object differs from the document.
     pub(crate) fn entries(self) -> impl Iterator<Item = Expected<'a>> {
         let object = self.object;
         let has_header = object.object_type().has_subs() && object.compact.is_none();
@@ -117,8 +117,8 @@ impl<'a> Against<'a> {
         })
     }
 
-    /// Whether the object has the shape that its facts speak of: sub-indexes, or a single value. What is said of one that
-    /// has not is the matter of the rules about object types.
+    /// Whether the object has the structure of its definition: sub-indexes or a single value. Rules about object types
+    /// report the difference.
     pub(crate) fn has_its_shape(&self) -> bool {
         let (object, facts) = (self.object, self.facts);
         let is_alike =
@@ -126,7 +126,7 @@ impl<'a> Against<'a> {
         !object.orphan && is_alike
     }
 
-    /// The object type, when nothing is in doubt.
+    /// The object type, if it is unambiguous.
     fn stated_type(&self) -> Option<crate::model::ObjectType> {
         stated::object_type(self.object)
     }
@@ -158,7 +158,7 @@ impl Expected<'_> {
         }
     }
 
-    /// Whether it is sub-index 0 of an object with sub-indexes: a number of entries, and the matter of rules of its own.
+    /// Whether it is sub-index 0 of an object with sub-indexes: the number of entries, which has its own rules.
     pub(crate) fn counts(&self) -> bool {
         self.sub == Some(0) && self.against.object.object_type().has_subs()
     }

@@ -1,11 +1,11 @@
-//! Objects beside what a document says of them.
+//! Objects, compared with a document.
 
 use super::Against;
 use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity, Text, counted, say};
 use crate::model::{DataType, Field, Object, ObjectType, Place};
 use crate::profile::index_in;
 
-/// The object type is another one.
+/// The object type differs.
 pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let (object, index) = (at.object, at.index);
     let (expected, found) = (at.facts.object_type(), object.object_type());
@@ -13,7 +13,7 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     if is_right || type_is_reported_elsewhere(at) {
         return;
     }
-    let message = say!("{} is of object type {}, {} makes it {}", at, found, at.applied.document(), expected);
+    let message = say!("{} has object type {}; {} requires {}", at, found, at.applied.document(), expected);
     let finding = Diagnostic::new(rule, Place::object(index).field(Field::ObjectType), message);
     let finding = finding.help(say!(
         "write `{}`",
@@ -23,7 +23,7 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     findings.push(if harmless { finding.severity(Severity::Warning) } else { finding });
 }
 
-/// Whether other rules have it: no object type at all, sub-indexes of a VAR, a VAR of type DOMAIN.
+/// Whether another rule reports the object type: a missing one, sub-indexes of a VAR, a VAR of type DOMAIN.
 fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
     let object = at.object;
     let is_var = object.object_type() == ObjectType::Var;
@@ -32,10 +32,10 @@ fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
         || (is_var && (!object.subs.is_empty() || is_domain))
 }
 
-/// There is a sub-index that the document does not define. Any may be, where it defines none, or adds to what another
-/// document says of the object, so that it does not say of what object type it is.
+/// The document does not define a sub-index. Any sub-index is allowed if the document defines none, or if it does not state
+/// the object type because it only adds to another document.
 pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    // a VAR with sub-indexes is the matter of another rule
+    // a VAR with sub-indexes has another rule
     let is_whole = at.facts.states_type() && at.facts.entries().len() > 0;
     if !at.has_its_shape() || !at.object.object_type().has_subs() || !is_whole {
         return;
@@ -43,13 +43,19 @@ pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, fin
     let highest = at.facts.highest_sub();
     let undefined = at.object.subs.iter().filter(|&(sub, _)| sub != 0xFF && at.facts.entry(sub).is_none());
     for (sub, _) in undefined {
-        let message = say!("{} has no sub-index {}, only up to {}", at, sub, highest);
+        let message = say!(
+            "{} does not define sub-index {} of {}; the highest is {}",
+            at.applied.document(),
+            sub,
+            at,
+            highest
+        );
         let finding = Diagnostic::new(rule, Place::entry(at.index, sub), message);
-        findings.push(finding.help("describe what is your own from 2000h on"));
+        findings.push(finding.help("move vendor-specific entries to 2000h to 5FFFh"));
     }
     if let Some(compact) = at.object.compact.as_ref().filter(|compact| compact.count > highest) {
         let message = say!(
-            "`{CompactSubObj}` gives {} {} sub-indexes, {} {}",
+            "`{CompactSubObj}` gives {} {} sub-indexes; {} defines {}",
             at,
             compact.count,
             at.applied.document(),
@@ -60,7 +66,7 @@ pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, fin
     }
 }
 
-/// Sub-index 0 states a number that the document does not allow.
+/// The document does not allow the highest sub-index.
 pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     if !at.has_its_shape() || !at.object.object_type().has_subs() {
         return;
@@ -71,17 +77,20 @@ pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, find
         return;
     }
     let range = facts.values.first().map_or((0, 0), |range| (*range.start(), *range.end()));
+    let document = at.applied.document();
     let message = match range {
         (low, high) if low == high => {
-            say!("`{}` as highest sub-index of {}, which has always {}", value, at, low)
+            say!("the highest sub-index of {} is `{}`; {} requires {}", at, value, document, low)
         }
-        (low, high) => say!("`{}` as highest sub-index of {}, which takes {} to {}", value, at, low, high),
+        (low, high) => {
+            say!("the highest sub-index of {} is `{}`; {} requires {} to {}", at, value, document, low, high)
+        }
     };
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
-    findings.push(finding.help("describe the entries of the object, or leave the object out"));
+    findings.push(finding.help("describe the entries of the object, or remove the object"));
 }
 
-/// Whether another rule has it: the sub-indexes are too many or too few, or others than sub-index 0 says.
+/// Whether another rule reports the object: too many or too few sub-indexes, or a wrong sub-index 0.
 fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
     let (object, facts) = (at.object, at.facts);
     let highest = object.highest_sub().unwrap_or(0);
@@ -92,22 +101,22 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
     differs || highest > facts.highest_sub() || (has_rule && missing) || object.compact.is_some()
 }
 
-/// The object is there, though the document has it for other devices only.
+/// The object is described, but the document defines it only for other devices.
 pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let Some(only) = at.facts.only.filter(|_| !at.object.orphan) else { return };
     if only.holds(at.device, at.applied.block) == Some(false) {
         let message = say!(
-            "{} is for devices with `{}` only, says {}",
+            "{} defines {} only for devices where {}",
+            at.applied.document(),
             at,
-            Text::from(only.to_string()),
-            at.applied.document()
+            Text::from(only.in_words(at.device, at.applied.block))
         );
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
-        findings.push(finding.help("leave the object out, or correct what the device says of itself"));
+        findings.push(finding.help("remove the object, or correct the entry that the condition refers to"));
     }
 }
 
-/// The object has another number of elements than those that it goes with.
+/// The object has a different number of elements than the objects it belongs to.
 pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let facts = at.facts;
     if facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
@@ -122,22 +131,21 @@ pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>,
     let is_alike = others.iter().any(|&(_, number)| number.is_none_or(|number| number == own));
     let Some(&(index, Some(number))) = others.first().filter(|_| !is_alike) else { return };
     let message =
-        say!("{} has {}, {:04X}h has {}", at, counted(own.into(), "element", "elements"), index, number);
+        say!("{} has {}, but {:04X}h has {}", at, counted(own.into(), "element", "elements"), index, number);
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
     let finding =
         finding.label(at.device.value_place(index, 0), counted(number.into(), "element", "elements"));
     findings.push(finding.help(say!("describe {}", counted(number.into(), "element", "elements"))));
 }
 
-/// The number of elements, when sub-index 0 and the description agree about it. That there are none is the matter of
-/// another rule.
+/// The number of elements if sub-index 0 and the description agree. A missing number has another rule.
 fn count(object: &Object) -> Option<u8> {
     let number = object.value(0)?.as_integer()?;
     let highest = object.highest_sub()?;
     (number == i128::from(highest) && highest > 0 && !object.orphan).then_some(highest)
 }
 
-/// A fix that gives a field the value that the document demands. Somebody should look whether the device is so.
+/// A fix that writes the value that the document requires. The device may differ, so the user has to check it.
 pub(super) fn set(place: Place, field: Field, value: String) -> Fix {
     Fix::risky(say!("write `{}`", Argument::setting(&field, &value))).set(place.field(field), value)
 }

@@ -1,4 +1,4 @@
-//! Count labels: which service of CANopenNode an object belongs to.
+//! Count labels: the service of CANopenNode that an object belongs to.
 
 use std::collections::BTreeMap;
 
@@ -60,7 +60,7 @@ impl Counters {
     }
 }
 
-/// The label of an object: that of the description, which may be none, else that of its index.
+/// The label of an object: that of the description, which may be empty, otherwise that of its index.
 fn label(index: u16, object: &Object) -> Option<String> {
     let stated = object.main.stack.as_ref().and_then(|stack| stack.count_label.as_deref());
     if let Some(stated) = stated {

@@ -1,8 +1,8 @@
-//! What CANopenNode 4 demands of an object dictionary, told before its compiler or its start does.
+//! The requirements of CANopenNode 4 on an object dictionary, checked before compilation and startup.
 //!
-//! The stack takes its services from an object dictionary that is compiled in: it counts the objects of each service, takes
-//! those of a range by going on from the first, and reads entries in the width that it expects. One function finds what is
-//! wrong; the rules of the group `portability` and the generator of the target `canopennode` both ask it.
+//! The stack derives its services from an object dictionary that is compiled in: it counts the objects of each service,
+//! accesses those of a range consecutively from the first, and reads entries with a fixed length. One function finds unmet
+//! requirements for both the rules of the group `portability` and the generator of the target `canopennode`.
 
 mod labels;
 
@@ -10,53 +10,53 @@ use crate::model::{DataType, Device, Object, Place};
 
 pub use labels::Counters;
 
-/// A demand that a description does not meet.
+/// A requirement that a description does not meet.
 #[derive(Debug)]
 pub struct Unmet {
-    /// What kind of demand it is.
+    /// The kind of requirement.
     pub cause: Cause,
-    /// Where.
+    /// The place in the description.
     pub place: Place,
-    /// What is wrong, in the words of a finding.
+    /// The message of the finding.
     pub message: String,
-    /// What to do.
+    /// The help of the finding.
     pub help: String,
 }
 
-/// What kind of demand it is.
+/// The kind of requirement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// There is no object that the stack cannot be compiled without.
+    /// An object is missing without which the stack does not compile.
     Missing,
-    /// There is no error history.
+    /// The error history is missing.
     NoHistory,
-    /// There are too many objects or elements for a service.
+    /// A service has too many objects or elements.
     Count,
-    /// The objects of a service do not follow each other.
+    /// The objects of a service are not consecutive.
     Gap,
-    /// An entry is missing or has another size than the stack reads.
+    /// An entry is missing or has a different size than the stack reads.
     Entry,
-    /// A PDO carries bits.
+    /// A PDO maps single bits.
     Bits,
 }
 
 impl Cause {
-    /// What comes of it, behind "CANopenNode: ".
+    /// The effect, after "CANopenNode: ".
     pub const fn effect(self) -> &'static str {
         match self {
-            Self::Missing | Self::Count => "the stack does not compile with it",
-            Self::NoHistory => "it does not start, unless it is configured without the history of errors",
-            Self::Gap => "it does not compile, or takes other objects instead",
-            Self::Entry => "it does not start, or the service does not work",
-            Self::Bits => "the PDO is not valid, unless the stack is configured for the mapping of bits",
+            Self::Missing | Self::Count => "the stack does not compile",
+            Self::NoHistory => "the stack does not start unless it is configured without the error history",
+            Self::Gap => "the stack does not compile, or uses other objects instead",
+            Self::Entry => "the stack does not start, or the service does not work",
+            Self::Bits => "the PDO is not valid unless the stack is configured for mapping of single bits",
         }
     }
 }
 
-/// Services that the stack has exactly once.
+/// Services that the stack requires exactly once.
 const ONCE: [(&str, u16); 4] = [("NMT", 0x1000), ("EM", 0x1001), ("EM_PROD", 0x1014), ("HB_PROD", 0x1017)];
 
-/// The most objects of a service. Of PDOs there may be 512, but the stack counts them in a byte.
+/// The maximum number of objects of a service. CANopen allows 512 PDOs, but the stack counts them in a byte.
 const MOST: [(&str, usize); 9] = [
     ("SYNC", 1),
     ("TIME", 1),
@@ -69,7 +69,7 @@ const MOST: [(&str, usize); 9] = [
     ("TPDO", 255),
 ];
 
-/// Where the objects of a service begin, one after the other.
+/// The first of the consecutive objects of a service.
 const RANGES: [(&str, u16); 8] = [
     ("SDO_SRV", 0x1200),
     ("SDO_CLI", 0x1280),
@@ -81,10 +81,10 @@ const RANGES: [(&str, u16); 8] = [
     ("TPDO", 0x1A00),
 ];
 
-/// The most elements of 1016h.
+/// The maximum number of elements of 1016h.
 const MOST_CONSUMERS: usize = 127;
 
-/// Entries that the stack reads: first and last index, sub-index, bytes, and whether the entry may be missing.
+/// Entries that the stack reads: first and last index, sub-index, length in bytes, and whether the entry is optional.
 const ENTRIES: &[(u16, u16, u8, u8, bool)] = &[
     (0x1001, 0x1001, 0, 1, false),
     (0x1005, 0x1005, 0, 4, false),
@@ -121,7 +121,7 @@ fn is_disabled(object: &Object) -> bool {
     object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true))
 }
 
-/// Everything that a device lacks; nothing of one that has no objects at all.
+/// All unmet requirements of a device; none if the device has no objects at all.
 pub fn unmet(device: &Device) -> Vec<Unmet> {
     let dictionary = Wanted { device, counters: Counters::new(objects(device)), unmet: Vec::new() };
     if device.objects.is_empty() { Vec::new() } else { dictionary.all() }
@@ -160,29 +160,34 @@ impl Wanted<'_> {
                         Cause::Missing,
                         Place::object(index),
                         message,
-                        "remove the label that the object has",
+                        "remove the count label of the object",
                     );
                 }
                 [] => self.missing(index, format!("{index:04X}h is missing")),
                 [_] => {}
                 [_, second, ..] => {
-                    let message = format!("a second object has the count label `{label}`");
-                    self.push(Cause::Count, Place::object(*second), message, "leave it to one object");
+                    let message = format!("more than one object has the count label `{label}`");
+                    self.push(
+                        Cause::Count,
+                        Place::object(*second),
+                        message,
+                        "remove the count label from all objects but one",
+                    );
                 }
             }
         }
         for (label, most) in MOST {
             if let Some(&index) = self.counters.of(label).get(most) {
-                let message = format!("there are more than {most} objects with the count label `{label}`");
-                self.push(Cause::Count, Place::object(index), message, "describe fewer of them");
+                let message = format!("more than {most} objects have the count label `{label}`");
+                self.push(Cause::Count, Place::object(index), message, "describe fewer objects");
             }
         }
         if self.counters.count("SYNC") > 0 && self.object(0x1006).is_none() {
-            let help = "describe 1006h; a period of 0 switches the production of SYNC off";
+            let help = "describe 1006h; a period of 0 disables the SYNC producer";
             self.push(
                 Cause::Missing,
                 Place::object(0x1005),
-                "1006h is missing beside 1005h".to_owned(),
+                "1005h is described without 1006h".to_owned(),
                 help,
             );
         }
@@ -193,28 +198,27 @@ impl Wanted<'_> {
         let consumers =
             self.object(0x1016).map(|object| object.entries().filter(|(sub, _)| *sub > 0).count());
         if let Some(consumers) = consumers.filter(|consumers| !(1..=MOST_CONSUMERS).contains(consumers)) {
-            let message =
-                format!("1016h has {consumers} elements, of 1 to {MOST_CONSUMERS} that it may have");
+            let message = format!("1016h has {consumers} elements instead of 1 to {MOST_CONSUMERS}");
             self.push(
                 Cause::Count,
                 Place::object(0x1016),
                 message,
-                "describe as many as there are consumers",
+                "describe one element for each monitored node",
             );
         }
     }
 
     fn missing(&mut self, index: u16, message: String) {
-        let help = format!("describe {index:04X}h, for the stack is built around it");
+        let help = format!("describe {index:04X}h, which the stack requires");
         self.push(Cause::Missing, Place::device(), message, help);
     }
 
-    /// Objects that the stack takes one after the other, as many as there are of the service.
+    /// Objects that the stack accesses consecutively, by the number of objects of the service.
     fn ranges(&mut self) {
         let mut told = "";
         for (label, first) in RANGES {
             if told == label {
-                continue; // mappings that are missing beside what they belong to
+                continue; // mappings whose communication parameters are missing too
             }
             let of_label = self.counters.of(label).len();
             let Some(missing) = (first..).take(of_label).find(|&index| self.object(index).is_none()) else {
@@ -229,9 +233,9 @@ impl Wanted<'_> {
                 _ if (0x1381..0x1400).contains(&first) => {
                     format!("{missing:04X}h is missing, the mapping of an SRDO")
                 }
-                _ => format!("{missing:04X}h is missing, although there is {last:04X}h"),
+                _ => format!("{missing:04X}h is missing, but {last:04X}h is described"),
             };
-            let help = "number the objects of a service without a gap, each with its mapping";
+            let help = "number the objects of a service consecutively, each with its mapping";
             self.push(Cause::Gap, Place::object(last), message, help);
         }
     }
@@ -261,14 +265,14 @@ impl Wanted<'_> {
             else {
                 continue;
             };
-            let message = format!("{pdo} carries single bits");
+            let message = format!("{pdo} maps single bits");
             let place = Place::entry(pdo.mapping_index(), slot.sub);
             self.push(Cause::Bits, place, message, "map entries of whole bytes");
         }
     }
 }
 
-/// What is wrong with an entry that the stack reads as a number of so many bytes.
+/// The unmet requirement of an entry that the stack reads as a number of `bytes` bytes.
 fn entry(index: u16, object: &Object, sub: u8, bytes: u8, optional: bool) -> Option<Unmet> {
     let unmet = |place, message, help: String| Some(Unmet { cause: Cause::Entry, place, message, help });
     let Some(entry) = object.entry(sub) else {
@@ -276,12 +280,12 @@ fn entry(index: u16, object: &Object, sub: u8, bytes: u8, optional: bool) -> Opt
         let help = format!("describe the entry with {bytes} {}", plural(bytes));
         return if optional { None } else { unmet(Place::object(index), message, help) };
     };
-    let length = entry.data_type.and_then(DataType::byte_length)?; // what has no type is told by another rule
+    let length = entry.data_type.and_then(DataType::byte_length)?; // a missing type has another rule
     if length == bytes {
         return None;
     }
-    let message = format!("the entry has {length} {} and is read as a number of {bytes}", plural(length));
-    unmet(Place::entry(index, sub), message, format!("give it a type of {bytes} {}", plural(bytes)))
+    let message = format!("the entry has {length} {}, but the stack reads {bytes}", plural(length));
+    unmet(Place::entry(index, sub), message, format!("use a data type of {bytes} {}", plural(bytes)))
 }
 
 fn plural(bytes: u8) -> &'static str {

@@ -7,10 +7,10 @@ use crate::{CobIdUse, Facts, Service, rule};
 rule! {
     "cia301/cob-id-collision", Error, Facts(check);
     summary: "two services of the device use the same CAN-ID",
-    checks: "Whether any two of SYNC, TIME, EMCY, SDO channels and PDOs that are in use send under the same CAN-ID, or receive under the same CAN-ID. A formula is evaluated for every node-ID in an EDS, for the node in a DCF. Two RPDOs that receive the same frame are a warning, for that can be meant.",
-    why: "A receiver cannot tell the frames apart; a device that gets one does with it what it should do with the other.",
+    checks: "Whether two active services among SYNC, TIME, EMCY, SDO channels and PDOs transmit with the same CAN-ID or receive with the same CAN-ID. A formula is evaluated for every node-ID in an EDS and for the node of a DCF. Two RPDOs that receive the same frame are a warning, because this can be intended.",
+    why: "A receiver cannot distinguish the frames: data for one service is processed by the other.",
     example: "`[1400sub1]` and `[1401sub1]`, both with `DefaultValue=$NODEID+0x200`",
-    remedy: "Give each its own CAN-ID: the predefined connection set has one for each of the first four PDOs of a direction.",
+    remedy: "Give each service its own CAN-ID. The predefined connection set has one for each of the first four PDOs in each direction.",
     source: "CiA 301 §7.3.3, §7.3.5",
 }
 
@@ -19,13 +19,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut per_node: BTreeMap<Key, &CobIdUse> = BTreeMap::new();
     let is_looked_at = |cob_id: &&CobIdUse| {
         let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
-        // a number that lacks the node-ID, or that belongs to another service, is reported as that
+        // a missing node-ID and a restricted CAN-ID have their own rules
         is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
     };
     for cob_id in facts.cob_ids.iter().filter(is_looked_at) {
         let node = facts.device.node_id();
         let key = Key::new(cob_id, node.unwrap_or(0));
-        // on a known node every COB-ID is a number
+        // with a known node-ID every formula is a number
         let map =
             if cob_id.cob_id.depends_on_node_id() && node.is_none() { &mut per_node } else { &mut fixed };
         match map.get(&key) {
@@ -44,7 +44,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// What may be there once. Formulas on no node are compared by their number.
+/// What must be unique. Without a node-ID, formulas are compared by their offset.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     is_sent: bool,
@@ -65,16 +65,16 @@ impl Key {
 
 fn collision(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Option<u8>) -> Diagnostic {
     let place = |cob_id: &CobIdUse| facts.device.value_place(cob_id.index, cob_id.sub);
-    let does = if second.is_sent() { "send" } else { "receive" };
+    let does = if second.is_sent() { "transmit" } else { "receive" };
     let on_node = match node {
         Some(node) if facts.device.node_id().is_none() => say!(" on node {}", node),
         _ => Text::default(),
     };
     let (one, other) = (first.service, second.service);
-    let message = say!("{} and {} {} under the same CAN-ID `{}`{}", other, one, does, second.cob_id, on_node);
+    let message = say!("{} and {} both {} with CAN-ID `{}`{}", other, one, does, second.cob_id, on_node);
     let finding = Diagnostic::new(&RULE.info, place(second), message)
-        .label(place(first), say!("{} has it here", one))
-        .help("give each its own CAN-ID, or set bit 31 to switch one off");
+        .label(place(first), say!("{} uses it here", one))
+        .help("give each service its own CAN-ID, or set bit 31 to mark one of them as not valid");
     let is_rpdo = |service| matches!(service, Service::Pdo(PdoKind::Rpdo, _));
     if is_rpdo(one) && is_rpdo(other) { finding.severity(Severity::Warning) } else { finding }
 }

@@ -4,9 +4,9 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/cob-id-not-predefined", Warning, Pdo(check);
-    summary: "one of the first four PDOs has another default CAN-ID than the predefined connection set",
-    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that bit 31 switches off, and numbers that only lack the node-ID, are not looked at; nor is a DCF, which says what a node is configured to.",
-    why: "A simple network works without configuration because everybody keeps to these identifiers. A device that does not may use the CAN-ID of another node.",
+    summary: "the default CAN-ID of one of the first four PDOs differs from the predefined connection set",
+    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that are not valid (bit 31) and numbers with a missing node-ID are not checked. A DCF is not checked either: it holds the configuration of a node.",
+    why: "A simple network works without configuration because all devices use these identifiers. A device that does not may use the CAN-ID of another node.",
     example: "`[1401sub1]` with `DefaultValue=$NODEID+0x200`",
     remedy: "Write the CAN-ID of the predefined connection set.",
     source: "CiA 301 §7.3.5, §7.5.2.35 table 67, §7.5.2.37 table 71",
@@ -22,7 +22,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     };
     let entry = pdo.pdo.communication.and_then(|object| object.subs.get(1));
     let is_configured = entry.is_none_or(|entry| entry.configured_value().is_some());
-    // a CAN-ID that lacks the node-ID, or belongs to another service, is reported as that
+    // a missing node-ID and a restricted CAN-ID have their own rules
     let is_reported = facts.base_without_node_id(&cob_id).is_some() || facts.is_restricted(&cob_id);
     if facts.device.kind == DeviceKind::Node || is_configured || is_reported {
         return;
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (cob_id, expected) = (cob_id.cob_id, predefined::per_node(base));
     if !cob_id.depends_on_node_id() || cob_id.can_id(0) != expected.can_id(0) {
         let message =
-            say!("`{}` as default COB-ID of {}, for which CiA 301 has `{}`", cob_id, pdo.pdo, expected);
+            say!("the default COB-ID of {} is `{}`; CiA 301 defines `{}`", pdo.pdo, cob_id, expected);
         let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
         let flags = cob_id.number() & CobId::BIT_30;
         let finding = Diagnostic::new(&RULE.info, place, message);

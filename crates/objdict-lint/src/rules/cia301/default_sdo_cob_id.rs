@@ -4,9 +4,9 @@ use crate::{Facts, Service, rule};
 
 rule! {
     "cia301/default-sdo-cob-id", Error, Facts(check), fix Unsafe;
-    summary: "the default SDO has another CAN-ID than CiA 301 gives it",
+    summary: "the CAN-ID of the default SDO differs from CiA 301",
     checks: "Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.",
-    why: "The default SDO is how everybody reaches the device; its CAN-IDs cannot be changed. A tool that believes the description talks to nobody, or to another node.",
+    why: "Every tool reaches the device through the default SDO, and its CAN-IDs cannot be changed. A tool that uses the CAN-IDs of the description gets no answer, or addresses another node.",
     example: "`[1200sub1]` with `DefaultValue=0x600`",
     remedy: "Write `$NODEID+0x600` and `$NODEID+0x580`.",
     source: "CiA 301 §7.5.2.33, §7.3.5",
@@ -26,9 +26,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         if !is_right {
             let message = say!(
-                "`{}` as COB-ID of the default SDO {}, which is always `{}`",
-                cob_id.cob_id,
+                "the COB-ID of the default SDO {} is `{}`; it must be `{}`",
                 direction,
+                cob_id.cob_id,
                 expected
             );
             let place = facts.device.value_place(cob_id.index, cob_id.sub);

@@ -3,11 +3,11 @@ use crate::{Facts, Service, rule};
 
 rule! {
     "cia301/emergency-consumer-of-other-node", Warning, Facts(check);
-    summary: "an entry of the EMCY consumer listens to another node",
-    checks: "Whether each COB-ID of 1028h that is in use and lies in 81h to FFh is 80h plus its sub-index, which is the node-ID of the node that sends it, and whether none of a DCF is that of the node itself.",
-    why: "The device takes the error of one node for that of another.",
+    summary: "an EMCY consumer entry uses the COB-ID of another node",
+    checks: "Whether each valid COB-ID of 1028h between 81h and FFh is 80h plus its sub-index, which is the node-ID of the producer, and whether no entry of a DCF refers to the node itself.",
+    why: "The device attributes the error of one node to another.",
     example: "`[1028sub5]` with `DefaultValue=0x86`",
-    remedy: "Write 80h plus the sub-index, or set bit 31 to listen to nobody.",
+    remedy: "Write 80h plus the sub-index, or set bit 31 to disable the entry.",
     source: "CiA 301 §7.5.2.31",
 }
 
@@ -25,19 +25,19 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let message = if can_id != 0x80 + node {
             let sub = sub_index(consumer.sub);
             say!(
-                "sub-index {} of 1028h is for node {}, and `{}` is of node {}",
+                "sub-index {} of 1028h is for node {}, but `{}` is the EMCY of node {}",
                 sub,
                 node,
                 consumer.cob_id,
                 can_id - 0x80
             )
         } else if facts.device.node_id() == Some(consumer.sub) {
-            say!("sub-index {} of 1028h makes node {} listen to its own EMCY", sub_index(consumer.sub), node)
+            say!("sub-index {} of 1028h makes node {} consume its own EMCY", sub_index(consumer.sub), node)
         } else {
             continue;
         };
         let place = facts.device.value_place(consumer.index, consumer.sub);
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help("write 80h plus the sub-index, or set bit 31 to listen to nobody"));
+        findings.push(finding.help("write 80h plus the sub-index, or set bit 31 to disable the entry"));
     }
 }

@@ -4,9 +4,9 @@ use crate::{Facts, Service, rule};
 
 rule! {
     "cia301/emergency-disabled", Warning, Facts(check), fix Unsafe;
-    summary: "the emergency object is switched off by default though the device has it",
-    checks: "Whether bit 31 of 1014h is clear on a device with 1015h, the inhibit time of EMCY, in an EDS.",
-    why: "Bit 31 says that EMCY does not exist. The bit of SYNC and TIME at that place says another thing, so it is easily set by mistake, and then no error of the device reaches the network.",
+    summary: "the EMCY object is not valid by default although the device supports it",
+    checks: "Whether bit 31 of 1014h is clear in an EDS with 1015h, the inhibit time of EMCY.",
+    why: "Bit 31 marks EMCY as not valid. It has another meaning for SYNC and TIME, so it is easily set by mistake; no error of the device then reaches the network.",
     example: "`[1014]` with `DefaultValue=$NODEID+0x80000080`",
     remedy: "Clear bit 31: `$NODEID+0x80`.",
     source: "CiA 301 §7.5.2.17",
@@ -19,14 +19,14 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     else {
         return;
     };
-    // a configuration may switch it off on purpose
+    // a configuration may disable EMCY on purpose
     if device.object(0x1014).is_some_and(|object| object.main.configured_value().is_some()) {
         return;
     }
-    let message = say!("bit 31 of `{}` says that the device has no EMCY", emcy.cob_id);
+    let message = say!("bit 31 of `{}` marks EMCY as not valid", emcy.cob_id);
     let place = device.value_place(0x1014, 0);
     let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
-    let finding = finding.label(Place::object(0x1015), "its inhibit time is here");
+    let finding = finding.label(Place::object(0x1015), "the inhibit time of EMCY");
     findings.push(finding.help("clear bit 31: `$NODEID+0x80`"));
 }

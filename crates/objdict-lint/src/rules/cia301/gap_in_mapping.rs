@@ -5,10 +5,10 @@ use crate::{Facts, PdoFacts, rule};
 rule! {
     "cia301/gap-in-mapping", Note, Pdo(check);
     summary: "the sub-indexes of a PDO mapping have a gap",
-    checks: "Whether the described sub-indexes of each PDO mapping beyond those in use follow each other. A gap among those in use is an error of its own.",
-    why: "Objects are mapped in the order of the sub-indexes without gap, so those behind the gap can never be used.",
-    example: "`[1A00sub1]` and `[1A00sub3]`, and no `[1A00sub2]`",
-    remedy: "Describe the missing sub-index, or remove those behind it.",
+    checks: "Whether the described sub-indexes of each PDO mapping beyond those in use are consecutive. A gap among those in use has its own rule.",
+    why: "Objects are mapped in consecutive sub-indexes, so the sub-indexes after a gap cannot be used.",
+    example: "`[1A00sub1]` and `[1A00sub3]` without `[1A00sub2]`",
+    remedy: "Describe the missing sub-index, or remove those after the gap.",
     source: "CiA 301 §7.5.2.36, table 69",
 }
 
@@ -24,7 +24,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     }
     let index = pdo.mapping_index();
     let message =
-        say!("{:04X}h has sub-index {}, and no sub-index {}", index, sub_index(slot.sub), sub_index(missing));
+        say!("{:04X}h has sub-index {} but no sub-index {}", index, sub_index(slot.sub), sub_index(missing));
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, slot.sub), message);
-    findings.push(finding.help(say!("add `{}`, or remove those behind it", Part::Entry(index, missing))));
+    findings.push(finding.help(say!("add `{}`, or remove the sub-indexes after it", Part::Entry(index, missing))));
 }

@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/granularity-against-access", Warning, Facts(check), fix Unsafe;
-    summary: "the granularity says one thing about the PDO mapping, its access types another",
-    checks: "Whether `Granularity` is 0 when no PDO mapping can be written, and not 0 when one can. A mapping that can be written in part only is the matter of another rule.",
-    why: "Tools look at `Granularity` to know whether the mapping can be changed at all: with 0 they do not let the user change what could be changed, else they let him and the device refuses.",
+    summary: "`Granularity` contradicts the access types of the PDO mappings",
+    checks: "Whether `Granularity` is 0 if no PDO mapping is writable, and not 0 if one is. A partly writable mapping has its own rule.",
+    why: "Tools read `Granularity` to decide whether the mapping can be changed. With 0 they do not offer the change; with another value they offer a change that the device rejects.",
     example: "`Granularity=0`, and `[1A00sub0]` and `[1A00sub1]` with `AccessType=rw`",
-    remedy: "Write 0 for a fixed mapping, 8 for one of whole bytes, 1 for one of single bits.",
+    remedy: "Write 0 for a fixed mapping, 8 for a mapping of whole bytes, 1 for a mapping of single bits.",
     source: "CiA 306-1 §4.5",
 }
 
@@ -20,17 +20,17 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let (message, help, related) = match granularity {
         0 => {
             let Some((pdo, _)) = known.iter().find(|(_, writable)| *writable) else { return };
-            let message = "`0` says that the PDO mapping is fixed, and it can be written".into();
+            let message = "`0` means a fixed PDO mapping, but the mapping is writable".into();
             let help =
-                say!("write `{Granularity=8}` for a mapping of whole bytes, or make the mapping `const`");
-            (message, help, (pdo, "can be written"))
+                say!("write `{Granularity=8}` if whole bytes can be mapped, or make the mapping `const`");
+            (message, help, (pdo, "this mapping is writable"))
         }
         _ => {
             let all_fixed = known.len() == facts.pdos.len() && known.iter().all(|(_, writable)| !writable);
             let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
             let message =
-                say!("`{}` says that the PDO mapping can be changed, and none can be written", granularity);
-            (message, say!("write `{Granularity=0}` for a fixed mapping"), (pdo, "cannot be written"))
+                say!("`{}` means a changeable PDO mapping, but no mapping is writable", granularity);
+            (message, say!("write `{Granularity=0}` for a fixed mapping"), (pdo, "this mapping is not writable"))
         }
     };
     let place = Place::of(Part::DeviceInfo).field(Field::Granularity);
@@ -42,7 +42,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     findings.push(finding.label(Place::object(pdo.mapping_index()), text));
 }
 
-/// Whether all of a mapping can be written; `None` where that is not said, or true of a part only.
+/// Whether the whole mapping is writable; `None` if its access types are not stated or differ.
 fn is_writable(object: &Object) -> Option<bool> {
     let mut accesses = object.entries().filter(|(sub, _)| *sub <= 64);
     // sub-index 0 of a compactly stored mapping is read-only by definition

@@ -3,11 +3,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia301/half-set-life-guarding", Warning, Facts(check);
-    summary: "life guarding has one of its two values",
-    checks: "Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both more. A heartbeat time makes them meaningless.",
-    why: "The node watches its master for the product of the two. With a 0 among them it watches nobody, though the other one looks as if it did.",
+    summary: "life guarding has only one of its two values",
+    checks: "Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both greater than 0. With a heartbeat time they have no effect and are not checked.",
+    why: "The node life time is the product of the two. If one is 0, the node does not monitor its master although the other value suggests it.",
     example: "`[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=0`",
-    remedy: "Write both, or 0 into both.",
+    remedy: "Write both values, or 0 to both.",
     source: "CiA 301 §7.5.2.11, §7.5.2.12",
 }
 
@@ -19,8 +19,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
     let (set, zero) = if time == 0 { (0x100D, 0x100C) } else { (0x100C, 0x100D) };
     let message =
-        say!("the guard time is {} ms and the life time factor {}: nobody is watched", time, factor);
+        say!("the guard time is {} ms and the life time factor is {}, so life guarding is off", time, factor);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(zero, 0), message)
-        .label(facts.device.value_place(set, 0), "the other one is set");
-    findings.push(finding.help("write both 100Ch and 100Dh, or 0 into both"));
+        .label(facts.device.value_place(set, 0), "this value is set");
+    findings.push(finding.help("set both 100Ch and 100Dh, or write 0 to both"));
 }

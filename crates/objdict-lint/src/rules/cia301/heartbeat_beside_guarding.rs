@@ -3,11 +3,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia301/heartbeat-beside-guarding", Warning, Facts(check);
-    summary: "heartbeat and node guarding are both switched on",
-    checks: "Whether 1017h, the heartbeat time, is 0 where 100Ch, the guard time, and 100Dh, the life time factor, are not.",
-    why: "A node does one or the other: with a heartbeat time it sends heartbeats and answers no guarding, and life guarding then sees a master that has gone.",
+    summary: "heartbeat and life guarding are both enabled",
+    checks: "Whether 1017h, the heartbeat time, is 0 if 100Ch, the guard time, and 100Dh, the life time factor, are not.",
+    why: "A node supports only one of them at a time. With a heartbeat time it sends heartbeats and does not answer guarding requests, so life guarding reports a lost master.",
     example: "`[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`",
-    remedy: "Write 0 into 100Ch and 100Dh.",
+    remedy: "Write 0 to 100Ch and 100Dh.",
     source: "CiA 301 §7.2.8.2, §7.5.2.20",
 }
 
@@ -17,9 +17,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     let place = |index| facts.device.value_place(index, 0);
-    let message = "the guard time is set beside a heartbeat time, and a node does not do both";
+    let message = "guard time and heartbeat time are both set, but a node uses only one of them";
     let finding = Diagnostic::new(&RULE.info, place(0x100C), message)
         .label(place(0x1017), "the heartbeat time")
         .label(place(0x100D), "the life time factor");
-    findings.push(finding.help("write 0 into 100Ch and 100Dh, or into 1017h"));
+    findings.push(finding.help("write 0 to 100Ch and 100Dh, or to 1017h"));
 }

@@ -3,11 +3,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia301/invalid-cob-id", Error, Facts(check), fix Unsafe;
-    summary: "a COB-ID has bits that mean nothing",
-    checks: "Whether bits 11 to 28 are clear in each COB-ID whose bit 29 says that the CAN-ID has 11 bits, and bit 30 in those of EMCY, which is reserved there. SYNC, TIME, EMCY, SDO and PDO are looked at; a formula is evaluated for the highest node-ID.",
-    why: "Some devices refuse such a value, others cut it, so that the service uses another CAN-ID than the one that is written. Mostly a digit is missing: `0x8000000` was meant to be `0x80000000`.",
+    summary: "reserved bits of a COB-ID are set",
+    checks: "Whether bits 11 to 28 are clear in each COB-ID with an 11-bit CAN-ID (bit 29 clear), and bit 30 in those of EMCY, where it is reserved. The rule checks SYNC, TIME, EMCY, SDO and PDO and evaluates a formula for the highest node-ID.",
+    why: "Some devices reject such a value, others truncate it, so the service uses another CAN-ID. Often a digit is missing: `0x8000000` was meant to be `0x80000000`.",
     example: "`[1804sub1]` with `DefaultValue=0x8000000`",
-    remedy: "Count the digits: bit 31 is `0x80000000`, and the CAN-ID takes the lowest three.",
+    remedy: "Check the number of digits: bit 31 is `0x80000000`, and the CAN-ID is in the three lowest digits.",
     source: "CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35",
 }
 
@@ -18,11 +18,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = say!(
-            "`{}` as COB-ID of {} has {} set, which {} nothing there",
+            "the COB-ID `{}` of {} has {} set, which {} reserved",
             cob_id.cob_id,
             cob_id.service,
             bit_names(bits),
-            if bits.count_ones() == 1 { "means" } else { "mean" }
+            if bits.count_ones() == 1 { "is" } else { "are" }
         );
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
         let number = cob_id.cob_id.number();
@@ -45,11 +45,11 @@ fn bit_names(bits: u32) -> Text {
 fn help(number: u32) -> Text {
     match meant(number) {
         Some(meant) => say!("did you mean `0x{:08X}`?", meant),
-        None => "write a CAN-ID of at most 7FFh, and flags in the first digit only".into(),
+        None => "write a CAN-ID up to 7FFh, with flags in the first digit only".into(),
     }
 }
 
-/// The number whose flag digit slipped one place to the right.
+/// The probable number if the flag digit is one place too far to the right.
 fn meant(number: u32) -> Option<u32> {
     matches!(number >> 24, 0x04 | 0x08 | 0x0C).then_some((number >> 24 << 28) | (number & 0x7FF))
 }

@@ -6,11 +6,11 @@ use crate::rule;
 
 rule! {
     "cia301/invalid-consumer-heartbeat", Error, Device(check);
-    summary: "an entry of the heartbeat consumer cannot watch a node",
-    checks: "Whether each value of 1016h that has a time names a node from 1 to 127, has its upper byte clear, does not name the node of the DCF itself, and does not watch a node that an entry before it watches.",
-    why: "A device answers such a value with an abort, or watches nobody. Mostly the node-ID was forgotten, and the value is just the time.",
+    summary: "a heartbeat consumer entry cannot monitor a node",
+    checks: "Whether each value of 1016h with a time has a node-ID from 1 to 127, has its upper byte clear, does not monitor the node of the DCF itself, and does not monitor a node of an earlier entry.",
+    why: "A device rejects such a value with an abort, or monitors no node. Often the node-ID is missing and the value is only the time.",
     example: "`[1016sub1]` with `DefaultValue=750`",
-    remedy: "Write the node-ID into bits 16 to 23: `0x000702EE` watches node 7 for 750 ms.",
+    remedy: "Write the node-ID to bits 16 to 23: `0x000702EE` monitors node 7 with 750 ms.",
     source: "CiA 301 §7.5.2.19",
 }
 
@@ -28,20 +28,20 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding =
             |message: Text, help: Text| Diagnostic::new(&RULE.info, place.clone(), message).help(help);
         if value >> 24 != 0 {
-            let message = say!("`0x{:08X}` of 1016h sub-index {} has bits above the node-ID set", value, sub);
+            let message = say!("`0x{:08X}` in 1016h sub-index {} has bits above the node-ID set", value, sub);
             findings.push(finding(message, say!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
         } else if node == 0 || node > 127 {
             let message =
-                say!("1016h sub-index {} watches for {} ms, but `{}` is no node-ID", sub, time, node);
-            let help = say!("write the node-ID from 1 to 127 before the time: `0x00nn{:04X}`", time);
+                say!("1016h sub-index {} has a time of {} ms, but `{}` is not a valid node-ID", sub, time, node);
+            let help = say!("write a node-ID from 1 to 127 to bits 16 to 23: `0x00nn{:04X}`", time);
             findings.push(finding(message, help));
         } else if device.node_id().is_some_and(|own| u32::from(own) == node) {
-            let message = say!("1016h sub-index {} makes node {} watch itself", sub, node);
-            findings.push(finding(message, "write the node-ID of another node, or 0 for none".into()));
+            let message = say!("1016h sub-index {} makes node {} monitor itself", sub, node);
+            findings.push(finding(message, "write the node-ID of another node, or 0 to disable the entry".into()));
         } else if let Some(&first) = watched.get(&node) {
-            let message = say!("1016h sub-indexes {} and {} both watch node {}", first, sub, node);
-            let twice = finding(message, "keep one of them, and write 0 into the other".into());
-            findings.push(twice.label(device.value_place(0x1016, first), "the first one"));
+            let message = say!("1016h sub-indexes {} and {} both monitor node {}", first, sub, node);
+            let twice = finding(message, "write 0 to one of them".into());
+            findings.push(twice.label(device.value_place(0x1016, first), "first entry for this node"));
         } else {
             watched.insert(node, sub);
         }

@@ -3,11 +3,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia301/invalid-device-type", Error, Facts(check);
-    summary: "the device type contradicts itself",
-    checks: "Whether 1000h with the profile number 0 in its low word, which says that the device follows no profile, has 0 in its high word too.",
-    why: "The high word means something within a profile only. A master that compares the device type, or takes the profile from it, draws the wrong conclusion.",
+    summary: "the device type is contradictory",
+    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile).",
+    why: "The high word has a meaning only within a profile. A master that compares the device type or derives the profile from it reaches the wrong conclusion.",
     example: "`[1000]` with `DefaultValue=0x00030000`",
-    remedy: "Write the number of the profile into the low word, such as `0x00030191` for CiA 401, or 0 as a whole.",
+    remedy: "Write the profile number to the low word, such as `0x00030191` for CiA 401, or write 0.",
     source: "CiA 301 §7.5.2.1",
 }
 
@@ -17,7 +17,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if profile != 0 || additional == 0 {
         return;
     }
-    let message = say!("`0x{:08X}` names no profile, and adds `0x{:04X}` to it", device_type, additional);
+    let message = say!("`0x{:08X}` has no profile number, but additional information `0x{:04X}`", device_type, additional);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
-    findings.push(finding.help("write the number of the profile into the low word, or 0 as a whole"));
+    findings.push(finding.help("write the profile number to the low word, or write 0"));
 }

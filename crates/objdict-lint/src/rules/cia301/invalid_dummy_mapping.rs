@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
     "cia301/invalid-dummy-mapping", Error, Pdo(check);
-    summary: "a filler in a PDO mapping is not allowed",
-    checks: "Whether each mapping entry that names a data type instead of an object (below 0020h) stands in an RPDO, names an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not forbidden in `DummyUsage`.",
-    why: "A filler makes an RPDO skip bits that are for others. A TPDO has nothing to send there; a device refuses a type that it does not support as a filler.",
+    summary: "a dummy entry of a PDO mapping is not valid",
+    checks: "Whether each mapping entry that refers to a data type instead of an object (below 0020h) is in an RPDO, refers to an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not disabled in `DummyUsage`.",
+    why: "A dummy entry makes an RPDO skip data for other nodes. A TPDO has no value to send for it, and a device rejects a type that it does not support as dummy entry.",
     example: "`[1600sub2]` with `DefaultValue=0x00050010`",
-    remedy: "Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and set the key in `DummyUsage`.",
+    remedy: "Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and enable the type in `DummyUsage`.",
     source: "CiA 301 §7.4.7.1; CiA 306-1 §4.6.2",
 }
 
@@ -21,10 +21,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         } else if let Some(key) = forbidden(facts, mapped.object) {
             let data_type = DataType(mapped.object.index);
             let message =
-                say!("{} has a filler of type {}, which the device does not support", pdo.pdo, data_type);
+                say!("{} has a dummy entry of type {}, which `DummyUsage` disables", pdo.pdo, data_type);
             let key = Place::of(Part::DummyUsage).field(key);
-            let finding = Diagnostic::new(&RULE.info, place, message).label(key, "not allowed here");
-            findings.push(finding.help("use a type that `DummyUsage` allows"));
+            let finding = Diagnostic::new(&RULE.info, place, message).label(key, "disabled here");
+            findings.push(finding.help("use a type that `DummyUsage` enables"));
         }
     }
 }
@@ -33,22 +33,22 @@ fn defect(kind: PdoKind, dummy: MappedObject) -> Option<(Text, Text)> {
     let data_type = DataType(dummy.index);
     let bits = data_type.bit_length();
     if kind == PdoKind::Tpdo {
-        let what = say!("maps the data type {}, and only an RPDO may have fillers", data_type);
+        let what = say!("maps the data type {}, but only an RPDO can have dummy entries", data_type);
         return Some((what, "map an object".into()));
     }
     let Some(bits) = bits.filter(|_| data_type.is_dummy()) else {
-        let what = say!("maps {:04X}h, which is no data type that can be a filler", dummy.index);
+        let what = say!("maps {:04X}h, which is not a data type for dummy entries", dummy.index);
         return Some((what, "use BOOLEAN or an integer type: `0x00050008` skips one byte".into()));
     };
     let right = say!("write `0x{:08X}`", MappedObject { bits, sub: 0, ..dummy }.to_number());
     if dummy.sub != 0 {
-        return Some((say!("has a filler with sub-index {}, which is always 0", dummy.sub), right));
+        return Some((say!("has a dummy entry with sub-index {}, which must be 0", dummy.sub), right));
     }
-    let what = say!("has a filler of {} bits, but {} has {}", dummy.bits, data_type, bits);
+    let what = say!("has a dummy entry of {} bits, but {} has {}", dummy.bits, data_type, bits);
     (bits != dummy.bits).then_some((what, right))
 }
 
-/// The key that says that the type is no filler on this device.
+/// The key that disables the type as dummy entry.
 fn forbidden(facts: &Facts<'_>, dummy: MappedObject) -> Option<Field> {
     let usage = facts.device.dummy_usage.as_ref()?;
     let allowed = usage.types.get(&DataType(dummy.index))?;

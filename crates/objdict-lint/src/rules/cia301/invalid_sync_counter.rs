@@ -4,11 +4,11 @@ use crate::{Facts, rule, with_others};
 
 rule! {
     "cia301/invalid-sync-counter", Error, Facts(check);
-    summary: "the overflow value of the SYNC counter is reserved, or does not fit the PDOs",
-    checks: "Whether 1019h is 0 or from 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.",
-    why: "The device refuses 1 and the values above 240. A counter that is no multiple of n starts anew in the middle of a cycle, so that the PDO comes early once in every round.",
+    summary: "the overflow value of the SYNC counter is reserved or does not match the PDOs",
+    checks: "Whether 1019h is 0 or 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.",
+    why: "The device rejects 1 and values above 240. If the overflow value is not a multiple of n, the counter restarts within a cycle and the PDO is sent early once per counter period.",
     example: "`[1019]` with `DefaultValue=1`",
-    remedy: "Write 0 for a SYNC without a counter, else the least common multiple of the transmission types.",
+    remedy: "Write 0 to send SYNC without a counter, otherwise the least common multiple of the transmission types.",
     source: "CiA 301 §7.5.2.22",
 }
 
@@ -18,9 +18,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(overflow) = value.and_then(|value| u8::try_from(value).ok()) else { return };
     let place = device.value_place(0x1019, 0);
     if overflow == 1 || overflow > 240 {
-        let message = say!("`{}` as overflow value of the SYNC counter is reserved", overflow);
+        let message = say!("the overflow value `{}` of the SYNC counter is reserved", overflow);
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help("write 0 for no counter, or 2 to 240"));
+        findings.push(finding.help("write 0 to disable the counter, or a value from 2 to 240"));
         return;
     }
     let cycles =
@@ -32,12 +32,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     let message =
-        say!("the SYNC counter overflows at `{}`, which is no multiple of every transmission type", overflow);
+        say!("the SYNC counter overflows at `{}`, which is not a multiple of every transmission type", overflow);
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
     let others = broken.map(|(pdo, every)| {
         let at = device.value_place(pdo.communication_index(), 2);
-        (at, say!("{} is sent once in {} SYNCs", pdo, every))
+        (at, say!("{} has transmission type {}", pdo, every))
     });
     findings.push(with_others(finding, others));
 }

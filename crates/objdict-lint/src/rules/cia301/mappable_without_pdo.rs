@@ -4,10 +4,10 @@ use crate::rule;
 
 rule! {
     "cia301/mappable-without-pdo", Warning, Device(check);
-    summary: "entries can be mapped, but there is no PDO in their direction",
-    checks: "Whether a device that has PDOs has a TPDO for its entries with `PDOMapping=1` and the access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are left alone.",
-    why: "Tools offer the entries for mapping, and nothing can carry them. Mostly PDOs were left out of the description.",
-    example: "`AccessType=rww` and `PDOMapping=1` in `[2000]`, and TPDOs only",
+    summary: "entries are mappable, but the device has no PDO in their direction",
+    checks: "Whether a device with PDOs has a TPDO for its entries with `PDOMapping=1` and access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are not checked.",
+    why: "Tools offer the entries for mapping, but there is no PDO for them. Often PDOs are missing in the description.",
+    example: "`AccessType=rww` and `PDOMapping=1` in `[2000]` of a device with only TPDOs",
     remedy: "Describe the PDOs, or write `PDOMapping=0`.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
@@ -31,7 +31,7 @@ fn check(device: &Device, findings: &mut Findings) {
         entry.is_mappable() && has_length && entry.access.is_some_and(fits)
     });
     let Some((place, _)) = found else { return };
-    let message = say!("the entry is for {}s, and the device has none", missing);
+    let message = say!("the entry is mappable to {}s, but the device has none", missing);
     let finding = Diagnostic::new(&RULE.info, place.field(Field::PdoMapping), message);
     findings.push(finding.help(say!("describe the PDOs, or write `{PDOMapping=0}`")));
 }
@@ -42,6 +42,6 @@ fn has_pdo(device: &Device, kind: PdoKind) -> bool {
         PdoKind::Rpdo => info.rpdo_count,
         PdoKind::Tpdo => info.tpdo_count,
     });
-    // a count without objects is the matter of the rule about counts
+    // a count without objects has its own rule
     declared.is_some_and(|count| count > 0) || device.pdos().any(|pdo| pdo.kind == kind)
 }

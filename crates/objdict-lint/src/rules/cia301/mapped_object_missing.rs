@@ -5,10 +5,10 @@ use crate::{Facts, PdoFacts, Target, rule};
 rule! {
     "cia301/mapped-object-missing", Error, Pdo(check);
     summary: "a PDO maps an object that does not exist",
-    checks: "Whether each entry in use of a PDO mapping names an object and sub-index of the description. What a module or a dynamic channel may bring counts as existing; on a modular device anything else that is missing is a note.",
-    why: "The device refuses the mapping with an abort, and the PDO does not work. Tools that fill the frame from the dictionary fail there.",
-    example: "`[1A00sub1]` with `DefaultValue=0x60000108`, and no `[6000]`",
-    remedy: "Describe the object, or map another one. A number of eight digits is index, sub-index and length.",
+    checks: "Whether each mapping entry in use refers to a described object and sub-index. Objects that a module or a dynamic channel may provide count as existing; on a modular device any other missing object is a note.",
+    why: "The device rejects the mapping with an abort, and the PDO does not work. Tools cannot resolve the contents of the frame.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60000108`, without `[6000]`",
+    remedy: "Describe the object, or map another one. The eight digits are index, sub-index and length.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2",
 }
 
@@ -19,18 +19,18 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let finding = match mapped.target {
             Target::NoEntry => {
                 let message = say!(
-                    "{} maps {:04X}h:{:02X}, which has no such sub-index",
+                    "{} maps {:04X}h:{:02X}, but the object has no such sub-index",
                     pdo.pdo,
                     object.index,
                     object.sub
                 );
                 let finding = Diagnostic::new(&RULE.info, place, message);
-                let finding = finding.label(Place::object(object.index), "the object is here");
+                let finding = finding.label(Place::object(object.index), "the object");
                 finding.help("describe the sub-index, or map another one")
             }
             _ => {
                 let message = say!(
-                    "{} maps {:04X}h:{:02X}, and there is no such object",
+                    "{} maps {:04X}h:{:02X}, but there is no such object",
                     pdo.pdo,
                     object.index,
                     object.sub

@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
     "cia301/mapping-granularity", Warning, Pdo(check);
-    summary: "a PDO maps an object that is no multiple of the granularity",
-    checks: "Whether the length of each object that a PDO maps by default is a multiple of the device's `Granularity`. 0 means that the mapping is fixed, and then nothing is looked at.",
-    why: "A device with a granularity of 8 maps whole bytes; it refuses a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.",
+    summary: "the length of a mapped object is not a multiple of the granularity",
+    checks: "Whether the length of each object that a PDO maps by default is a multiple of `Granularity`. With 0 the mapping is fixed and not checked.",
+    why: "A device with a granularity of 8 maps whole bytes and rejects a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.",
     example: "`Granularity=8`, and `[1A00sub1]` with `DefaultValue=0x60200101`",
-    remedy: "Write the granularity that the device has, or map objects of whole bytes.",
+    remedy: "Write the granularity of the device, or map objects of whole bytes.",
     source: "CiA 306-1 §4.5",
 }
 
@@ -21,9 +21,9 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         _ => matches!(mapped.target, Target::Dummy),
     });
     let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
-    let message = say!("{} maps {}, and the granularity is `{}` bits", pdo.pdo, first.object, granularity);
+    let message = say!("{} maps {}, which is not a multiple of the granularity of `{}` bits", pdo.pdo, first.object, granularity);
     let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");
-    findings.push(finding.help("write the granularity that the device has, or map whole multiples of it"));
+    findings.push(finding.help("correct the granularity, or map only objects that are multiples of it"));
 }

@@ -4,9 +4,9 @@ use crate::{Facts, PdoFacts, is_unstated, rule};
 
 rule! {
     "cia301/mapping-without-count", Warning, Pdo(check);
-    summary: "nobody says how many objects a PDO maps",
-    checks: "Whether sub-index 0 of each PDO mapping that cannot be written has a value.",
-    why: "The mapping of such a PDO is known from the description alone, and without the number of objects it is not known: no tool can show what the PDO carries.",
+    summary: "the number of mapped objects of a PDO is not stated",
+    checks: "Whether sub-index 0 of each read-only PDO mapping has a value.",
+    why: "Tools take the contents of such a PDO from the description. Without the number of objects they cannot show it.",
     example: "`[1A00sub0]` with `AccessType=const` and no `DefaultValue`",
     remedy: "Write the number of mapped objects.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
@@ -24,7 +24,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         return;
     }
     let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
-    let message = say!("the mapping of {} is fixed, and nobody says how many objects it has", pdo);
+    let message = say!("the mapping of {} is fixed, but its number of objects is not stated", pdo);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("write the number of mapped objects"));
 }

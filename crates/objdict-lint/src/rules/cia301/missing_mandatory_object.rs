@@ -6,23 +6,23 @@ use crate::{Facts, rule, stated};
 
 rule! {
     "cia301/missing-mandatory-object", Error, Applied(check);
-    summary: "an object that every device has is missing",
-    checks: "Whether 1000h (device type), 1001h (error register) and 1018h (identity) are there. An object that is listed without being described, or stands in the wrong list, is the matter of other rules.",
-    why: "A manager reads 1000h and 1018h when a node boots and refuses one that answers with an abort; tools tell devices apart by 1018h.",
-    example: "no `[1018]`",
-    remedy: "Describe the object, and name it in `MandatoryObjects`.",
+    summary: "a mandatory object is missing",
+    checks: "Whether 1000h (device type), 1001h (error register) and 1018h (identity) are described. Objects that are listed but not described, or are in the wrong list, have their own rules.",
+    why: "A manager reads 1000h and 1018h when a node boots and rejects a node that answers with an abort. Tools identify devices by 1018h.",
+    example: "no section `[1018]`",
+    remedy: "Describe the object, and add it to `MandatoryObjects`.",
     source: "CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1",
 }
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
-    // a file that has nothing of a device is no device with missing objects
+    // a file without any part of a device has no missing objects
     if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
         return;
     }
     for facts in applied.profile.objects().filter(|facts| facts.need == Need::Mandatory) {
         let (index, name) = (facts.first, facts.name);
-        // what is listed and not described has a rule of its own
+        // objects that are listed but not described have their own rule
         if stated::is_there(device, index) {
             continue;
         }
@@ -34,7 +34,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let help = say!(
             "add `{}`{}",
             Part::Object(index),
-            Argument::OfLists(say!(" and name `0x{:04X}` in `MandatoryObjects`", index))
+            Argument::OfLists(say!(" and list `0x{:04X}` in `MandatoryObjects`", index))
         );
         findings.push(Diagnostic::new(rule, place, message).help(help));
     }

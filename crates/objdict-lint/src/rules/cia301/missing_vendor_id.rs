@@ -5,10 +5,10 @@ use crate::rule;
 rule! {
     "cia301/missing-vendor-id", Error, Device(check);
     summary: "the identity object has no vendor-ID",
-    checks: "Whether 1018h has sub-index 1. The other members are optional.",
-    why: "The vendor-ID is the one member that every identity object has; managers compare it with 1F85h, and product code and revision mean nothing without it.",
-    example: "`[1018]` with `[1018sub0]` and `[1018sub2]` only",
-    remedy: "Describe `[1018sub1]`, an UNSIGNED32 that is read-only, with the vendor-ID that CiA gave you as its default.",
+    checks: "Whether 1018h has sub-index 1. The other entries are optional.",
+    why: "The vendor-ID is the only mandatory entry of the identity object. Managers compare it with 1F85h, and product code and revision number have no meaning without it.",
+    example: "`[1018]` with only `[1018sub0]` and `[1018sub2]`",
+    remedy: "Describe `[1018sub1]`, a read-only UNSIGNED32 with the vendor-ID assigned by CiA as its default.",
     source: "CiA 301 §7.5.2.21",
 }
 

@@ -4,11 +4,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia301/multiplexed-pdo-without-list", Error, Facts(check);
-    summary: "a multiplexed PDO with source addresses lacks its list",
-    checks: "Whether a device with a TPDO whose mapping counts 254 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
-    why: "With source addressing, the lists say which entries are sent, and where a received one is written. Without them nothing is sent, and what comes is thrown away.",
-    example: "`[1600sub0]` with `DefaultValue=254`, and no `[1FD0]`",
-    remedy: "Add the list, or count 255 for destination addressing, which needs none.",
+    summary: "a multiplexed PDO in source address mode has no list",
+    checks: "Whether a device with a TPDO whose mapping has 254 in sub-index 0 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
+    why: "In source address mode, the lists define which entries are sent and where received entries are written. Without them nothing is sent, and received data are discarded.",
+    example: "`[1600sub0]` with `DefaultValue=254`, without `[1FD0]`",
+    remedy: "Add the list, or write 255 to sub-index 0 for destination address mode, which needs no list.",
     source: "CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40",
 }
 
@@ -25,10 +25,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if is_listed || device.objects.range(first..=last).next().is_some() {
             continue;
         }
-        let message = say!("{} is multiplexed by source address, and there is no {}", pdo, name);
+        let message = say!("{} is a multiplexed PDO in source address mode, but there is no {}", pdo, name);
         let finding = Diagnostic::new(&RULE.info, device.value_place(pdo.mapping_index(), 0), message);
         findings.push(finding.help(say!(
-            "add {:04X}h ({}), or count 255 for destination addresses",
+            "add {:04X}h ({}), or write 255 for destination address mode",
             first,
             name
         )));

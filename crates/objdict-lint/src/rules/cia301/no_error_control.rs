@@ -5,15 +5,15 @@ use crate::{rule, stated};
 rule! {
     "cia301/no-error-control", Error, Device(check);
     summary: "the device has neither a heartbeat nor node guarding",
-    checks: "Whether there is 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).",
-    why: "CiA 301 demands one of the two. Without it nobody notices that the device has gone.",
-    example: "a device with 1000h, 1001h and 1018h only",
-    remedy: "Add 1017h, an UNSIGNED16 that can be written; the heartbeat is the one that CiA recommends.",
+    checks: "Whether the device has 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).",
+    why: "CiA 301 requires one of the two. Without it, the loss of the device is not detected.",
+    example: "a device with only 1000h, 1001h and 1018h",
+    remedy: "Add 1017h, a writable UNSIGNED16; CiA recommends the heartbeat.",
     source: "CiA 301 §7.5.2.11, §7.5.2.12, §7.5.2.20",
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    // a file without a single communication object is a fragment, and that is reported
+    // a file without any communication object is a fragment, which has its own rule
     if [0x1017, 0x100C, 0x100D].into_iter().any(|index| stated::is_there(device, index))
         || device.objects.range(0x1000..0x2000).next().is_none()
     {
@@ -22,6 +22,6 @@ fn check(device: &Device, findings: &mut Findings) {
     let message =
         "the device has no error control: neither a heartbeat (1017h) nor node guarding (100Ch, 100Dh)";
     findings.push(
-        Diagnostic::new(&RULE.info, Place::device(), message).help("add 1017h, producer heartbeat time"),
+        Diagnostic::new(&RULE.info, Place::device(), message).help("add 1017h (producer heartbeat time)"),
     );
 }

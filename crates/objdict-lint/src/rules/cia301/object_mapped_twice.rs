@@ -6,10 +6,10 @@ use crate::{Facts, PdoFacts, Target, rule};
 rule! {
     "cia301/object-mapped-twice", Warning, Pdo(check);
     summary: "a PDO maps the same object twice",
-    checks: "Whether each object stands once in the mapping of a PDO. Fillers may stand there as often as needed. The same object in two PDOs is usual, in CiA 402 for one, and is not looked at.",
-    why: "Mostly a copied line was not changed: an object is sent twice, or written twice, and another one is left out.",
+    checks: "Whether the mapping of a PDO contains each object only once. Dummy entries may be repeated. The same object in two PDOs is common, for example in CiA 402, and is not checked.",
+    why: "Often a copied line was not changed: one object is transferred twice, and another one is missing.",
     example: "`[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`",
-    remedy: "Map the object that was meant.",
+    remedy: "Map the intended object.",
     source: "CiA 301 §7.5.2.36",
 }
 
@@ -23,7 +23,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
                 let message = say!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
                 let finding = Diagnostic::new(&RULE.info, place(mapped.slot), message);
                 findings.push(
-                    finding.label(place(first), "the first time").help("map the object that was meant"),
+                    finding.label(place(first), "first mapped here").help("map the intended object"),
                 );
             }
             None => {

@@ -6,10 +6,10 @@ use crate::rule;
 rule! {
     "cia301/obsolete-object", Note, Object(check);
     summary: "an object of an old edition of CiA 301",
-    checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which version 4 of CiA 301 gave up and keeps reserved.",
-    why: "It does no harm, but nobody reads these objects any more: 1018h, 1200h and the PDO records tell what they told.",
+    checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which are reserved since version 4 of CiA 301.",
+    why: "The objects are harmless but unused: 1018h, 1200h and the PDO parameters provide the same information.",
     example: "`[100B]`, the node-ID",
-    remedy: "Leave the object out of new devices.",
+    remedy: "Omit the object in new devices.",
     source: "CiA 301 annex A, list of objects",
 }
 
@@ -17,6 +17,6 @@ fn check(_: &Device, index: u16, _: &Object, findings: &mut Findings) {
     if let Some(purpose) = profile::obsolete(index) {
         let message = say!("{:04X}h ({}) is obsolete since version 4 of CiA 301", index, purpose);
         let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-        findings.push(finding.help("leave it out where no old tool needs it"));
+        findings.push(finding.help("remove the object unless an old tool needs it"));
     }
 }

@@ -3,9 +3,9 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/pdo-length-exceeded", Error, Pdo(check);
-    summary: "a PDO carries more than 64 bits",
-    checks: "Whether the lengths of the objects that a PDO maps add up to 64 bits at most. It is silent where an object is missing or a length is wrong, for that is reported there.",
-    why: "A CAN frame has eight bytes. The device refuses the mapping when sub-index 0 is written, with abort 0604 0042h.",
+    summary: "a PDO is longer than 64 bits",
+    checks: "Whether the lengths of the mapped objects of a PDO add up to at most 64 bits. Missing objects and wrong lengths have their own rules.",
+    why: "A CAN frame has eight data bytes. The device rejects the mapping with abort 0604 0042h when sub-index 0 is written.",
     example: "five UNSIGNED16 in `[1A00]`",
     remedy: "Move objects to another PDO.",
     source: "CiA 301 §7.5.2.36",
@@ -23,8 +23,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     });
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
-    let message = say!("{} carries {} bits, {} more than fit into a frame", pdo.pdo, bits, bits - 64);
+    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - 64);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
-    findings.push(finding.help("move this object and what follows it to another PDO"));
+    findings.push(finding.help("move this object and the following ones to another PDO"));
 }

@@ -5,9 +5,9 @@ rule! {
     "cia301/pdo-parameter-without-value", Note, Pdo(check);
     summary: "the COB-ID or transmission type of a PDO has no value",
     checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
-    why: "Nobody knows under which CAN-ID a new device sends the PDO, and when. A tool that restores the defaults leaves out this one.",
+    why: "The CAN-ID and the trigger of the PDO in a new device are unknown. A tool that restores the defaults omits this entry.",
     example: "`[1800sub2]` without `DefaultValue`",
-    remedy: "Write the value that the device has after its defaults were restored.",
+    remedy: "Write the value after a restore of the defaults.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
@@ -20,7 +20,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         if has_type && is_unstated(object, sub) {
             let message = say!("the {} of {} has no value", name, pdo);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, sub), message);
-            findings.push(finding.help("write the value of a device whose defaults were restored"));
+            findings.push(finding.help("write the value after a restore of the defaults"));
             return;
         }
     }

@@ -4,10 +4,10 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/pdo-without-mapping", Error, Pdo(check);
-    summary: "a PDO has one of its two objects only",
-    checks: "Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may bring the other one.",
-    why: "Without the mapping nobody knows what the PDO carries, without the communication parameter not when and under which CAN-ID. `CompactPDO` allows to leave out both objects, not one.",
-    example: "`[1802]`, and no `[1A02]`",
+    summary: "a PDO has only one of its two objects",
+    checks: "Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may provide the other object.",
+    why: "Without the mapping, the contents of the PDO are unknown; without the communication parameter, its CAN-ID and trigger. `CompactPDO` allows both objects to be omitted, not only one.",
+    example: "`[1802]` without `[1A02]`",
     remedy: "Describe the other object, or remove this one.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1",
 }
@@ -25,7 +25,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
         return;
     }
-    let message = say!("{} has {}, {:04X}h, and no {}, {:04X}h", pdo, what, there, other, missing);
+    let message = say!("{} has {}, {:04X}h, but no {}, {:04X}h", pdo, what, there, other, missing);
     let finding = Diagnostic::new(&RULE.info, Place::object(there), message);
     findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
 }

@@ -5,10 +5,10 @@ use crate::{Facts, rule, stated, with_others};
 rule! {
     "cia301/reserved-pdo-sub-index", Warning, Facts(check), fix Unsafe;
     summary: "a PDO communication parameter has the reserved sub-index 4",
-    checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. One finding for the device, with every such PDO. An UNSIGNED8, which older devices have there for compatibility, is a note: a quarter of the files that we looked at have it, and it does no harm. Another data type is a warning, for then something is meant that has its place elsewhere.",
-    why: "CiA 301 keeps the sub-index reserved; a device answers there with an abort. Who writes the event timer into it, which is sub-index 5, gets no event timer.",
+    checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. Another data type is a warning, because the entry is probably meant for another sub-index.",
+    why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer that is written there instead of to sub-index 5 has no effect.",
     example: "`[1800sub4]`",
-    remedy: "Remove the section. The gap between 3 and 5 is right, and sub-index 0 stays the highest one.",
+    remedy: "Remove the section. The gap between 3 and 5 is correct, and sub-index 0 remains the highest sub-index.",
     source: "CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37",
 }
 
@@ -18,7 +18,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let Some((first, _)) = with.clone().next() else { return };
     let place = |index| Place::entry(index, 4);
     let message =
-        say!("{} has sub-index 4 in {:04X}h, which is reserved", first, first.communication_index());
+        say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
     let finding = Diagnostic::new(&RULE.info, place(first.communication_index()), message);
     let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
     let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));

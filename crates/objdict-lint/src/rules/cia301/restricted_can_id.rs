@@ -3,11 +3,11 @@ use crate::{CobIdUse, Facts, rule};
 
 rule! {
     "cia301/restricted-can-id", Error, Facts(check);
-    summary: "a service uses a CAN-ID that belongs to another one",
-    checks: "Whether the CAN-ID of each SYNC, TIME, EMCY, PDO and additional SDO channel that is in use is free, and not one of 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 keeps for NMT, the default SDOs, error control and its own future. An SDO channel may use the CAN-IDs of a default SDO, and one with the COB-ID 0 is not in use. A formula is evaluated for every node-ID in an EDS, for the node in a DCF; where only high node-IDs lead to a restricted CAN-ID, it is a warning.",
-    why: "Another node answers an SDO under that CAN-ID, or sends its heartbeat: two nodes send the same identifier and disturb each other.",
+    summary: "a service uses a restricted CAN-ID",
+    checks: "Whether the CAN-ID of each active SYNC, TIME, EMCY, PDO and additional SDO channel is outside 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 reserves for NMT, the default SDOs, error control and future use. An SDO channel may use the CAN-IDs of a default SDO; a channel with COB-ID 0 is not active. A formula is evaluated for every node-ID in an EDS and for the node of a DCF; if only high node-IDs lead to a restricted CAN-ID, the finding is a warning.",
+    why: "Another node answers an SDO or sends its heartbeat with this CAN-ID: two nodes transmit the same identifier and disturb each other.",
     example: "`[1804sub1]` with `DefaultValue=$NODEID+0x580`",
-    remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or switch the service off with bit 31.",
+    remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or set bit 31 to mark the service as not valid.",
     source: "CiA 301 §7.3.5, table 40",
 }
 
@@ -46,7 +46,7 @@ fn finding(
     let place = facts.device.value_place(cob_id.index, cob_id.sub);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding =
-        finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh, or set bit 31 to switch it off");
+        finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh, or set bit 31 to mark the service as not valid");
     let is_likely = everywhere || first == *facts.node_ids().start();
     if is_likely { finding } else { finding.severity(Severity::Warning) }
 }

@@ -3,11 +3,11 @@ use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
     "cia301/sdo-node-id", Warning, Facts(check);
-    summary: "an SDO channel names the wrong node",
-    checks: "Whether sub-index 3 of each SDO channel in use, but for the default SDO, is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, names that node.",
-    why: "The node-ID tells tools whom the channel leads to. A channel to a wrong node-ID talks to nobody, or is shown where it does not belong.",
+    summary: "an SDO channel has the wrong node-ID",
+    checks: "Whether sub-index 3 of each active SDO channel except the default SDO is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, states that node.",
+    why: "Tools find the peer of the channel by the node-ID. With a wrong node-ID, the channel reaches no node or is shown for the wrong one.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`",
-    remedy: "Write the node-ID of the node at the other end.",
+    remedy: "Write the node-ID of the peer.",
     source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
@@ -21,17 +21,17 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let own = facts.device.node_id().map(i128::from);
         let service = request.service;
         let message = if !(1..=127).contains(&node) {
-            say!("{} leads to node `{}`, and node-IDs are 1 to 127", service, node)
+            say!("{} has the node-ID `{}`, which is not from 1 to 127", service, node)
         } else if own == Some(node) {
-            say!("{} leads to node {}, which is the node itself", service, node)
+            say!("{} has the node-ID {}, which is the node itself", service, node)
         } else if let Some(server) = default_server(facts, request).filter(|&server| server != node) {
-            say!("{} uses the default SDO of node {}, and names node {}", service, server, node)
+            say!("{} uses the default SDO of node {}, but has the node-ID {}", service, server, node)
         } else {
             continue;
         };
         let finding = Diagnostic::new(&RULE.info, facts.device.value_place(request.index, 3), message)
-            .label(facts.device.value_place(request.index, 1), "its COB-ID");
-        findings.push(finding.help("write the node-ID of the node at the other end"));
+            .label(facts.device.value_place(request.index, 1), "the COB-ID");
+        findings.push(finding.help("write the node-ID of the peer"));
     }
 }
 

@@ -4,9 +4,9 @@ use crate::{CobIdUse, Facts, Service, rule};
 
 rule! {
     "cia301/service-cob-id-not-predefined", Warning, Facts(check), fix Unsafe;
-    summary: "the default CAN-ID of SYNC, TIME or EMCY is not that of the predefined connection set",
-    checks: "Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. Flags are left alone, and so is what another rule about the COB-ID reports.",
-    why: "The predefined connection set makes devices of all makers work together as delivered. A device that takes SYNC from elsewhere does not hear it.",
+    summary: "the default CAN-ID of SYNC, TIME or EMCY differs from the predefined connection set",
+    checks: "Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. Flags are ignored. COB-IDs that another rule reports are not checked.",
+    why: "With the predefined connection set, devices of all vendors work together without configuration. A device that expects SYNC on another CAN-ID does not receive it.",
     example: "`[1005]` with `DefaultValue=$NODEID+0x80`",
     remedy: "Write `0x80`, `0x100` or `$NODEID+0x80`.",
     source: "CiA 301 §7.3.5, tables 38 and 39",
@@ -26,19 +26,19 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if let Some(expected) = expected(facts, cob_id, base) {
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let message = say!(
-                "`{}` as default COB-ID of {}, which the predefined connection set puts elsewhere",
+                "the default COB-ID `{}` of {} is not in the predefined connection set",
                 cob_id.cob_id,
                 cob_id.service
             );
             let finding = Diagnostic::new(&RULE.info, place.clone(), message);
-            let fix = Fix::risky("take the CAN-ID of the predefined connection set")
+            let fix = Fix::risky("write the CAN-ID of the predefined connection set")
                 .set(place, expected.to_string());
             findings.push(finding.help(say!("write `{}`", expected)).fix(fix));
         }
     }
 }
 
-/// What the COB-ID should be, flags as they are, where it is another.
+/// The expected COB-ID with the same flags, if it differs.
 fn expected(facts: &Facts<'_>, cob_id: &CobIdUse, base: u16) -> Option<CobId> {
     let per_node = cob_id.service == Service::Emcy;
     let stated = cob_id.cob_id;

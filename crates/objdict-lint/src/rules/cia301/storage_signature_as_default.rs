@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia301/storage-signature-as-default", Warning, Device(check), fix Unsafe;
-    summary: "a default of 1010h or 1011h is no answer of the device",
-    checks: "Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: what the device answers when the entry is read. Bit 0 says that it stores or restores on command, bit 1 of 1010h that it stores by itself.",
-    why: "What is written there, the signatures `save` and `load`, is not what is read. A tool that compares the device with its description finds a difference, and one that writes defaults back stores or restores by accident.",
+    summary: "a default of 1010h or 1011h is not a value that the device returns",
+    checks: "Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: the values that the device returns when the entry is read. Bit 0 means that it stores or restores on command, bit 1 of 1010h that it stores autonomously.",
+    why: "The signatures `save` and `load` are written to the entries, not read from them. A tool that compares the device with its description finds a difference, and one that writes the defaults stores or restores by accident.",
     example: "`[1010sub1]` with `DefaultValue=0x65766173`",
-    remedy: "Write 1, or what the device answers.",
+    remedy: "Write 1, or the value that the device returns.",
     source: "CiA 301 §7.5.2.13, §7.5.2.14",
 }
 
@@ -27,14 +27,14 @@ fn check(device: &Device, findings: &mut Findings) {
         let which = sub.map_or_else(Text::default, |sub| say!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
             let message =
-                say!("`0x{:08X}` is what is written to {:04X}h{}, not what is read", value, index, which);
+                say!("`0x{:08X}` is the signature that is written to {:04X}h{}, not the value that is read", value, index, which);
             Diagnostic::new(&RULE.info, place.clone(), message)
         } else {
-            let message = say!("`0x{:08X}` of {:04X}h{} has bits that mean nothing", value, index, which);
+            let message = say!("`0x{:08X}` of {:04X}h{} has reserved bits set", value, index, which);
             Diagnostic::new(&RULE.info, place.clone(), message)
         };
-        let fix = Fix::risky("write what a device that does it on command answers").set(place, "1");
-        findings.push(finding.help("write what the device answers: 1 if it does it on command").fix(fix));
+        let fix = Fix::risky("write `1`, the value for storing or restoring on command").set(place, "1");
+        findings.push(finding.help("write the value that the device returns: 1 if it stores or restores on command").fix(fix));
     }
 }
 

@@ -4,10 +4,10 @@ use crate::{rule, stated};
 
 rule! {
     "cia301/sync-object-without-sync", Warning, Object(check);
-    summary: "an object about SYNC on a device without SYNC",
+    summary: "the device has a SYNC object but no COB-ID for SYNC",
     checks: "Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.",
-    why: "Period, window and counter belong to a SYNC message that the device does not know.",
-    example: "`[1006]`, and no `[1005]`",
+    why: "Period, window and counter belong to a SYNC message that the device does not support.",
+    example: "`[1006]` without `[1005]`",
     remedy: "Add 1005h, or remove the object.",
     source: "CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22",
 }
@@ -22,7 +22,7 @@ fn check(device: &Device, index: u16, _: &Object, findings: &mut Findings) {
     if stated::is_there(device, 0x1005) {
         return;
     }
-    let message = say!("{:04X}h ({}) is there, and 1005h for SYNC is not", index, name);
+    let message = say!("{:04X}h ({}) is described without 1005h (COB-ID SYNC)", index, name);
     let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
     findings.push(finding.help(say!("add 1005h (COB-ID SYNC), or remove {:04X}h", index)));
 }

@@ -3,10 +3,10 @@ use crate::{Facts, Service, rule, stated};
 
 rule! {
     "cia301/sync-producer-without-period", Warning, Facts(check);
-    summary: "the device sends SYNC and has no period for it",
-    checks: "Whether a device whose 1005h has bit 30 set (it produces SYNC) has 1006h, the communication cycle period.",
-    why: "Nobody can say how often it sends SYNC.",
-    example: "`[1005]` with `DefaultValue=0x40000080`, and no `[1006]`",
+    summary: "the device produces SYNC but has no communication cycle period",
+    checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period.",
+    why: "The period of SYNC is unknown.",
+    example: "`[1005]` with `DefaultValue=0x40000080`, without `[1006]`",
     remedy: "Add 1006h, an UNSIGNED32 in microseconds, or clear bit 30.",
     source: "CiA 301 §7.5.2.5, §7.5.2.6",
 }
@@ -16,8 +16,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let is_there = stated::is_there(device, 0x1006);
     let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
     let Some(sync) = sync.filter(|sync| sync.is_sent() && !is_there) else { return };
-    let message = say!("`{}` makes the device send SYNC, and there is no 1006h for the period", sync.cob_id);
+    let message = say!("`{}` makes the device a SYNC producer, but 1006h (communication cycle period) is missing", sync.cob_id);
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1005, 0), message);
     findings
-        .push(finding.help("add 1006h (communication cycle period, UNSIGNED32), or clear bit 30 of 1005h"));
+        .push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
 }

@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/timer-without-effect", Note, Pdo(check);
-    summary: "a PDO has a timer that does nothing",
-    checks: "Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. Only those that a SYNC does not trigger have a use for the timers, and what is received cannot be inhibited.",
-    why: "Whoever wrote the time believes that it works. Often the transmission type is the one that is wrong.",
+    summary: "a PDO has a timer without effect",
+    checks: "Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. SYNC alone triggers a synchronous TPDO, and reception cannot be inhibited.",
+    why: "The author expects the timer to work. Often the transmission type is wrong.",
     example: "`[1800sub2]` with `DefaultValue=1` and `[1800sub5]` with `DefaultValue=100`",
-    remedy: "Write 0, or the transmission type 254 or 255.",
+    remedy: "Write 0, or use transmission type 254 or 255.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
@@ -26,11 +26,11 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let place = facts.device.value_place(index, sub);
     let finding = match pdo.transmission_type.filter(|_| is_cyclic) {
         Some(transmission_type) => {
-            let message = say!("{} is sent with SYNC, so its {} of `{}` has no effect", pdo, name, time);
-            let reason = say!("type {} is a synchronous one", transmission_type);
+            let message = say!("{} is synchronous, so its {} of `{}` has no effect", pdo, name, time);
+            let reason = say!("transmission type {} is synchronous", transmission_type);
             Diagnostic::new(&RULE.info, place, message).label(facts.device.value_place(index, 2), reason)
         }
         None => Diagnostic::new(&RULE.info, place, say!("the {} `{}` of {} has no effect", name, time, pdo)),
     };
-    findings.push(finding.help("write 0, or the transmission type 254 or 255"));
+    findings.push(finding.help("write 0, or use transmission type 254 or 255"));
 }

@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/tpdo-of-other-node", Warning, Facts(check);
-    summary: "a node sends under the PDO identifier of another one",
-    checks: "Whether each valid TPDO of a DCF that uses a CAN-ID of TPDOs of the predefined connection set uses that of its own node. Linking to the RPDO of another node is what its CAN-IDs are for, and not looked at.",
-    why: "The other node sends its TPDO under the same CAN-ID, unless it was reconfigured: two senders of one identifier disturb each other.",
-    example: "`NodeID=5`, and `[1800sub1]` with `ParameterValue=0x186`",
-    remedy: "Use the CAN-ID of the own node-ID, and link it on the other node's side.",
+    summary: "a node sends a PDO with the CAN-ID of another node",
+    checks: "Whether each valid TPDO of a DCF with a CAN-ID of the TPDOs of the predefined connection set uses that of its own node. CAN-IDs of RPDOs are not checked, because they link the TPDO to another node.",
+    why: "The other node sends its TPDO with the same CAN-ID unless it was reconfigured: two transmitters of one identifier disturb each other.",
+    example: "`NodeID=5` and `[1800sub1]` with `ParameterValue=0x186`",
+    remedy: "Use the CAN-ID of this node, and configure the RPDO of the other node to receive it.",
     source: "CiA 301 §7.3.5",
 }
 
@@ -24,7 +24,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         }
         let number = (can_id >> 8) & 0x7;
         let message = say!(
-            "{} of node {} is sent as `{:03X}h`, the TPDO {} of node {}",
+            "{} of node {} uses CAN-ID `{:03X}h`, which belongs to TPDO {} of node {}",
             cob_id.service,
             own,
             can_id,
@@ -33,6 +33,6 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         );
         let finding =
             Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
-        findings.push(finding.help("use a CAN-ID of this node, and let the other node listen to it"));
+        findings.push(finding.help("use a CAN-ID of this node, and configure the other node to receive it"));
     }
 }

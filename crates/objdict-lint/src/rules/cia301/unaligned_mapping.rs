@@ -3,27 +3,27 @@ use crate::{Facts, PdoFacts, rule};
 
 rule! {
     "cia301/unaligned-mapping", Note, Pdo(check);
-    summary: "an object of whole bytes starts in the middle of a byte of its PDO",
-    checks: "Whether each object of 8 bits or more that a PDO maps starts at a whole byte of the frame.",
-    why: "Most devices and masters copy whole bytes, and refuse the mapping or read it wrongly.",
+    summary: "a byte-sized object does not start at a byte boundary of its PDO",
+    checks: "Whether each mapped object of 8 bits or more starts at a byte boundary of the frame.",
+    why: "Most devices and masters copy whole bytes, and reject the mapping or read it incorrectly.",
     example: "`[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`",
-    remedy: "Map the single bits last, or fill up the byte before.",
+    remedy: "Map the single bits last, or fill the byte before.",
     source: "CiA 301 §7.5.2.36",
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity).unwrap_or(0);
-    // with another granularity the object that breaks the bytes is reported
+    // with another granularity, `mapping-granularity` reports the object
     if granularity > 1 || !pdo.lengths_are_right() {
         return;
     }
     let mut start = 0u32;
     for mapped in &pdo.mapped {
         if mapped.object.bits >= 8 && !start.is_multiple_of(8) {
-            let message = say!("{} maps {} from bit {} on", pdo.pdo, mapped.object, start);
+            let message = say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
             let finding = Diagnostic::new(&RULE.info, place, message);
-            findings.push(finding.help("map the single bits last, or fill up the byte before"));
+            findings.push(finding.help("map the single bits last, or fill the byte before"));
             return;
         }
         start += u32::from(mapped.object.bits);

@@ -5,10 +5,10 @@ use crate::{Facts, PdoFacts, Target, rule};
 rule! {
     "cia301/wrong-mapping-direction", Error, Pdo(check);
     summary: "a PDO maps an object of the other direction",
-    checks: "Whether the objects that a TPDO carries can be read and are no process output (`wo`, `rww`), and those that an RPDO carries can be written and are no process input (`ro`, `const`, `rwr`).",
-    why: "An RPDO cannot write what is read-only: the device refuses the mapping, or drops the data without a word.",
+    checks: "Whether the objects of a TPDO are readable and not process outputs (`wo`, `rww`), and those of an RPDO are writable and not process inputs (`ro`, `const`, `rwr`).",
+    why: "An RPDO cannot write a read-only object: the device rejects the mapping, or drops the data silently.",
     example: "`[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`",
-    remedy: "Map the object into a PDO of its direction, or mend its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.",
+    remedy: "Map the object to a PDO of its direction, or correct its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.",
     source: "CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2",
 }
 
@@ -25,10 +25,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
         let finding = Diagnostic::new(&RULE.info, place, message);
-        let finding = finding.label(target.field(Field::AccessType), "its access type");
+        let finding = finding.label(target.field(Field::AccessType), "the access type");
         findings.push(finding.help(match pdo.pdo.kind {
-            PdoKind::Rpdo => "map what can be written: `rww`, `rw` or `wo`",
-            PdoKind::Tpdo => "map what can be read: `ro`, `rwr` or `rw`",
+            PdoKind::Rpdo => "map a writable object: `rww`, `rw` or `wo`",
+            PdoKind::Tpdo => "map a readable object: `ro`, `rwr` or `rw`",
         }));
     }
 }

@@ -4,11 +4,11 @@ use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
     "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe;
-    summary: "a PDO maps an object with another length than it has",
-    checks: "Whether the last two digits of each mapping entry, the length in bits, are those of the object's data type. Objects whose type has no fixed length are not looked at. A BOOLEAN with 8 bits is a warning: devices that map whole bytes only do it, CANopenNode among them.",
-    why: "The device refuses the mapping with an abort; a receiver takes the following objects from the wrong place of the frame.",
-    example: "`[1A00sub1]` with `DefaultValue=0x60000110`, and `[6000sub1]` is UNSIGNED8",
-    remedy: "Write the length of the data type, in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.",
+    summary: "the length in a PDO mapping differs from the length of the object",
+    checks: "Whether the last two digits of each mapping entry, the length in bits, match the data type of the object. Objects of variable length are not checked. A BOOLEAN with 8 bits is a warning: devices that map only whole bytes do this, such as those with CANopenNode.",
+    why: "The device rejects the mapping with an abort; a receiver reads the following objects from the wrong position of the frame.",
+    example: "`[1A00sub1]` with `DefaultValue=0x60000110`, where `[6000sub1]` is UNSIGNED8",
+    remedy: "Write the length of the data type in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.",
     source: "CiA 301 §7.5.2.36",
 }
 
@@ -19,7 +19,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let data_type = entry.data_type.map(|data_type| data_type.to_string()).unwrap_or_default();
         let unit = if stated == 1 { "bit" } else { "bits" };
         let message = say!(
-            "{} maps {} {} of {:04X}h:{:02X}, which has {} ({})",
+            "{} maps {} {} of {:04X}h:{:02X}, whose length is {} ({})",
             pdo.pdo,
             stated,
             unit,
@@ -32,7 +32,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
         let finding = Diagnostic::new(&RULE.info, place.clone(), message);
-        let finding = finding.label(target.field(Field::DataType), "its data type");
+        let finding = finding.label(target.field(Field::DataType), "the data type");
         let right = MappedObject { bits, ..mapped.object };
         let right = format!("0x{:08X}", right.to_number());
         let title = say!("write `{}`", right);

@@ -5,21 +5,21 @@ use crate::rule;
 rule! {
     "cia302/contradictory-startup", Warning, Against(check);
     summary: "bits of 1F80h contradict each other",
-    checks: "Whether 1F80h has bits 4 and 6 set, of which the second decides, or bits 1 and 3, of which the first means nothing because of the second.",
-    why: "The device does one of the two, and whoever set the other counts on it.",
+    checks: "Whether 1F80h has both bits 4 and 6 set, where bit 6 takes precedence, or both bits 1 and 3, where bit 1 has no effect because of bit 3.",
+    why: "The device performs one of the two actions, and the user of the other bit expects the other one.",
     example: "`[1F80]` with `DefaultValue=0x00000051`: on an error of a mandatory slave all nodes are reset (bit 4) and all are stopped (bit 6)",
     remedy: "Clear bit 4 to stop all nodes or bit 6 to reset them; clear bit 1 when slaves are not started (bit 3).",
     source: "CiA 302-2 (1F80h)",
 }
 
-/// Two bits, and what they say together.
+/// Two bits and the effect of setting both.
 const CONTRADICTIONS: [(u8, u8, &str); 2] = [
     (
         4,
         6,
-        "all nodes are reset and all are stopped on an error of a mandatory slave, and the second decides",
+        "on an error of a mandatory slave all nodes are reset (bit 4) or stopped (bit 6); bit 6 takes precedence",
     ),
-    (1, 3, "slaves are started all at once and are not started, so the first means nothing"),
+    (1, 3, "slaves are started simultaneously (bit 1) or not at all (bit 3); bit 1 has no effect"),
 ];
 
 fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {

@@ -5,10 +5,10 @@ use crate::rule;
 rule! {
     "cia302/flying-master-time-slots", Error, Against(check);
     summary: "the time slots of a flying master overlap",
-    checks: "Whether the priority time slot of 1F90h (sub-index 4) is more than 127 times the time slot of a device (sub-index 5).",
-    why: "A device waits its priority times the first and its node-ID times the second before it claims to be master. When they overlap, one of low priority comes before one of high priority.",
-    example: "`[1F90sub4]` with `DefaultValue=1000` and `[1F90sub5]` with `DefaultValue=10`: 127 times 10 are 1270",
-    remedy: "Raise the priority time slot or shorten that of a device. 1500 and 10 are the defaults of the document.",
+    checks: "Whether the priority time slot of 1F90h (sub-index 4) is longer than 127 times the device time slot (sub-index 5).",
+    why: "A device waits for the priority time slot times its priority plus the device time slot times its node-ID before it claims the master role. If the slots overlap, a device of low priority claims it before one of high priority.",
+    example: "`[1F90sub4]` with `DefaultValue=1000` and `[1F90sub5]` with `DefaultValue=10`: 127 times 10 is 1270",
+    remedy: "Increase the priority time slot or reduce the device time slot. The defaults of the document are 1500 and 10.",
     source: "CiA 302-2 (1F90h)",
 }
 
@@ -23,12 +23,12 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let (Some(priority), Some(node)) = (value(4), value(5)) else { return };
     if priority <= NODES * node {
         let message = say!(
-            "`{}` ms as priority time slot, which must be more than 127 time slots of a device ({} ms)",
+            "the priority time slot of `{}` ms is not longer than 127 device time slots ({} ms)",
             priority,
             NODES * node
         );
         let finding = Diagnostic::new(rule, at.device.value_place(at.index, 4), message);
-        let finding = finding.label(at.device.value_place(at.index, 5), "time slot of a device");
-        findings.push(finding.help(say!("write more than {}", NODES * node)));
+        let finding = finding.label(at.device.value_place(at.index, 5), "the device time slot");
+        findings.push(finding.help(say!("write a value greater than {}", NODES * node)));
     }
 }

@@ -5,11 +5,11 @@ use crate::rule;
 
 rule! {
     "cia302/self-starting-not-marked", Note, Against(check), fix Unsafe;
-    summary: "a device starts by itself, and the description says that it does not boot so",
-    checks: "Whether a device that enters operational without a master, which is what bits 0 and 2 of 1F80h say when they are clear, has not `SimpleBootUpSlave=0`.",
-    why: "A master that relies on the description waits with its configuration for a node that already sends. Some drives have 1F80h with 0 and wait for their master all the same, so it is a note.",
+    summary: "the device starts by itself but is not marked as a simple boot-up slave",
+    checks: "Whether a device that enters operational without a master (bits 0 and 2 of 1F80h are clear) has `SimpleBootUpSlave=0`.",
+    why: "A master that relies on the description configures the node while it already transmits. Some drives have 0 in 1F80h and still wait for their master, so it is a note.",
     example: "`[1F80]` with `DefaultValue=0x00000000`, and `SimpleBootUpSlave=0`",
-    remedy: "Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h when the device waits for its master.",
+    remedy: "Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h if the device waits for its master.",
     source: "CiA 302-2 (1F80h); CiA 306-1 §4.4",
 }
 
@@ -19,7 +19,7 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let marked = at.device.device_info.as_ref().and_then(|info| info.simple_boot_up_slave);
     if starts && marked == Some(false) {
         let message = say!(
-            "1F80h lets the device enter operational by itself, `{SimpleBootUpSlave}` says that it does not"
+            "1F80h makes the device enter operational by itself, but `{SimpleBootUpSlave=0}`"
         );
         let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpSlave);
         let finding = Diagnostic::new(rule, place.clone(), message);

@@ -5,9 +5,9 @@ use crate::{Facts, rule};
 rule! {
     "cia304/checksum-missing", Error, Facts(check);
     summary: "13FFh has no checksum for an SRDO",
-    checks: "Whether 13FFh has a sub-index for each SRDO that the device has: sub-index 1 for 1301h, and so on.",
-    why: "The configuration of an SRDO without a checksum can never be declared valid.",
-    example: "`[1302]`, and a 13FFh with one element",
+    checks: "Whether 13FFh has a sub-index for each SRDO of the device: sub-index 1 for 1301h, and so on.",
+    why: "The configuration of an SRDO without a checksum can never become valid.",
+    example: "`[1302]` and a 13FFh with one element",
     remedy: "Describe an element for each SRDO.",
     source: "EN 50325-5 (CiA 304)",
 }

@@ -15,8 +15,8 @@ rule! {
     "cia304/incomplete-srdo-parameter", Error, Facts(check);
     summary: "an SRDO communication parameter lacks a sub-index",
     checks: "Whether each object from 1301h to 1340h has the sub-indexes 1 to 6.",
-    why: "All of them are part of the safety configuration and its checksum; none has a value that goes without saying.",
-    example: "`[1301]` with sub-indexes 0 to 4 only",
+    why: "All of them are part of the safety configuration and its checksum, and none has an implicit value.",
+    example: "`[1301]` with only sub-indexes 0 to 4",
     remedy: "Describe the missing sub-index.",
     source: "EN 50325-5 (CiA 304)",
 }
@@ -30,7 +30,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         let index = srdo.communication_index();
         for (sub, name) in SUBS.into_iter().filter(|(sub, _)| !object.has(*sub)) {
-            let message = say!("{} has no sub-index {} ({}) in {:04X}h", srdo, sub, name, index);
+            let message = say!("{} is missing sub-index {} ({}) of {:04X}h", srdo, sub, name, index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
             findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
         }

@@ -3,11 +3,11 @@ use crate::{Facts, rule};
 
 rule! {
     "cia304/invalid-time", Error, Facts(check);
-    summary: "the times of an SRDO cannot be kept",
-    checks: "Whether the refresh time (SCT of one that is received) and the validation time (SRVT) of each SRDO that has a direction are not 0, and whether the validation time is not longer than the refresh time.",
-    why: "The two frames of an SRDO have to come within the validation time, and the next pair within the cycle time. A time of 0 can never be kept; a validation time beyond the cycle lets the frames of two cycles pass as one pair.",
+    summary: "the times of an SRDO cannot be met",
+    checks: "Whether the refresh time (SCT for a received SRDO) and the validation time (SRVT) of each active SRDO are not 0, and whether the validation time is not longer than the refresh time.",
+    why: "The two frames of an SRDO must arrive within the validation time, and the next pair within the cycle time. A time of 0 can never be met; with a validation time longer than the cycle, frames of two cycles are accepted as one pair.",
     example: "`[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`",
-    remedy: "Write times in milliseconds; the validation time is the shorter one.",
+    remedy: "Write times in milliseconds, with the validation time not longer than the refresh time.",
     source: "EN 50325-5 (CiA 304)",
 }
 
@@ -23,12 +23,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             }
             (Some(cycle), Some(validation)) if validation > cycle => {
                 let message =
-                    say!("{} has {} ms to be validated, and its {} is {} ms", srdo, validation, name, cycle);
+                    say!("the validation time of {} is {} ms, longer than its {} of {} ms", srdo, validation, name, cycle);
                 let finding = Diagnostic::new(&RULE.info, place(3), message).severity(Severity::Warning);
                 finding.label(place(2), say!("the {}", name))
             }
             _ => continue,
         };
-        findings.push(finding.help("write times in milliseconds, the validation time the shorter one"));
+        findings.push(finding.help("write times in milliseconds, with a validation time not longer than the refresh time or SCT"));
     }
 }

@@ -4,11 +4,11 @@ use crate::{Facts, Target, rule};
 
 rule! {
     "cia304/object-not-safe", Warning, Facts(check);
-    summary: "an SRDO maps an entry that is not for SRDOs",
-    checks: "Whether each entry that an SRDO maps says `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.",
-    why: "A tool that configures the SRDO does not offer the entry, and refuses the mapping that is there.",
-    example: "`[1381sub1]` that names an entry with `SRDOMapping=0`",
-    remedy: "Write `SRDOMapping=1`, or map an entry that is made for it.",
+    summary: "an SRDO maps an entry that is not mappable to SRDOs",
+    checks: "Whether each entry that an SRDO maps has `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.",
+    why: "A tool that configures the SRDO does not offer the entry, and rejects the existing mapping.",
+    example: "`[1381sub1]` maps an entry with `SRDOMapping=0`",
+    remedy: "Write `SRDOMapping=1`, or map another entry.",
     source: "CiA 306-1 annex A, EN 50325-5 (CiA 304)",
 }
 
@@ -23,11 +23,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 continue;
             }
             let message =
-                say!("{} maps {:04X}h:{:02X}, which is not for SRDOs", srdo, mapped.index, mapped.sub);
+                say!("{} maps {:04X}h:{:02X}, which is not mappable to SRDOs", srdo, mapped.index, mapped.sub);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(
-                finding.help(say!("write `{SRDOMapping=1}` there, or map an entry that is made for it")),
+                finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")),
             );
         }
     }

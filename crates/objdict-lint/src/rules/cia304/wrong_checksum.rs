@@ -3,11 +3,11 @@ use crate::{Facts, Srdo, rule};
 
 rule! {
     "cia304/wrong-checksum", Warning, Facts(check);
-    summary: "a configuration is called valid, and its checksum is wrong",
-    checks: "Whether the checksum in 13FFh of each SRDO with a direction is that of its parameters, where 13FEh says that the configuration is valid (A5h): a CRC of 16 bits with the polynomial 1021h, from 0, over direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each entry of the mapping. SRDOs of which not all of that is stated are left alone.",
-    why: "At power-up the device works the checksum out, finds that it differs, and sends no safety data.",
-    example: "`[13FE]` with `DefaultValue=0xA5`, and `[13FFsub1]` with `DefaultValue=0`",
-    remedy: "Write the checksum that the finding names, after somebody has made sure that the configuration is the right one; or 0 into 13FEh.",
+    summary: "the checksum of a valid configuration is wrong",
+    checks: "Whether the checksum in 13FFh of each active SRDO matches its parameters if 13FEh marks the configuration as valid (A5h): a 16-bit CRC with the polynomial 1021h and start value 0 over direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each mapping entry. SRDOs with missing values are not checked.",
+    why: "At power-up the device calculates the checksum, detects the difference and sends no safety data.",
+    example: "`[13FE]` with `DefaultValue=0xA5` and `[13FFsub1]` with `DefaultValue=0`",
+    remedy: "Verify the configuration and write the reported checksum; or write 0 to 13FEh.",
     source: "EN 50325-5 (CiA 304)",
 }
 
@@ -21,10 +21,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         };
         if stated != i128::from(right) {
-            let message = say!("`0x{:04X}` as checksum of {}, which is 0x{:04X}", stated, srdo, right);
+            let message = say!("the checksum of {} is `0x{:04X}`, but its parameters yield 0x{:04X}", srdo, stated, right);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x13FF, sub), message)
-                .label(facts.device.value_place(0x13FE, 0), "the configuration is called valid");
-            findings.push(finding.help("make sure that the configuration is right, and write its checksum"));
+                .label(facts.device.value_place(0x13FE, 0), "the configuration is marked valid");
+            findings.push(finding.help("verify the configuration and write its checksum"));
         }
     }
 }
@@ -37,7 +37,7 @@ fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
     bytes.extend(u16::try_from(srdo.number(2)?).ok()?.to_le_bytes());
     bytes.push(u8::try_from(srdo.number(3)?).ok()?);
     for sub in [5, 6] {
-        // below 101h stand the defaults that the device adds its node-ID to
+        // values below 101h are defaults to which the device adds its node-ID
         let cob_id = srdo.cob_id(facts, sub).filter(|&cob_id| cob_id > 0x100)?;
         bytes.extend(u32::try_from(cob_id).ok()?.to_le_bytes());
     }
@@ -64,7 +64,7 @@ fn crc(bytes: &[u8]) -> u16 {
 mod tests {
     #[test]
     fn the_checksum_of_the_digits() {
-        // the check value that catalogues of CRCs give for this polynomial and start
+        // the check value of CRC catalogues for this polynomial and start value
         assert_eq!(super::crc(b"123456789"), 0x31C3);
     }
 }

@@ -3,10 +3,10 @@ use crate::{Facts, Target, rule};
 
 rule! {
     "cia304/wrong-mapping-length", Error, Facts(check);
-    summary: "an SRDO maps an object with another length than it has",
-    checks: "Whether the length in each entry of an SRDO mapping is that of the data type of the object.",
-    why: "The device refuses the mapping, or everything behind the object lies elsewhere in the frame.",
-    example: "`[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is an UNSIGNED8",
+    summary: "the length in an SRDO mapping differs from the length of the object",
+    checks: "Whether the length in each SRDO mapping entry matches the data type of the object.",
+    why: "The device rejects the mapping, or reads the following objects from the wrong position of the frame.",
+    example: "`[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is UNSIGNED8",
     remedy: "Write the length of the data type in bits as the last two digits.",
     source: "EN 50325-5 (CiA 304)",
 }
@@ -17,7 +17,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
             let Some(data_type) = entry.data_type else { continue };
             let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
-            let message = say!("{} maps {}, but it is {} of {} bits", srdo, mapped, data_type, bits);
+            let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
             let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);

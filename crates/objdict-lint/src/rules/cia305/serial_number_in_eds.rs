@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia305/serial-number-in-eds", Warning, Device(check);
-    summary: "all devices of a type have the same serial number",
+    summary: "the description assigns one serial number to all devices of the type",
     checks: "Whether the default of 1018h sub-index 4, the serial number, is 0 or missing in an EDS of a device with `LSS_Supported=1`.",
-    why: "LSS tells devices of a type apart by their serial numbers. A number in the EDS is that of the one device on the author's desk; a tool that takes it for the others finds none.",
-    example: "`LSS_Supported=1`, and `DefaultValue=123456` in `[1018sub4]`",
-    remedy: "Remove the value, or write 0; the number of a node belongs into its DCF.",
+    why: "LSS distinguishes devices of a type by their serial numbers. A number in the EDS belongs to a single device; a tool that uses it for the other devices does not find them.",
+    example: "`LSS_Supported=1` with `DefaultValue=123456` in `[1018sub4]`",
+    remedy: "Remove the value, or write 0; the serial number of a node belongs in its DCF.",
     source: "CiA 305, CiA 301 §7.5.2.21",
 }
 
@@ -19,8 +19,8 @@ fn check(device: &Device, findings: &mut Findings) {
     else {
         return;
     };
-    let message = say!("every device of the type has the serial number `{}`", serial_number);
+    let message = say!("all devices of the type have the serial number `{}`", serial_number);
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1018, 4), message)
-        .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs different ones");
-    findings.push(finding.help(say!("remove the value; the number of a node belongs into its {DCF}")));
+        .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs a unique serial number");
+    findings.push(finding.help(say!("remove the value; the serial number of a node belongs in its {DCF}")));
 }

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia305/unconfigured-without-address", Warning, Device(check);
-    summary: "a node waits for LSS, and nobody knows its address",
-    checks: "Whether a DCF with `NodeID=255` states the four numbers by which LSS selects a node: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. Numbers that are 0 count as not stated, but for product code and revision number.",
-    why: "A manager that does not know the numbers has to search for the node, which finds any one of its kind.",
-    example: "`NodeID=255`, `LSS_SerialNumber=0`, and no value in `[1018sub4]`",
-    remedy: "Write the serial number of the device's label as `LSS_SerialNumber`.",
+    summary: "a node gets its node-ID by LSS, but its LSS address is incomplete",
+    checks: "Whether a DCF with `NodeID=255` states the four numbers of the LSS address: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. A 0 counts as not stated, except for product code and revision number.",
+    why: "A manager without the numbers must search for the node and may find another device of the same type.",
+    example: "`NodeID=255` and `LSS_SerialNumber=0`, without a value in `[1018sub4]`",
+    remedy: "Write the serial number from the label of the device as `LSS_SerialNumber`.",
     source: "CiA 305, CiA 306-1 §5.4",
 }
 
@@ -30,8 +30,8 @@ fn check(device: &Device, findings: &mut Findings) {
     if missing.is_empty() {
         return;
     }
-    let message = say!("LSS shall find the node, and nobody knows its {}", series(missing));
+    let message = say!("`255` requires LSS, but the LSS address is missing the {}", series(missing));
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(finding.help("write the numbers of the device's label"));
+    findings.push(finding.help("write the numbers from the label of the device"));
 }

@@ -1,0 +1,154 @@
+//! Conditions in the words of CiA documents: `1000h bit 16 is set and bit 23 is not`.
+
+use super::{Condition, Term};
+use crate::model::Device;
+use crate::{device_type_index, index_in};
+
+impl Condition {
+    /// The condition as the end of a sentence, with the indexes of a logical device, counted from 0.
+    pub fn in_words(&self, device: &Device, block: u8) -> String {
+        let mut words = Words { rest: &self.terms, device, block, text: String::new(), last: None };
+        words.term(true, false);
+        words.text
+    }
+}
+
+/// A condition while it is written.
+struct Words<'a> {
+    rest: &'a [Term],
+    device: &'a Device,
+    block: u8,
+    text: String,
+    /// The object of the clause before and what that clause says of it.
+    last: Option<(u16, &'static str)>,
+}
+
+impl Words<'_> {
+    /// Writes the next term, or its opposite. Alternatives need brackets among terms that all hold.
+    fn term(&mut self, holds: bool, in_all: bool) {
+        let Some((term, rest)) = self.rest.split_first() else { return };
+        self.rest = rest;
+        match *term {
+            Term::Not => self.term(!holds, in_all),
+            Term::All(count) => self.joined(count, holds, holds, in_all),
+            Term::OneOf(count) => self.joined(count, !holds, holds, in_all),
+            Term::Described(index, sub) => {
+                let is = if holds { "is described" } else { "is not described" };
+                let sub = sub.map(|sub| format!("sub-index {sub}"));
+                self.clause(index, sub.as_deref(), is);
+            }
+            Term::BitsIn(index, _, [first, last], count) => self.bits(index, [first, last], count, holds),
+            Term::ValueIn(index, sub, count) => {
+                let has_subs =
+                    self.device.object(self.place_of(index)).is_some_and(|o| o.object_type().has_subs());
+                let sub = (sub > 0 || has_subs).then(|| format!("sub-index {sub}"));
+                let ranges = self.ranges(count);
+                self.clause(index, sub.as_deref(), if holds { "is" } else { "is not" });
+                self.text.push_str(&ranges);
+            }
+            Term::Range(..) => {}
+        }
+    }
+
+    fn joined(&mut self, count: u32, is_all: bool, holds: bool, in_all: bool) {
+        let has_brackets = in_all && !is_all;
+        if has_brackets {
+            self.text.push('(');
+        }
+        for number in 0..count {
+            if number > 0 {
+                self.text.push_str(if is_all { " and " } else { " or " });
+            }
+            self.term(holds, is_all);
+        }
+        if has_brackets {
+            self.text.push(')');
+        }
+    }
+
+    fn bits(&mut self, index: u16, [first, last]: [u8; 2], count: u32, holds: bool) {
+        let bits = if first == last { format!("bit {first}") } else { format!("bits {first} to {last}") };
+        let wanted = match self.rest.first() {
+            Some(Term::Range(1, high)) if count == 1 && (first == last || *high == i128::MAX) => Some(holds),
+            Some(Term::Range(0, 0)) if count == 1 => Some(!holds),
+            _ => None,
+        };
+        let ranges = self.ranges(count);
+        match (wanted, first == last) {
+            (Some(true), true) => self.clause(index, Some(&bits), "is set"),
+            (Some(false), true) => self.clause(index, Some(&bits), "is not set"),
+            (Some(true), false) => self.clause(index, Some(&bits), "are not 0"),
+            (Some(false), false) => self.clause(index, Some(&bits), "are 0"),
+            (None, _) => {
+                let is = match (first == last, holds) {
+                    (true, true) => "is",
+                    (true, false) => "is not",
+                    (false, true) => "are",
+                    (false, false) => "are not",
+                };
+                self.clause(index, Some(&bits), is);
+                self.text.push_str(&ranges);
+            }
+        }
+    }
+
+    /// A subject and what is said of it. What the clause before says already is not repeated.
+    fn clause(&mut self, index: u16, part: Option<&str>, is: &'static str) {
+        let index = self.place_of(index);
+        let before = self.last.filter(|(other, _)| *other == index).map(|(_, is)| is);
+        if before.is_none() || part.is_none() {
+            self.text.push_str(&format!("{index:04X}h{}", if part.is_some() { " " } else { "" }));
+        }
+        self.text.push_str(part.unwrap_or_default());
+        let is_shorter = part.is_some() && before == Some("is set") && is == "is not set";
+        self.text.push(' ');
+        self.text.push_str(if is_shorter { "is not" } else { is });
+        self.last = Some((index, is));
+    }
+
+    /// The next ranges, with a blank before.
+    fn ranges(&mut self, count: u32) -> String {
+        let (ranges, rest) = self.rest.split_at_checked(count as usize).unwrap_or_default();
+        self.rest = rest;
+        let range = |term: &Term| match *term {
+            Term::Range(first, last) if first == last => format!("{first}"),
+            Term::Range(i128::MIN, last) => format!("at most {last}"),
+            Term::Range(first, i128::MAX) => format!("at least {first}"),
+            Term::Range(first, last) => format!("{first} to {last}"),
+            _ => String::new(),
+        };
+        let ranges: Vec<String> = ranges.iter().map(range).collect();
+        format!(" {}", ranges.join(" or "))
+    }
+
+    fn place_of(&self, index: u16) -> u16 {
+        match index {
+            0x1000 => device_type_index(self.device, self.block),
+            _ => index_in(self.block, index),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conditions_are_sentences() {
+        let words = |text: &str| text.parse::<Condition>().unwrap().in_words(&Device::default(), 0);
+        assert_eq!(words("6040h"), "6040h is described");
+        assert_eq!(words("not 1A00h:2"), "1A00h sub-index 2 is not described");
+        assert_eq!(words("1000h[16] and not 1000h[23]"), "1000h bit 16 is set and bit 23 is not");
+        assert_eq!(words("6502h[2] or 6502h[8]"), "6502h bit 2 is set or bit 8 is set");
+        assert_eq!(words("not 1000h[16..31] in 1..5, 10"), "1000h bits 16 to 31 are not 1 to 5 or 10");
+        assert_eq!(words("6401h > 4"), "6401h is at least 5");
+        assert_eq!(
+            words("6040h and (6041h or not 6060h)"),
+            "6040h is described and (6041h is described or 6060h is not described)"
+        );
+        assert_eq!(
+            words("not (6040h or 6041h[0..3] = 0)"),
+            "6040h is not described and 6041h bits 0 to 3 are not 0"
+        );
+    }
+}
