@@ -185,9 +185,10 @@ pub(super) enum Counting {
 pub(super) struct ShowArgs {
     /// The file; `-` is the standard input
     pub file: PathBuf,
-    /// Only this object or entry: 1018, 0x1018, 1018:1, 1018sub1; all numbers are hexadecimal
-    #[arg(value_name = "INDEX[:SUB]")]
-    pub address: Option<Address>,
+    /// Only these objects: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a
+    /// pattern such as 60* or *velocity*, or communication, manufacturer, profile
+    #[arg(value_name = "OBJECT")]
+    pub object: Option<String>,
     /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
@@ -451,11 +452,13 @@ pub(super) enum RulesFormat {
     Json,
 }
 
-/// Explain a rule: what it checks, why it matters, how to fix it
+/// Explain a rule, or what CiA says of an object
 #[derive(Debug, Parser)]
 pub(super) struct ExplainArgs {
-    /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique
-    pub rule: String,
+    /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique. Or an index, such as 1018 or
+    /// 0x6040
+    #[arg(value_name = "RULE|INDEX")]
+    pub subject: String,
 }
 
 /// Generate shell completions

@@ -9,6 +9,7 @@ use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Applicability, RuleInfo, Severity, listing, nearest};
+use crate::model::Address;
 use crate::registry;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
@@ -75,9 +76,15 @@ fn group(name: &str) -> Result<&'static str, Failure> {
     })
 }
 
-/// The page of one rule.
+/// The page of one rule, or of one object.
 pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let Some(rule) = find(&args.rule) else { return Err(unknown(&args.rule)) };
+    let name = &args.subject;
+    let Some(rule) = find(name) else {
+        return match name.parse::<Address>() {
+            Ok(address) => super::profile::explain(address.index, out).map(|()| Outcome::Clean),
+            Err(_) => Err(unknown(name)),
+        };
+    };
     let fix = match rule.fix {
         None => "none",
         Some(Applicability::Safe) => "safe, `objdict check --fix` makes it",

@@ -5,5 +5,8 @@ pub mod concise;
 pub mod configure;
 pub mod download;
 pub mod modular;
+mod resolve;
+
+pub use resolve::resolve;
 
 use objdict_model::{diagnostic, literal, model};

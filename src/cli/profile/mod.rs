@@ -3,6 +3,8 @@
 mod json;
 mod text;
 
+use std::io::Write;
+
 use super::args::{ProfileCommand, ProfileFormat, ProfileListArgs, ProfileShowArgs};
 use super::output::Output;
 use super::{Failure, Outcome, profiles};
@@ -36,6 +38,23 @@ fn show(args: &ProfileShowArgs, out: &mut Output) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// What the documents of CiA say of an object.
+pub(super) fn explain(index: u16, out: &mut Output) -> Result<(), Failure> {
+    let mut is_first = true;
+    for profile in standard() {
+        let Ok(facts) = find(profile, index) else { continue };
+        if !std::mem::take(&mut is_first) {
+            writeln!(out)?;
+        }
+        text::object(profile, &facts, out)?;
+    }
+    match is_first {
+        true => Err(Failure::new(format_args!("no built-in CiA document describes 0x{index:04X}"))
+            .help("`objdict profile list` lists the documents")),
+        false => Ok(()),
+    }
 }
 
 /// What a profile says of an object, of whichever logical device.

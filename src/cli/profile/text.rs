@@ -55,6 +55,9 @@ pub(super) fn profile(profile: &Profile, out: &mut dyn Write) -> io::Result<()> 
 /// One object with all that is known of it.
 pub(super) fn object(profile: &Profile, facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}  {} ({})\n", range(facts), facts.name, profile.document)?;
+    if let Some(about) = facts.about {
+        writeln!(out, "{about}\n")?;
+    }
     let mut lines = Table::new(["", ""], LINE);
     let mut line = |name: &str, text: String| {
         if !text.is_empty() {

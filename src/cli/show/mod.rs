@@ -13,9 +13,11 @@ use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
 use crate::decoded::Reader;
+use crate::diagnostic::nearest;
 use crate::download::{ConciseDcf, Download};
 use crate::format::{concise, json as json_format};
 use crate::model::{Address, Device, Entry, Object};
+use objdict_node::resolve;
 
 /// A device to be shown.
 struct View<'a> {
@@ -58,18 +60,30 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
         node_id: args.node_id.or(device.node_id()),
         changed: args.changed,
     };
-    match args.address {
-        None => show_device(&view, args.format, out)?,
-        Some(address) => show_address(&view, address, args.format, out)?,
+    let Some(name) = &args.object else {
+        show_device(&view, args.format, out)?;
+        return Ok(Outcome::Clean);
+    };
+    match resolve(&device, name)[..] {
+        [] => return Err(unknown(&view, name)),
+        [address] => show_address(&view, address, args.format, out)?,
+        ref addresses => show_addresses(&view, addresses, args.format, out)?,
     }
     Ok(Outcome::Clean)
 }
 
 /// The downloads of a concise DCF, or those to one object or entry.
 fn show_configuration(configuration: &ConciseDcf, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
+    let address: Option<Address> = match args.object.as_deref().map(str::parse) {
+        Some(Err(_)) => {
+            let failure = Failure::new("a concise DCF has no names of objects");
+            return Err(failure.help("name an index such as `1018` or `1018:1`"));
+        }
+        Some(Ok(address)) => Some(address),
+        None => None,
+    };
     let is_wanted = |download: &Download| {
-        args.address
-            .is_none_or(|at| download.index == at.index && at.sub.is_none_or(|sub| sub == download.sub))
+        address.is_none_or(|at| download.index == at.index && at.sub.is_none_or(|sub| sub == download.sub))
     };
     if args.format == ShowFormat::Json {
         let wanted = configuration.0.iter().filter(|download| is_wanted(download));
@@ -117,6 +131,37 @@ fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Outp
         },
     }
     Ok(())
+}
+
+/// Several objects or entries, one after the other.
+fn show_addresses(
+    view: &View<'_>,
+    addresses: &[Address],
+    format: ShowFormat,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    if format == ShowFormat::Json {
+        let is_wanted = |index| addresses.iter().any(|at| at.index == index);
+        let objects = view.device.objects.iter().filter(|(index, _)| is_wanted(**index));
+        json::write(view, objects.map(|(&index, object)| (index, object)), |_| true, out)?;
+        return Ok(());
+    }
+    for (number, &address) in addresses.iter().enumerate() {
+        if number > 0 {
+            writeln!(out)?;
+        }
+        show_address(view, address, format, out)?;
+    }
+    Ok(())
+}
+
+fn unknown(view: &View<'_>, name: &str) -> Failure {
+    let names = view.device.objects.values().map(Object::name);
+    let failure = Failure::new(format_args!("`{}` has no object `{name}`", view.file));
+    match nearest(name, names) {
+        Some(meant) => failure.help(format!("did you mean `{meant}`?")),
+        None => failure.help("`objdict show FILE` lists the objects"),
+    }
 }
 
 /// The only entry of a VAR or DOMAIN.

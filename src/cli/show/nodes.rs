@@ -15,7 +15,7 @@ use crate::report::plural;
 const CELL: usize = 60;
 
 pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
-    if args.address.is_some() {
+    if args.object.is_some() {
         let failure =
             Failure::new(format_args!("`{}` is a node list and has no objects", name_of(&args.file)));
         return Err(failure.help("name the description of one of its nodes"));

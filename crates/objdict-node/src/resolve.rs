@@ -1,0 +1,131 @@
+//! Objects by the names that people give them.
+
+use crate::model::{Address, Device, PdoKind};
+
+/// The objects and entries of a device that a text means: an address (`1018:1`), a PDO (`tpdo1`), an area (`communication`,
+/// `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a name. Case, blanks and punctuation of
+/// names do not count. A full name wins over a part of one. An address is returned even if the device does not have it.
+pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
+    if let Ok(address) = text.parse() {
+        return vec![address];
+    }
+    let wanted = plain(text);
+    if let Some(indexes) = pdo(&wanted) {
+        return objects(device, |index| indexes.contains(&index));
+    }
+    let area = match wanted.as_str() {
+        "communication" => Some(0x1000..=0x1FFF),
+        "manufacturer" => Some(0x2000..=0x5FFF),
+        "profile" => Some(0x6000..=0x9FFF),
+        _ => None,
+    };
+    if let Some(area) = area {
+        return objects(device, |index| area.contains(&index));
+    }
+    if wanted.contains(['*', '?']) {
+        let is_meant = |index: u16, name: &str| {
+            matches(wanted.as_bytes(), name.as_bytes())
+                || matches(wanted.as_bytes(), format!("{index:04x}").as_bytes())
+        };
+        return objects_by(device, is_meant);
+    }
+    if wanted.is_empty() {
+        return Vec::new();
+    }
+    let by_name = |is_meant: &dyn Fn(&str) -> bool| {
+        let found = objects_by(device, |_, name| is_meant(name));
+        if found.is_empty() { entries_by(device, is_meant) } else { found }
+    };
+    let exact = by_name(&|name| name == wanted);
+    if exact.is_empty() { by_name(&|name| name.contains(&wanted)) } else { exact }
+}
+
+fn objects(device: &Device, is_meant: impl Fn(u16) -> bool) -> Vec<Address> {
+    objects_by(device, |index, _| is_meant(index))
+}
+
+fn objects_by(device: &Device, is_meant: impl Fn(u16, &str) -> bool) -> Vec<Address> {
+    let objects = device.objects.iter().filter(|(index, object)| is_meant(**index, &plain(object.name())));
+    objects.map(|(&index, _)| Address { index, sub: None }).collect()
+}
+
+fn entries_by(device: &Device, is_meant: &dyn Fn(&str) -> bool) -> Vec<Address> {
+    let objects = device.objects.iter().filter(|(_, object)| object.object_type().has_subs());
+    let entries = objects.flat_map(|(&index, object)| {
+        let meant = object.entries().filter(|(_, entry)| is_meant(&plain(&entry.name)));
+        meant.map(move |(sub, _)| Address { index, sub: Some(sub) })
+    });
+    entries.collect()
+}
+
+/// Communication parameter and mapping of `tpdo1`.
+fn pdo(name: &str) -> Option<[u16; 2]> {
+    let kinds = [("tpdo", PdoKind::Tpdo), ("rpdo", PdoKind::Rpdo)];
+    kinds.into_iter().find_map(|(prefix, kind)| {
+        let number = name.strip_prefix(prefix)?.parse().ok()?;
+        Some([kind.communication_index(number)?, kind.mapping_index(number)?])
+    })
+}
+
+/// Letters and digits in lower case, and the wildcards of a pattern.
+fn plain(name: &str) -> String {
+    let kept = name.chars().filter(|c| c.is_alphanumeric() || matches!(c, '*' | '?'));
+    kept.flat_map(char::to_lowercase).collect()
+}
+
+/// Whether a text matches a pattern with `*` and `?`.
+fn matches(pattern: &[u8], text: &[u8]) -> bool {
+    let (mut p, mut t) = (0, 0);
+    let mut star = None; // where to go on when what follows the last `*` does not match
+    while t < text.len() {
+        match pattern.get(p) {
+            Some(b'*') => {
+                star = Some((p, t));
+                p += 1;
+            }
+            Some(&c) if c == b'?' || c == text[t] => (p, t) = (p + 1, t + 1),
+            _ => match star {
+                Some((at, from)) => {
+                    star = Some((at, from + 1));
+                    (p, t) = (at + 1, from + 1);
+                }
+                None => return false,
+            },
+        }
+    }
+    pattern[p..].iter().all(|&c| c == b'*')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Object;
+
+    #[test]
+    fn names_patterns_and_areas() {
+        let mut device = Device::default();
+        let names = [
+            (0x1800, "TPDO communication parameter"),
+            (0x1A00, "TPDO mapping"),
+            (0x6041, "Statusword"),
+            (0x6064, "Position actual value"),
+            (0x6864, "Position actual value 2"),
+        ];
+        for (index, name) in names {
+            let mut object = Object::default();
+            object.main.name = name.into();
+            device.objects.insert(index, object);
+        }
+        let found = |text: &str| resolve(&device, text).iter().map(|at| at.index).collect::<Vec<_>>();
+        assert_eq!(found("1018:1"), [0x1018]);
+        assert_eq!(found("TPDO1"), [0x1800, 0x1A00]);
+        assert_eq!(found("status word"), [0x6041]);
+        assert_eq!(found("position actual value"), [0x6064], "a full name wins");
+        assert_eq!(found("actual"), [0x6064, 0x6864]);
+        assert_eq!(found("60*"), [0x6041, 0x6064]);
+        assert_eq!(found("*actual*value"), [0x6064]);
+        assert_eq!(found("communication"), [0x1800, 0x1A00]);
+        assert_eq!(found("tpdo9"), [0u16; 0]);
+        assert_eq!(found("-"), [0u16; 0]);
+    }
+}
