@@ -29,7 +29,7 @@ use super::settings::{ConfigFileArgs, SettingsArgs};
 use crate::diagnostic::Severity;
 use crate::format::literal::RealSpelling;
 use crate::format::{WriteOptions, XddVersion};
-use crate::model::{Address, Device};
+use crate::model::{Address, Device, NoAddress};
 use crate::source::Encoding;
 
 /// The CANopen object-dictionary toolchain
@@ -187,7 +187,7 @@ pub(super) struct ShowArgs {
     pub file: PathBuf,
     /// Only these objects: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a
     /// pattern such as 60* or *velocity*, or communication, manufacturer, profile
-    #[arg(value_name = "OBJECT")]
+    #[arg(value_name = "INDEX[:SUB]", value_parser = object)]
     pub object: Option<String>,
     /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
@@ -452,7 +452,7 @@ pub(super) enum RulesFormat {
     Json,
 }
 
-/// Explain a rule, or what CiA says of an object
+/// Explain a rule: what it checks, why it matters, how to fix it
 #[derive(Debug, Parser)]
 pub(super) struct ExplainArgs {
     /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique. Or an index, such as 1018 or
@@ -551,6 +551,16 @@ pub(super) fn node_id(text: &str) -> Result<u8, String> {
         None => text.parse().ok(),
     };
     number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
+}
+
+/// The name of objects. Digits that are not an address are a typing error, not a name.
+fn object(text: &str) -> Result<String, NoAddress> {
+    let is_numeric = text.starts_with(|c: char| c.is_ascii_digit())
+        && text.chars().all(|c| c.is_ascii_hexdigit() || matches!(c, 'x' | 'X' | ':'));
+    if is_numeric {
+        text.parse::<Address>()?;
+    }
+    Ok(text.to_owned())
 }
 
 /// A severity, as an argument.
