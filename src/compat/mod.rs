@@ -1,8 +1,8 @@
-//! What other tools do with what the rules find: one table, applied to the findings of a check in one place.
+//! The reactions of other tools to findings: one table, applied to the findings of a check in one place.
 //!
-//! A rule knows a cause and not who suffers from it. When a check is told which tools the description shall be fit for
-//! ([`Options::tools`](crate::lint::Options::tools)), each finding that one of them chokes on says so, and is no less grave
-//! than what happens there. Rules of the group `portability` are silent but for that.
+//! A rule knows a problem, but not the affected tools. When a check includes tools
+//! ([`Options::tools`](crate::lint::Options::tools)), each finding that affects one of them names it, and has at least the
+//! severity of the effect. Findings of the group `portability` are reported for affected tools only.
 
 mod reactions;
 
@@ -12,43 +12,43 @@ use crate::lint::PORTABILITY;
 
 pub use reactions::REACTIONS;
 
-/// What tools do with a file in which a rule finds something.
+/// The reaction of tools to a finding of a rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Reaction {
     /// The id of the rule.
     pub rule: &'static str,
-    /// The tools that do the same.
+    /// The tools with the same reaction.
     pub tools: &'static [Tool],
-    /// How bad it is.
+    /// The effect on the file.
     pub effect: Effect,
-    /// What happens, as a sentence without a subject for the tools: "the file is refused".
+    /// The reaction, as a passive sentence: "the file is refused".
     pub what: &'static str,
-    /// Which findings of the rule it is about; all, where this is `None`.
+    /// The affected findings of the rule; `None` for all.
     pub when: Option<When>,
 }
 
-/// Which findings of a rule a reaction is about.
+/// The condition of a reaction.
 #[derive(Clone, Copy, Debug)]
 pub struct When {
     /// In words: "in `[DummyUsage]`".
     pub text: &'static str,
-    /// Whether it is about this one.
+    /// Whether a finding meets the condition.
     pub holds: fn(&Description, &Diagnostic) -> bool,
 }
 
-/// How bad it is what a tool does.
+/// The effect of a finding on a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// It does not read the file, or crashes.
+    /// The tool refuses the file, or crashes.
     Refused,
-    /// It reads something else than what the file says.
+    /// The tool misreads the file.
     Wrong,
-    /// It does not know what it reads, or loses it when it writes the file.
+    /// The tool ignores the content, or drops it when writing the file.
     Dropped,
 }
 
 impl Effect {
-    /// The least severity of a finding with this effect.
+    /// The lowest severity of a finding with this effect.
     pub const fn severity(self) -> Severity {
         match self {
             Self::Refused | Self::Wrong => Severity::Warning,
@@ -56,7 +56,7 @@ impl Effect {
         }
     }
 
-    /// The word for it.
+    /// The name of the effect.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Refused => "refused",
@@ -66,8 +66,8 @@ impl Effect {
     }
 }
 
-/// What the tools of the selection do is added to the findings; those that only tools make are gone where none of these
-/// does.
+/// Adds the reactions of the selected tools to the findings; removes findings of the group `portability` that affect none
+/// of them.
 pub(crate) fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {
     findings.filter_map(|finding| {
         let reactions = REACTIONS.iter().filter(|reaction| reaction.rule == finding.rule.id);

@@ -1,5 +1,5 @@
-//! The table: rule, tools, what they do. Tried with dcf-tools 2.4.2 and canopen 2.4.1 for Python, read in the source of
-//! CANopenEditor of July 2026, in that of CANopenNode 4 (which is also tried) and in the manual of CODESYS.
+//! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python and CANopenNode 4; taken from
+//! the sources of CANopenEditor of July 2026 and CANopenNode 4, and from the manual of CODESYS.
 
 use super::{Effect, Reaction, When};
 use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, PythonCanopen};
@@ -11,13 +11,13 @@ use objdict_model::canopennode::{Cause, unmet};
 
 use Effect::{Dropped, Refused, Wrong};
 
-/// Both readers that build on the INI reader of Python.
+/// Both readers based on Python's INI reader.
 const PYTHON: &[Tool] = &[DcfTools, PythonCanopen];
 const DCF_TOOLS: &[Tool] = &[DcfTools];
 const PYTHON_CANOPEN: &[Tool] = &[PythonCanopen];
 const EDITOR: &[Tool] = &[CanOpenEditor];
 const CANOPENNODE: &[Tool] = &[CanOpenNode];
-/// Both that write files.
+/// Both tools that write files.
 const WRITERS: &[Tool] = &[PythonCanopen, CanOpenEditor];
 
 const fn row(rule: &'static str, tools: &'static [Tool], effect: Effect, what: &'static str) -> Reaction {
@@ -30,7 +30,7 @@ impl Reaction {
     }
 }
 
-/// Whether a finding is about an object with an entry that the stack cannot read.
+/// Whether a finding concerns an object with an entry that the stack cannot read.
 fn is_read_by_stack(description: &Description, finding: &Diagnostic) -> bool {
     let index = |at: &At| match at {
         At::Place(Place { part: Part::Object(index) | Part::Entry(index, _), .. }) => Some(*index),
@@ -43,7 +43,7 @@ fn is_read_by_stack(description: &Description, finding: &Diagnostic) -> bool {
         .any(|unmet| matches!(unmet.place.part, Part::Object(at) | Part::Entry(at, _) if at == found))
 }
 
-/// Everything that is known of the tools, in the order of the rules.
+/// All known reactions, in the order of the rules.
 pub static REACTIONS: &[Reaction] = &[
     row("cia301/incomplete-pdo-parameter", CANOPENNODE, Wrong, Cause::Entry.effect())
         .when("of an entry that the stack reads", is_read_by_stack),
@@ -59,7 +59,7 @@ pub static REACTIONS: &[Reaction] = &[
         "cia306/blank-before-equals",
         PYTHON,
         Wrong,
-        "an indented line is taken for more of the value above it",
+        "an indented line is read as continuation of the value above it",
     )
     .when("a line is indented", |description, _| has_entry(description, is_indented)),
     row("cia306/blank-before-equals", EDITOR, Dropped, "the line is skipped")
@@ -68,7 +68,7 @@ pub static REACTIONS: &[Reaction] = &[
         }),
     row("cia306/blanks-in-section-name", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/blanks-in-section-name", PYTHON_CANOPEN, Dropped, "the section is skipped"),
-    row("cia306/blanks-in-section-name", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/blanks-in-section-name", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/boolean-word", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/boolean-word", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/byte-order-mark", PYTHON, Refused, "the file is refused"),
@@ -85,10 +85,9 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/decorated-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
     row("cia306/decorated-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
         .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
-    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused")
-        .when("in the same letters", is_repeated),
+    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused").when("in the same case", is_repeated),
     row("cia306/duplicate-section", PYTHON, Refused, "the file is refused")
-        .when("in the same letters", is_repeated),
+        .when("in the same case", is_repeated),
     row(
         "cia306/duplicate-section",
         EDITOR,
@@ -99,19 +98,19 @@ pub static REACTIONS: &[Reaction] = &[
         .when("`$nodeid` alone", |description, finding| {
             shown(description, finding).eq_ignore_ascii_case("$NODEID")
         }),
-    row("cia306/indented-section", PYTHON, Wrong, "the header is taken for more of the value above it"),
-    row("cia306/indented-section", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/indented-section", PYTHON, Wrong, "the header is read as continuation of the value above it"),
+    row("cia306/indented-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/junk-line", PYTHON, Refused, "the file is refused"),
     row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
-    row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and mostly the file")
-        .when("outside [FileInfo], and not 00", is_read_number),
+    row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and usually the file")
+        .when("outside [FileInfo], except 00", is_read_number),
     row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
-        "`DataType` or `AccessType`, not of a module",
+        "`DataType` or `AccessType`, except in modules",
         |description, finding| {
             [Field::DataType, Field::AccessType].iter().any(|field| finding.message.names(field))
                 && !section_of(description, finding).starts_with(['M', 'm'])
@@ -129,20 +128,20 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/missing-section", EDITOR, Refused, "the file is refused").when(
         "[FileInfo], [DeviceInfo] or [MandatoryObjects]",
         |_, finding| {
-            let grave = [Part::FileInfo, Part::DeviceInfo, Part::List(ObjectList::Mandatory)];
-            finding.message.names_part(|part| grave.contains(part))
+            let required = [Part::FileInfo, Part::DeviceInfo, Part::List(ObjectList::Mandatory)];
+            finding.message.names_part(|part| required.contains(part))
         },
     ),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/not-ascii", PYTHON, Refused, "the file is refused").when("not UTF-8", is_of_one_byte),
-    row("cia306/not-ascii", EDITOR, Wrong, "each such letter becomes U+FFFD")
+    row("cia306/not-ascii", EDITOR, Wrong, "each such character becomes U+FFFD")
         .when("not UTF-8", is_of_one_byte),
     row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
-    row("cia306/octal-number", PYTHON, Refused, "the number is refused, and mostly the file")
+    row("cia306/octal-number", PYTHON, Refused, "the number is refused, and usually the file")
         .when("outside [FileInfo]", is_read_number),
-    row("cia306/quoted-string", WRITERS, Wrong, "the quotes become a part of the text"),
+    row("cia306/quoted-string", WRITERS, Wrong, "the quotes become part of the text"),
     row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
@@ -152,7 +151,7 @@ pub static REACTIONS: &[Reaction] = &[
         "cia306/stray-compact-section",
         PYTHON_CANOPEN,
         Wrong,
-        "the names make sub-indexes, or the file is refused",
+        "the names create sub-indexes, or the file is refused",
     )
     .when("in [xxxxName]", is_of_names),
     row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is refused"),
@@ -163,12 +162,12 @@ pub static REACTIONS: &[Reaction] = &[
         "cia306/trailing-comment",
         EDITOR,
         Wrong,
-        "the comment becomes a part of the value, or the object is skipped",
+        "the comment becomes part of the value, or the object is skipped",
     ),
     row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/twos-complement", PYTHON_CANOPEN, Wrong, "a value is read as a positive number"),
     row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
-    row("cia306/unclosed-section", EDITOR, Wrong, "the keys below go to the section before"),
+    row("cia306/unclosed-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/unknown-key", WRITERS, Dropped, "the key is lost"),
@@ -176,7 +175,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/unknown-section", PYTHON_CANOPEN, Dropped, "the section is lost"),
     row("cia306/unknown-section", EDITOR, Dropped, "the section is lost")
         .when("letters and digits", |description, finding| is_plain(shown(description, finding))),
-    row("cia306/unknown-section", EDITOR, Wrong, "the keys below go to the section before")
+    row("cia306/unknown-section", EDITOR, Wrong, "the keys below are read into the previous section")
         .when("other characters in the name", |description, finding| !is_plain(shown(description, finding))),
     row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused").when(
         "`AccessType`, `SubNumber` or `CompactSubObj`",
@@ -197,7 +196,7 @@ pub static REACTIONS: &[Reaction] = &[
         }),
     row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
-    row("portability/commented-section", EDITOR, Wrong, "the keys below go to the section of the comment"),
+    row("portability/commented-section", EDITOR, Wrong, "the keys below are read into the commented section"),
     row("portability/compact-denotations", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/compact-denotations", WRITERS, Dropped, "they are lost"),
     row("portability/compact-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
@@ -214,7 +213,7 @@ pub static REACTIONS: &[Reaction] = &[
         Wrong,
         "default and mapping are lost, the low limit becomes the high one",
     ),
-    row("portability/compact-values", PYTHON_CANOPEN, Wrong, "the default stands in their place"),
+    row("portability/compact-values", PYTHON_CANOPEN, Wrong, "the default is used instead"),
     row("portability/compact-values", EDITOR, Wrong, "they are lost, as are default and mapping"),
     row("portability/denotation", PYTHON_CANOPEN, Dropped, "it is lost"),
     row("portability/domain-without-type", PYTHON, Refused, "the file is refused"),
@@ -303,7 +302,7 @@ fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     span.of(description.source().text())
 }
 
-/// The name of the section that the place of a finding stands in, or is the header of; empty before the first.
+/// The name of the section that contains the place of a finding; empty before the first section.
 fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     if is_at_header(description, finding) {
         return shown(description, finding);

@@ -6,15 +6,15 @@ use objdict_model::Format;
 
 text_rule! {
     FILE_NAME = "cia306/file-name", Note, fix Safe;
-    summary: "the file has another name than it says",
-    checks: "Whether `FileName` is the name of the file, whatever the case of its letters. Folders are not compared, and what comes from the standard input has no name. The share of files is high because whoever collected them gave them other names; before that one in five differed: a copy of another device's file, a title in the place of the name, or a `FileName` of the computer that it was made on.",
-    why: "The file was copied or renamed, and people look for a file that does not exist. Perhaps it is a changed copy that still passes for the original.",
+    summary: "`FileName` differs from the name of the file",
+    checks: "Whether `FileName` is the name of the file, ignoring case. Folders are not compared, and standard input has no name. The share of files is high because files of the corpus were renamed when they were collected; before that, one in five differed: copies for another device, a title instead of a file name, or the name on the computer where the file was made.",
+    why: "The file was copied or renamed, and users look for a file that does not exist. A modified copy may be mistaken for the original.",
     example: "`FileName=drive.eds` in `drive_v2.eds`",
-    remedy: "Write the name of the file into `FileName`, or give the file its name back.",
+    remedy: "Write the name of the file in `FileName`, or rename the file.",
     source: "CiA 306-1 §4.4",
 }
 
-/// Compares `FileName` with the name that a file was opened by. A name without an ending that we know is nobody's file.
+/// Compares `FileName` with the name under which the file was opened. Names without a known extension are ignored.
 pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
     let Some(stated) = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()) else { return };
     let (actual, stated) = (base_name(opened_as), base_name(stated));
@@ -28,7 +28,7 @@ pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
     findings.push(Diagnostic::new(&FILE_NAME, place, message).help(title).fix(fix));
 }
 
-/// The name behind the last separator of either kind: files go from one system to the other.
+/// The name after the last separator of either kind: files are exchanged between systems.
 fn base_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path).trim()
 }

@@ -1,10 +1,10 @@
-//! Where findings are collected.
+//! The collection of findings.
 
 use std::collections::BTreeMap;
 
 use super::{Diagnostic, RuleInfo, Severity};
 
-/// So many findings of one rule are kept of one file; the rest is counted. A hostile file cannot fill the memory.
+/// The maximum number of findings kept per rule and file; more are only counted. This limits memory for hostile files.
 pub const MAX_PER_RULE: u32 = 1000;
 
 /// The findings of one file.
@@ -21,7 +21,7 @@ impl Findings {
         Self::default()
     }
 
-    /// Takes a finding, or only counts it when its rule has [`MAX_PER_RULE`] already.
+    /// Adds a finding, or only counts it if its rule already has [`MAX_PER_RULE`].
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let seen = self.seen.entry(diagnostic.rule.id).or_default();
         *seen = seen.saturating_add(1);
@@ -30,7 +30,7 @@ impl Findings {
         }
     }
 
-    /// Takes a finding of `rule`, or only counts it, without making it, when the rule has [`MAX_PER_RULE`] already.
+    /// Adds a finding of `rule`, or only counts it without creating it if the rule already has [`MAX_PER_RULE`].
     pub fn push_with(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
         if self.is_full(rule) {
             let seen = self.seen.entry(rule.id).or_default();
@@ -40,7 +40,7 @@ impl Findings {
         }
     }
 
-    /// The findings with a change made to each; those that become nothing are not counted either.
+    /// Changes each finding; removed ones are not counted either.
     pub fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
         let Self { kept, mut seen, suppressed } = self;
         let change = |diagnostic: Diagnostic| {
@@ -55,13 +55,13 @@ impl Findings {
         Self { kept, seen, suppressed }
     }
 
-    /// Forgets the findings of rules, those that were only counted among them.
+    /// Removes the findings of rules, including those that were only counted.
     pub fn remove_rules(&mut self, mut is_removed: impl FnMut(&'static str) -> bool) {
         self.kept.retain(|finding| !is_removed(finding.rule.id));
         self.seen.retain(|rule, _| !is_removed(rule));
     }
 
-    /// Takes away the findings that are not to be reported, and counts them.
+    /// Removes the findings that are suppressed, and counts them.
     pub fn suppress(&mut self, mut is_suppressed: impl FnMut(&Diagnostic) -> bool) {
         let Self { kept, seen, suppressed } = self;
         kept.retain(|finding| {
@@ -76,19 +76,19 @@ impl Findings {
         });
     }
 
-    /// Whether no more findings of `rule` are kept, so that it need not look for them with effort.
+    /// Whether no more findings of `rule` are kept, so that expensive searches can be skipped.
     pub fn is_full(&self, rule: &RuleInfo) -> bool {
         self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
     }
 
-    /// Takes all findings of `other`; those that it only counted are counted here too.
+    /// Adds all findings of `other`, including its counts.
     pub fn append(&mut self, other: Findings) {
         let omitted: Vec<(&'static str, u32)> = other.omitted().collect();
         let suppressed = other.suppressed;
         for diagnostic in other.kept {
             self.push(diagnostic);
         }
-        // behind the kept ones: counted before them, they would take their room
+        // after the kept ones: counted first, they would reduce the number kept
         for (rule, count) in omitted {
             let seen = self.seen.entry(rule).or_default();
             *seen = seen.saturating_add(count);
@@ -96,22 +96,22 @@ impl Findings {
         self.suppressed = self.suppressed.saturating_add(suppressed);
     }
 
-    /// The findings that were kept.
+    /// The kept findings.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.kept.iter()
     }
 
-    /// Puts the findings into the order of their keys; equal ones stay as they are.
+    /// Sorts the findings by their keys; the sort is stable.
     pub fn sort_by_key<K: Ord>(&mut self, key: impl FnMut(&Diagnostic) -> K) {
         self.kept.sort_by_cached_key(key);
     }
 
-    /// The findings that were kept, as a list.
+    /// The kept findings as a list.
     pub fn into_vec(self) -> Vec<Diagnostic> {
         self.kept
     }
 
-    /// Whether nothing was found.
+    /// Whether there are no findings.
     pub fn is_empty(&self) -> bool {
         self.kept.is_empty()
     }
@@ -121,7 +121,7 @@ impl Findings {
         self.kept.len()
     }
 
-    /// The gravest severity found.
+    /// The highest severity found.
     pub fn worst(&self) -> Option<Severity> {
         self.kept.iter().map(|diagnostic| diagnostic.severity).max()
     }
@@ -131,12 +131,12 @@ impl Findings {
         self.worst() == Some(Severity::Error)
     }
 
-    /// Number of findings that the file, the configuration or a baseline says not to report.
+    /// Number of findings suppressed by the file, the configuration or a baseline.
     pub fn suppressed(&self) -> u32 {
         self.suppressed
     }
 
-    /// The rules that found more than was kept, each with the number left out.
+    /// The rules with more findings than kept, each with the number omitted.
     pub fn omitted(&self) -> impl Iterator<Item = (&'static str, u32)> + '_ {
         self.seen
             .iter()

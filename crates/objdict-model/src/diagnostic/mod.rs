@@ -1,7 +1,7 @@
-//! Findings as plain data: a rule, a severity, a message, places or spans, and what to do.
+//! Findings as plain data: a rule, a severity, a message, places or spans, a help and a fix.
 //!
-//! Rules speak of [`Place`]s of the model; the reader of the file answers which [`Span`] of the text a place has, and
-//! only for what is reported. Reports render findings; nothing here knows how.
+//! Rules use [`Place`]s of the model; the reader of the file maps a place to a [`Span`] of the text, and only for
+//! reported findings. Rendering is up to the reports.
 
 mod findings;
 mod fix;
@@ -28,21 +28,21 @@ pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;
 pub use words::{counted, nearest, one_line, sub_index, visible};
 
-/// How grave a finding is.
+/// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Severity {
-    /// A matter of style or of portability to a tool.
+    /// Style, or compatibility with a tool.
     Note,
-    /// Against the specification, or suspicious.
+    /// A violation of the specification, or suspicious.
     Warning,
-    /// A tool or a device will do wrong.
+    /// A tool or a device will malfunction.
     Error,
 }
 
 impl Severity {
-    /// The word for it.
+    /// The name of the severity.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Note => "note",
@@ -58,7 +58,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// Where a label points.
+/// The target of a label.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum At {
     /// Bytes of the text; only the reader of a format knows them.
@@ -79,29 +79,29 @@ impl From<Place> for At {
     }
 }
 
-/// A place with a remark.
+/// A place with a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceLabel {
     /// Where.
     pub at: At,
-    /// The remark; empty where the message says all.
+    /// The text; empty if the message is sufficient.
     pub text: Text,
 }
 
 /// One finding.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
-    /// The rule that found it.
+    /// The rule of the finding.
     pub rule: &'static RuleInfo,
-    /// How grave it is; the rule's own severity unless the configuration says otherwise.
+    /// The severity: the rule's default unless overridden by the configuration.
     pub severity: Severity,
-    /// What is wrong: lower case, offending text in backticks, no full stop.
+    /// The problem: lower case, offending text in backticks, no full stop.
     pub message: Text,
-    /// Where; the first label is the place of the finding, further ones are related places.
+    /// The places; the first label is the place of the finding, others are related places.
     pub labels: Vec<SourceLabel>,
-    /// What to do.
+    /// The help, as an imperative.
     pub help: Option<Text>,
-    /// How the program does it, where it can.
+    /// The automatic fix, if there is one.
     pub fix: Option<Fix>,
 }
 
@@ -118,28 +118,28 @@ impl Diagnostic {
         }
     }
 
-    /// With another severity than the rule's.
+    /// Overrides the severity of the rule.
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {
         self.severity = severity;
         self
     }
 
-    /// With a related place.
+    /// Adds a related place.
     #[must_use]
     pub fn label(mut self, at: impl Into<At>, text: impl Into<Text>) -> Self {
         self.labels.push(SourceLabel { at: at.into(), text: text.into() });
         self
     }
 
-    /// With advice.
+    /// Adds a help.
     #[must_use]
     pub fn help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// In the words of another syntax.
+    /// Uses the words of another syntax.
     #[must_use]
     pub fn in_words(mut self, words: Vocabulary) -> Self {
         self.message = self.message.in_words(words);
@@ -153,7 +153,7 @@ impl Diagnostic {
         self
     }
 
-    /// With a fix.
+    /// Adds a fix.
     #[must_use]
     pub fn fix(mut self, fix: Fix) -> Self {
         self.fix = Some(fix);

@@ -1,13 +1,13 @@
-//! What findings speak of, by the name that CiA 306 has for it, and how another syntax calls it.
+//! The terms of findings by their name in CiA 306, and their names in other syntaxes.
 
 use std::borrow::Cow;
 
 use crate::model::{Field, ModulePart, Part};
 
-/// How a syntax calls what CiA 306 has a name for; `None` where the name is the same.
+/// Maps a CiA 306 term to its name in another syntax; `None` if the name is the same.
 pub type Vocabulary = fn(&Notion<'_>) -> Option<String>;
 
-/// Something that has a name of its own in each syntax.
+/// A term with a different name in each syntax.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notion<'a> {
     /// A key.
@@ -22,12 +22,12 @@ pub enum Notion<'a> {
     Word(&'a str),
 }
 
-/// The words that a text has in braces, for another syntax has others.
+/// The words that a text has in braces because other syntaxes use other words.
 pub const WORDS: &[&str] =
     &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf"];
 
 impl<'a> Notion<'a> {
-    /// The notion that stands in the braces of a template.
+    /// The term in the braces of a template.
     pub(super) fn of(gap: &'a str) -> Self {
         if WORDS.contains(&gap) {
             return Self::Word(gap);
@@ -42,7 +42,7 @@ impl<'a> Notion<'a> {
         }
     }
 
-    /// The notion in the words of a syntax, or as CiA 306 has it.
+    /// The term in the words of a syntax, or of CiA 306.
     pub(super) fn shown(self, words: Option<Vocabulary>) -> Cow<'a, str> {
         if let Some(shown) = words.and_then(|words| words(&self)) {
             return Cow::Owned(shown);
@@ -55,7 +55,7 @@ impl<'a> Notion<'a> {
     }
 }
 
-/// The name of the section that describes a part (CiA 306-1 §4.6), in as few digits as it takes.
+/// The name of the section that describes a part (CiA 306-1 §4.6), with as few digits as possible.
 pub fn section_name(part: &Part) -> String {
     match part {
         Part::Object(index) => format!("{index:X}"),
@@ -73,8 +73,8 @@ pub fn section_name(part: &Part) -> String {
     }
 }
 
-/// Refuses a template with another number of gaps than there are values, or with a name in braces that there is not.
-/// [`say!`](crate::say) asks it when a program is compiled.
+/// Rejects a template whose number of gaps differs from the number of values, or with an unknown name in braces.
+/// [`say!`](crate::say) calls it at compile time.
 pub const fn assert_template(template: &str, values: usize) {
     let text = template.as_bytes();
     let (mut at, mut gaps) = (0, 0);
@@ -88,15 +88,15 @@ pub const fn assert_template(template: &str, values: usize) {
             if start == at || text[start] == b':' {
                 gaps += 1;
             } else {
-                assert!(text[start] == b'[' || is_known(text, start, at), "no key and no word is called so");
+                assert!(text[start] == b'[' || is_known(text, start, at), "unknown key or word in braces");
             }
         }
         at += 1;
     }
-    assert!(gaps == values, "there are more gaps than values, or fewer");
+    assert!(gaps == values, "the number of gaps differs from the number of values");
 }
 
-/// Whether a key or a word stands there.
+/// Whether the text is a known key or word.
 const fn is_known(text: &[u8], start: usize, end: usize) -> bool {
     let mut key_end = start;
     while key_end < end && text[key_end] != b'=' && text[key_end] != b':' {

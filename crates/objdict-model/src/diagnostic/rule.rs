@@ -1,17 +1,17 @@
-//! What a rule is: its name, its severity and its page.
+//! Rules: name, severity and page.
 
 use super::{Applicability, Severity};
 
-/// The facts about a rule that every report and the documentation need.
+/// The properties of a rule for reports and documentation.
 #[derive(Debug)]
 pub struct RuleInfo {
-    /// Group and name, such as `cia306/duplicate-section`. An id is never used again for something else.
+    /// Group and name, such as `cia306/duplicate-section`. An id is never reused.
     pub id: &'static str,
-    /// The severity of its findings.
+    /// The default severity of its findings.
     pub severity: Severity,
-    /// Whether its findings can have a [fix](super::Fix), and the least safe that it can be.
+    /// Whether its findings can have a [fix](super::Fix), and the lowest safety of the fix.
     pub fix: Option<Applicability>,
-    /// The defect in one sentence: the first line of the page.
+    /// The problem in one sentence: the first line of the page.
     pub summary: &'static str,
     /// What it checks.
     pub checks: &'static str,
@@ -19,14 +19,14 @@ pub struct RuleInfo {
     pub why: &'static str,
     /// An example of the defect.
     pub example: &'static str,
-    /// What to do about it.
+    /// How to fix it.
     pub remedy: &'static str,
-    /// The documents that it comes from.
+    /// The documents that define it.
     pub source: &'static str,
 }
 
 impl RuleInfo {
-    /// A rule that mends nothing and has no page, for findings of the caller's own.
+    /// A rule without fixes and page, for findings of callers.
     pub const fn bare(id: &'static str, severity: Severity) -> Self {
         let [summary, checks, why, example, remedy, source] = [""; 6];
         Self { id, severity, fix: None, summary, checks, why, example, remedy, source }
@@ -63,7 +63,7 @@ impl RuleInfo {
 }
 
 /// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the page; without the
-/// part `fix` for a rule that mends nothing.
+/// part `fix` for a rule without fixes.
 #[macro_export]
 macro_rules! rule_info {
     ($id:literal, $severity:ident $(, fix $safety:ident)?; $($part:ident: $text:literal,)+) => {
@@ -76,7 +76,7 @@ macro_rules! rule_info {
     };
 }
 
-/// Declares a rule that the reader of a format raises: `text_rule! { NAME = … }` with the words of [`rule_info!`] is a `static`.
+/// Declares a rule raised by the reader of a format: `text_rule! { NAME = … }` with the fields of [`rule_info!`] is a `static`.
 #[macro_export]
 macro_rules! text_rule {
     ($NAME:ident = $($info:tt)+) => {
@@ -111,7 +111,7 @@ macro_rules! text_rules {
     };
 }
 
-/// What a rule says of its fixes: nothing, `Safe` or `Unsafe`.
+/// The fixes of a rule: none, `Safe` or `Unsafe`.
 #[macro_export]
 macro_rules! fix_of {
     () => {

@@ -1,10 +1,10 @@
-//! Which rules are meant by a name.
+//! Selects rules by name.
 
 use std::fmt;
 
 use super::RuleInfo;
 
-/// The rules that a name means: one, or all of a group.
+/// The rules selected by a name: one, or all of a group.
 #[derive(Clone, Copy, Debug)]
 pub enum Selection {
     /// The rules of a group, such as `cia306`.
@@ -14,7 +14,7 @@ pub enum Selection {
 }
 
 impl Selection {
-    /// Whether a rule is meant.
+    /// Whether a rule is selected.
     pub fn contains(self, rule: &RuleInfo) -> bool {
         match self {
             Self::Group(group) => rule.group() == group,

@@ -1,5 +1,5 @@
-//! What a finding says: a sentence with gaps, and the values that fill them. The sentence is made when it is shown, in the
-//! words of the syntax that the file has.
+//! The texts of findings: a template with gaps, and the values for the gaps. The text is rendered when shown, in the
+//! words of the file's syntax.
 
 use std::borrow::{Borrow, Cow};
 use std::fmt;
@@ -13,10 +13,10 @@ use crate::model::{
 use crate::say;
 use crate::source::Encoding;
 
-/// So many characters of a value are quoted; a file may hold a line of any length.
+/// The maximum number of characters quoted from a value; a file may contain lines of any length.
 pub const MAX_QUOTED: usize = 80;
 
-/// What a finding says. [`Display`](fmt::Display) shows it.
+/// The text of a finding. [`Display`](fmt::Display) renders it.
 ///
 /// ```
 /// use objdict_model::{model::Field, say};
@@ -26,48 +26,48 @@ pub const MAX_QUOTED: usize = 80;
 #[derive(Clone, Debug)]
 pub struct Text {
     said: Said,
-    /// The words of another syntax than that of CiA 306.
+    /// The words of a syntax other than CiA 306.
     words: Option<Vocabulary>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Said {
-    /// A sentence as it is.
+    /// A fixed text.
     Plain(Cow<'static, str>),
-    /// A sentence with gaps, as [`say!`] takes it.
+    /// A template with gaps for [`say!`].
     Template(&'static str, Box<[Argument]>),
 }
 
-/// What fills a gap.
+/// The value of a gap.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Argument {
-    /// A number, written as the gap says: `{:04X}`.
+    /// A number, formatted by the gap: `{:04X}`.
     Number(i128),
-    /// A text of a file, cut after [`MAX_QUOTED`] characters.
+    /// A text of a file, truncated after [`MAX_QUOTED`] characters.
     Value(Box<str>),
-    /// What a field is called.
+    /// The name of a field.
     Key(Field),
     /// A field with a value: `PDOMapping=1`.
     Setting(Field, Box<str>),
-    /// The value of a field alone, which another syntax may spell otherwise.
+    /// The value of a field alone, which another syntax may spell differently.
     Worth(Field, Box<str>),
     /// The part of the file that describes a part of the device: `[1018sub1]`.
     Section(Part),
-    /// Words with gaps of their own.
+    /// A nested text.
     Text(Text),
-    /// Words that hold only where files have lists of objects.
+    /// A text for syntaxes with object lists only.
     OfLists(Text),
-    /// Several, with what stands between them and what stands before the last.
+    /// Several values with a separator and a last separator.
     Series(Box<[Argument]>, [&'static str; 2]),
 }
 
 impl Text {
-    /// A sentence with gaps and what fills them; [`say!`] calls this, and counts both.
+    /// A template and its values; called by [`say!`], which checks their number.
     pub fn new(template: &'static str, arguments: Box<[Argument]>) -> Self {
         Self { said: Said::Template(template, arguments), words: None }
     }
 
-    /// Whether there is nothing to say.
+    /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
         matches!(&self.said, Said::Plain(text) if text.is_empty())
     }
@@ -78,7 +78,7 @@ impl Text {
         Self { words: Some(words), ..self }
     }
 
-    /// The sentence.
+    /// The rendered text.
     pub fn shown(&self) -> Cow<'_, str> {
         match &self.said {
             Said::Plain(text) => Cow::Borrowed(text),
@@ -94,12 +94,12 @@ impl Text {
         })
     }
 
-    /// Whether one of the values is a part that is meant.
+    /// Whether one of the values is a matching part.
     pub fn names_part(&self, is_meant: impl Fn(&Part) -> bool) -> bool {
         self.any(&|argument| matches!(argument, Argument::Section(part) if is_meant(part)))
     }
 
-    /// The first text of a file that is quoted.
+    /// The first quoted text of a file.
     pub fn quoted(&self) -> Option<&str> {
         let Said::Template(_, arguments) = &self.said else { return None };
         arguments.iter().find_map(|argument| match argument {
@@ -189,7 +189,7 @@ pub fn series<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " and "])
 }
 
-/// All items with the same between them: "a or b or c".
+/// All items with one separator: "a or b or c".
 pub fn joined<T: Sayable>(items: impl IntoIterator<Item = T>, between: &'static str) -> Argument {
     Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [between; 2])
 }
@@ -212,7 +212,7 @@ fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Resu
     }
 }
 
-/// A text of a file, not longer than what is quoted of one.
+/// A text of a file, truncated to the quoted length.
 fn cut(text: &str) -> Box<str> {
     match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => [text.get(..end).unwrap_or_default(), "…"].concat().into(),
@@ -220,7 +220,7 @@ fn cut(text: &str) -> Box<str> {
     }
 }
 
-/// A sentence of another hand: what it quotes in backticks is cut.
+/// An external text: quotes in backticks are truncated.
 fn cut_quotes(text: String) -> String {
     if text.len() <= MAX_QUOTED {
         return text;
@@ -230,7 +230,7 @@ fn cut_quotes(text: String) -> String {
     parts.collect::<Vec<Box<str>>>().join("`")
 }
 
-/// What can fill a gap.
+/// A value for a gap.
 pub trait Sayable {
     /// As an argument.
     fn argument(&self) -> Argument;
@@ -346,12 +346,12 @@ impl PartialEq<&str> for Text {
     }
 }
 
-/// A [`Text`]: a sentence with gaps, and what fills them.
+/// A [`Text`]: a template with gaps, and the values for them.
 ///
-/// `{}` and `{:04X}` are gaps for [`Sayable`] values, in their order. What has another name in another syntax stands in
+/// `{}` and `{:04X}` are gaps for [`Sayable`] values, in their order. Terms with other names in other syntaxes are in
 /// braces too: a key `{LowLimit}`, a key with a value `{PDOMapping=1}`, a value of a key `{ObjectType:0x8}`, a section
-/// `{[DeviceInfo]}`, or one of the [`WORDS`](crate::diagnostic::WORDS), such as `{the key}`. A number of values that does
-/// not fit, and a name that there is not, do not compile.
+/// `{[DeviceInfo]}`, or one of the [`WORDS`](crate::diagnostic::WORDS), such as `{the key}`. A wrong number of
+/// values or an unknown name does not compile.
 #[macro_export]
 macro_rules! say {
     ($template:literal $(, $argument:expr)* $(,)?) => {{

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A tool that a description may have to be fit for. Rules of the group `portability` know what it chokes on.
+/// A tool that descriptions may have to be compatible with. Rules of the group `portability` find what it does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Tool {
@@ -14,16 +14,16 @@ pub enum Tool {
     PythonCanopen,
     /// CODESYS.
     Codesys,
-    /// CANopenNode 4, whose object dictionary is made of the description.
+    /// CANopenNode 4, whose object dictionary is generated from the description.
     CanOpenNode,
 }
 
 impl Tool {
-    /// All of them.
+    /// All tools.
     pub const ALL: [Self; 5] =
         [Self::DcfTools, Self::CanOpenEditor, Self::PythonCanopen, Self::Codesys, Self::CanOpenNode];
 
-    /// The name that the command line and the configuration take.
+    /// The name on the command line and in the configuration.
     pub const fn name(self) -> &'static str {
         match self {
             Self::DcfTools => "dcf-tools",
@@ -34,7 +34,7 @@ impl Tool {
         }
     }
 
-    /// The tool of a name, whatever the case of its letters.
+    /// The tool with a name, ignoring case.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|tool| tool.name().eq_ignore_ascii_case(name))
     }

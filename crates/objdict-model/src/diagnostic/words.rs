@@ -1,16 +1,16 @@
-//! Words that messages are made of.
+//! Words for messages.
 
 /// "1 entry", "2 entries".
 pub fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
-/// A sub-index as people write it: in decimal where that is the same, else in hex with `h`.
+/// A sub-index for messages: decimal if below 10, else hex with `h`.
 pub fn sub_index(sub: u8) -> String {
     if sub < 10 { sub.to_string() } else { format!("{sub:X}h") }
 }
 
-/// What somebody most likely meant who wrote `wanted`, of words that there are; `None` where nothing is near.
+/// The known word closest to `wanted`; `None` if none is similar.
 pub fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = wanted.to_ascii_lowercase();
     let most = wanted.chars().count() / 3 + 1;
@@ -22,7 +22,7 @@ pub fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Op
         .map(|(_, word)| word)
 }
 
-/// How many letters must be changed, added or removed to make one word of the other (Levenshtein).
+/// The number of letters to change, add or remove to turn one word into the other (Levenshtein).
 fn edits(from: &str, to: &str) -> usize {
     let mut row: Vec<usize> = (0..=to.chars().count()).collect();
     for (number, a) in from.chars().enumerate() {
@@ -36,7 +36,7 @@ fn edits(from: &str, to: &str) -> usize {
     row.last().copied().unwrap_or_default()
 }
 
-/// A character, or U+FFFD for one that steers the terminal or the direction of the text.
+/// A character, or U+FFFD for a control character of the terminal or the text direction.
 pub fn visible(character: char) -> char {
     match character {
         '\t' => character,
@@ -50,7 +50,7 @@ pub fn visible(character: char) -> char {
     }
 }
 
-/// A text as one line without what steers the terminal: it may quote anything that stands in a file.
+/// A text as one line without terminal control characters: it may quote any text of a file.
 pub fn one_line(text: &str) -> String {
     text.chars().map(|character| if character == '\t' { ' ' } else { visible(character) }).collect()
 }

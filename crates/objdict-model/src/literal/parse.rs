@@ -1,8 +1,8 @@
-//! Texts to values.
+//! Parses values.
 
 use crate::model::{DataType, Reason, Time, TypeKind, Value, hex};
 
-/// A spelling that is understood but is not the standard's, or that other tools read differently.
+/// An accepted spelling that is not standard, or that other tools read differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u16)]
 pub enum Quirk {
@@ -12,9 +12,9 @@ pub enum Quirk {
     LeadingZero = 1 << 1,
     /// `0x180+$NODEID` instead of `$NODEID+0x180`.
     NodeIdLast = 1 << 2,
-    /// `$NODEID` with blanks around the `+` or in another case.
+    /// `$NODEID` with spaces around the `+` or in another case.
     FormulaSpelling = 1 << 3,
-    /// A comment behind a number or keyword.
+    /// A comment after a number or keyword.
     TrailingComment = 1 << 4,
     /// A suffix of the C language: `0x10LL`, `1.0f`.
     CSuffix = 1 << 5,
@@ -26,7 +26,7 @@ pub enum Quirk {
     Quoted = 1 << 8,
     /// `true` or `false` for 1 or 0.
     BooleanWord = 1 << 9,
-    /// Bytes with `0x` before or blanks between them.
+    /// Bytes with a `0x` prefix or spaces between them.
     DecoratedBytes = 1 << 10,
 }
 
@@ -51,10 +51,10 @@ impl Quirks {
     }
 }
 
-/// The value of `text`, which is not empty, as `data_type`. What is no static type gives [`Value::Raw`].
+/// The value of `text`, which is not empty, as `data_type`. Types that are not static give [`Value::Raw`].
 ///
 /// # Errors
-/// Why the text is no value of the type.
+/// The reason why the text is not a valid value of the type.
 pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
     let Some(data_type) = data_type else { return Ok(Value::Raw(text.into())) };
     match data_type.kind() {
@@ -72,7 +72,7 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
 /// A whole number in decimal, hex or octal, signed or not, within `low..=high`.
 ///
 /// # Errors
-/// Why the text is no such number.
+/// The reason why the text is not such a number.
 #[inline]
 pub fn integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
     match small_number(text.as_bytes()) {
@@ -82,14 +82,17 @@ pub fn integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i
 }
 
 fn any_integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
-    let number = number(text, quirks)?;
+    let number = number(text, quirks).map_err(|reason| match reason {
+        Reason::OutOfRange { .. } => Reason::OutOfRange { low, high },
+        other => other,
+    })?;
     if number.value < i128::from(low) || number.value > i128::from(high) {
         return Err(Reason::OutOfRange { low, high });
     }
     Ok(number.value)
 }
 
-/// The part of a number or keyword before a trailing comment, without blanks at its end.
+/// The part of a number or keyword before a trailing comment, without trailing spaces.
 pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
     let slashes = text.find("//");
     let cut = memchr::memchr2(b';', b'#', text.as_bytes()).into_iter().chain(slashes).min();
@@ -109,7 +112,7 @@ struct Number {
     hex: bool,
 }
 
-/// A number of a few digits in decimal, without leading zero, or hex: what nearly all numbers are, by the shortest way.
+/// A short number in decimal without leading zero, or hex: the fast path for nearly all numbers.
 /// [`integer`] reads the same and more.
 #[inline]
 pub fn small_number(text: &[u8]) -> Option<u32> {
@@ -127,8 +130,8 @@ pub fn small_number(text: &[u8]) -> Option<u32> {
     }
 }
 
-/// The value of `text` as an integer of the given type, where it is a [small number](small_number) that is in its range
-/// however it is spelled. [`value`] reads the same and more.
+/// The value of `text` as an integer of the given type, if it is a [small number](small_number) within its range in any
+/// spelling. [`value`] reads the same and more.
 #[inline]
 pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
     let number = u64::from(small_number(text.as_bytes())?);
@@ -139,7 +142,7 @@ pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
     }
 }
 
-/// Reads the common spellings first; only what they do not cover pays for the others.
+/// Tries the common spellings first, the others only if these fail.
 fn number(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
     match plain_number(text) {
         Ok(number) => Ok(number),
@@ -208,7 +211,10 @@ fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result
     if text.contains('$') {
         return formula(strip_comment(text, quirks), quirks).map(Value::NodeId);
     }
-    let number = number(text, quirks)?;
+    let number = number(text, quirks).map_err(|reason| match reason {
+        Reason::OutOfRange { .. } => out_of_range(data_type),
+        other => other,
+    })?;
     let wrapped = match data_type.kind() {
         TypeKind::Signed(bits)
             if number.hex && number.value >= 1 << (bits - 1) && number.value < 1 << bits =>
@@ -338,7 +344,7 @@ fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
 }
 
 /// `days milliseconds`, twelve hex digits (the bytes on the wire), or a whole number of 48 bits. CiA 306-1 defines
-/// none of them; all three are found.
+/// none of them; real files use all three.
 fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     let text = strip_comment(text, quirks);
     let time = if let Some((days, milliseconds)) = text.split_once([' ', '\t']) {
@@ -357,7 +363,7 @@ fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     time.map(Value::Time).ok_or(Reason::NotATime)
 }
 
-/// The time of six bytes; none where the void bits are set, for they would be lost.
+/// The time of six bytes; `None` if the void bits are set, which would be lost.
 fn wire_time(bytes: &[u8]) -> Option<Time> {
     let bytes: [u8; 6] = bytes.try_into().ok()?;
     Some(Time::from_bytes(bytes)).filter(|time| time.to_bytes() == bytes)
@@ -398,7 +404,7 @@ mod tests {
         assert_eq!(read("256", DataType::UNSIGNED8).0, out(0, 255));
         assert_eq!(read("-1", DataType::UNSIGNED8).0, out(0, 255));
         assert_eq!(read("0x1FF", DataType::INTEGER8).0, out(-128, 127));
-        assert_eq!(read("18446744073709551616", DataType::UNSIGNED64).0, out(i64::MIN, u64::MAX));
+        assert_eq!(read("18446744073709551616", DataType::UNSIGNED64).0, out(0, u64::MAX));
         assert_eq!(read("1e39", DataType::REAL32).0, Err(Reason::NotReal));
         assert_eq!(read("inf", DataType::REAL64).0, Err(Reason::NotReal));
     }

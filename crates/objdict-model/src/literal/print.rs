@@ -1,14 +1,14 @@
-//! Values to texts, spelled so that as many readers as possible take them for what they are.
+//! Prints values in the spelling that most readers accept.
 
 use std::fmt::Display;
 
 use crate::model::{Value, hex};
 
-/// How REAL numbers are spelled. No spelling suits all readers: CiA 306-1 is silent, and some read a hex number as bits,
+/// How REAL numbers are spelled. No spelling suits all readers: CiA 306-1 does not define it, some read a hex number as bits,
 /// others only decimals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RealSpelling {
-    /// `1.5`: what most readers take, python-canopen among them. What is not finite is written as its bits.
+    /// `1.5`: accepted by most readers, such as python-canopen. Non-finite numbers are written as their bits.
     #[default]
     Decimal,
     /// `0x3FC00000`: the bits of IEEE 754, as the tools of lely-core read it.
@@ -20,7 +20,7 @@ pub enum RealSpelling {
 pub struct Spelling {
     /// REAL numbers.
     pub real: RealSpelling,
-    /// Whether strings stand in quotes; otherwise only those do that would be read as others without.
+    /// Whether all strings are in quotes; otherwise only those that would be read differently without.
     pub quote_strings: bool,
     /// Whether UNSIGNED32 is written in hex, as communication objects are; otherwise in decimal, as all other integers.
     pub hex: bool,
@@ -43,7 +43,7 @@ pub fn print(value: &Value, spelling: Spelling) -> String {
         }
         Value::Text(text) if spelling.quote_strings || needs_quotes(text) => format!("\"{text}\""),
         Value::Text(text) | Value::Raw(text) => text.to_string(),
-        // an empty text would be no value at all
+        // an empty text would mean a missing value
         Value::Bytes(bytes) if bytes.is_empty() => "0x".to_owned(),
         Value::Bytes(bytes) => hex::print(bytes),
         Value::Time(time) => format!("{} {}", time.days, time.milliseconds),
@@ -59,7 +59,7 @@ fn real(spelling: Spelling, is_finite: bool, decimal: impl Display, bits: String
     }
 }
 
-/// Whether a reader would take the text for nothing, cut blanks off, or take quotes away that belong to it.
+/// Whether a reader would ignore the text, trim spaces, or remove quotes that belong to it.
 fn needs_quotes(text: &str) -> bool {
     let quoted = text.len() > 1 && text.starts_with('"') && text.ends_with('"');
     text.is_empty() || text.trim_matches([' ', '\t']) != text || quoted

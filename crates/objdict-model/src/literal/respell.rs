@@ -1,10 +1,10 @@
-//! Values in the standard's spelling, where they are understood in another.
+//! Rewrites values in the spelling of the standard.
 
 use super::{Quirk, Quirks, Spelling, print, strip_comment};
 use crate::model::Value;
 
-/// `text` without one of its quirks, where the same value can be written so; `value` is what it was read as. What else is
-/// odd about it stays.
+/// `text` without one of its quirks, if the same value can be spelled that way; `value` is the parsed value. Other quirks
+/// stay.
 pub fn respell(text: &str, quirk: Quirk, value: Option<&Value>) -> Option<String> {
     let core = strip_comment(text, &mut Quirks::default());
     let tail = &text[core.len()..];
@@ -21,21 +21,21 @@ pub fn respell(text: &str, quirk: Quirk, value: Option<&Value>) -> Option<String
     (respelled != text).then_some(respelled)
 }
 
-/// The comment behind a value, without its mark.
+/// The comment after a value, without its mark.
 pub fn trailing_comment(text: &str) -> Option<&str> {
     let core = strip_comment(text, &mut Quirks::default());
     let comment = text[core.len()..].trim_start_matches([' ', '\t', ';', '#', '/']).trim_ascii();
     (core.len() < text.len()).then_some(comment)
 }
 
-/// The string in quotes, where it is the same without them.
+/// The string in quotes, if it is the same without them.
 pub(crate) fn unquoted(text: &str) -> Option<&str> {
     let inner = text.strip_prefix('"')?.strip_suffix('"')?;
     let is_plain = !inner.is_empty() && inner.trim_ascii() == inner && !inner.starts_with('"');
     is_plain.then_some(inner)
 }
 
-/// A number or a formula with some of its terms written in another way.
+/// A number or formula with some of its terms respelled.
 fn terms(core: &str, respell: impl Fn(&str) -> Option<String>) -> String {
     let terms = core.split('+').map(|term| {
         let trimmed = term.trim_ascii();
@@ -47,7 +47,7 @@ fn terms(core: &str, respell: impl Fn(&str) -> Option<String>) -> String {
     terms.collect::<Vec<_>>().join("+")
 }
 
-/// An octal number in hex, for that has one meaning; a leading zero that means nothing is left out.
+/// An octal number in hex, which is unambiguous; a meaningless leading zero is removed.
 fn without_zero(term: &str, quirk: Quirk) -> Option<String> {
     let (sign, digits) = term.strip_prefix('-').map_or(("", term), |digits| ("-", digits));
     let is_padded = digits.len() > 1 && digits.starts_with('0') && digits.bytes().all(|b| b.is_ascii_digit());

@@ -102,7 +102,7 @@ impl From<ExtraSection> for SectionForm {
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Unfit {
     /// A value that is none of its entry's data type.
-    #[error("{field}: `{value}` is no value of {data_type}")]
+    #[error("{field}: `{value}` is not a valid {data_type}")]
     Value { field: &'static str, value: Value, data_type: DataType },
     /// A name, value or denotation of an entry that is not there.
     #[error("{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly")]

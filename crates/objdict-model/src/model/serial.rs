@@ -173,7 +173,7 @@ pub(crate) mod index_keys {
     }
 }
 
-/// Maps of which no key may stand twice; the second would silently win.
+/// Maps without repeated keys: the second value would silently win.
 pub(crate) mod unique_keys {
     use super::{
         BTreeMap, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer, Visitor,
@@ -188,7 +188,7 @@ pub(crate) mod unique_keys {
         serializer.collect_map(map)
     }
 
-    /// Reads a map; a key that stands twice is an error.
+    /// Reads a map; a repeated key is an error.
     pub(crate) fn deserialize<'de, K, T, D>(deserializer: D) -> Result<BTreeMap<K, T>, D::Error>
     where
         K: Deserialize<'de> + Ord + fmt::Display,
@@ -211,7 +211,7 @@ pub(crate) mod unique_keys {
             let mut map = BTreeMap::new();
             while let Some(key) = access.next_key::<K>()? {
                 if map.contains_key(&key) {
-                    return Err(A::Error::custom(format!("the key `{key}` stands here twice")));
+                    return Err(A::Error::custom(format!("the key `{key}` is defined twice")));
                 }
                 map.insert(key, access.next_value()?);
             }
@@ -256,7 +256,7 @@ pub(crate) mod sub_list {
             let mut list = Vec::new();
             while let Some(HexText(sub)) = access.next_key()? {
                 if !seen.insert(sub) {
-                    return Err(A::Error::custom(format!("the key `{}` stands here twice", HexText(sub))));
+                    return Err(A::Error::custom(format!("the key `{}` is defined twice", HexText(sub))));
                 }
                 list.push((sub, access.next_value()?));
             }
@@ -356,6 +356,6 @@ mod tests {
     fn a_repeated_key_is_an_error_in_any_spelling() {
         let mut json = serde_json::Deserializer::from_str("{\"0x00A0\": 1, \"0xa0\": 2}");
         let map: Result<BTreeMap<u16, u8>, _> = index_keys::deserialize(&mut json);
-        assert!(map.unwrap_err().to_string().starts_with("the key `0x00A0` stands here twice"));
+        assert!(map.unwrap_err().to_string().starts_with("the key `0x00A0` is defined twice"));
     }
 }

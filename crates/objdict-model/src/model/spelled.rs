@@ -46,7 +46,7 @@ impl<'de> Deserialize<'de> for DataType {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let data_type = Self::from_name(&text).or_else(|| HexText::parse(&text).map(Self));
-        let error = || format!("`{text}` is no data type such as `UNSIGNED8` or `0x0040`");
+        let error = || format!("`{text}` is not a data type such as `UNSIGNED8` or `0x0040`");
         data_type.ok_or_else(|| D::Error::custom(error()))
     }
 }

@@ -1,4 +1,4 @@
-//! Edits of a source by spans: what they do not touch stays as it was, byte for byte.
+//! Edits of a source by spans: everything else is unchanged, byte for byte.
 
 use super::{SourceFile, Span, Unencodable};
 
@@ -9,7 +9,7 @@ pub struct Edits<'a> {
     changes: Vec<SpanEdit>,
 }
 
-/// A span and the text that takes its place; of changes at one offset the first one made comes first.
+/// A span and its replacement; changes at one offset keep the order in which they were made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct SpanEdit {
     span: Span,
@@ -24,16 +24,16 @@ pub enum EditError {
     #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
     Overlap(Span),
     /// The bytes of the file are not those of its text, so an edited text cannot be written.
-    #[error("`{0}` is damaged in its encoding and cannot be edited; save it as UTF-8 first")]
+    #[error("`{0}` is not valid in its encoding and cannot be edited; save the file as UTF-8 first")]
     ReadOnly(String),
-    /// A new key, value or section name has a line end in it, so it would become more than that.
-    #[error("`{}` has a line end in it", .0.escape_debug())]
+    /// A new key, value or section name contains a line end.
+    #[error("`{}` contains a line end", .0.escape_debug())]
     LineEnd(String),
-    /// A new name, value or text has a character that XML cannot hold there.
+    /// A new name, value or text contains a character that is not allowed in XML.
     #[error("`{}` cannot be written in XML", .0.escape_debug())]
     NotXml(String),
-    /// Something else would be read of the new text.
-    #[error("`{0}` cannot be put in order without changing what it says")]
+    /// The new text would be read differently.
+    #[error("`{0}` cannot be formatted without changing its meaning")]
     OtherMeaning(String),
     /// A new text has a character that the encoding of the file lacks.
     #[error(transparent)]
@@ -56,12 +56,12 @@ impl<'a> Edits<'a> {
         self.changes.is_empty()
     }
 
-    /// Puts `text` in the place of `span`; an empty span is where it is inserted.
+    /// Replaces `span` by `text`; an empty span is an insertion point.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
         self.changes.push(SpanEdit { span, text: text.into() });
     }
 
-    /// The changes in the order of the text; those at one offset are one.
+    /// The changes in the order of the text; changes at one offset are merged.
     ///
     /// # Errors
     /// When two changes overlap.
@@ -102,7 +102,7 @@ impl<'a> Edits<'a> {
         Ok(edited)
     }
 
-    /// The edited text in the encoding of the file; without changes, the bytes as they came.
+    /// The edited text in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
     /// When two changes overlap, or the file cannot be written in its encoding.

@@ -1,12 +1,12 @@
 //! Text encodings of description files: detected, remembered, restored.
 //!
 //! CiA 306-1 §4.2 demands ISO 646 (seven bits). Real files also come in UTF-8, with and without byte order mark, in
-//! Windows-1252, in UTF-16 and in the code page 850 of DOS; the last one cannot be told from Windows-1252 by its bytes.
+//! Windows-1252, in UTF-16 and in the code page 850 of DOS; the last one cannot be distinguished from Windows-1252 by its bytes.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// How the bytes of a file stand for characters.
+/// The character encoding of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// UTF-8 without byte order mark; every ISO 646 file is one.
@@ -29,11 +29,11 @@ const UTF16LE_BOM: &[u8] = b"\xFF\xFE";
 const UTF16BE_BOM: &[u8] = b"\xFE\xFF";
 
 impl Encoding {
-    /// Names that [`Encoding::from_str`] knows, one an encoding.
+    /// The names accepted by [`Encoding::from_str`], one per encoding.
     pub const NAMES: [&'static str; 6] =
         ["utf-8", "utf-8-bom", "windows-1252", "cp850", "utf-16le", "utf-16be"];
 
-    /// The encoding that `bytes` seem to be in: by the byte order mark, else UTF-8 where they are valid, else Windows-1252.
+    /// The detected encoding of `bytes`: by the byte order mark, else UTF-8 if valid, else Windows-1252.
     pub fn detect(bytes: &[u8]) -> Self {
         if bytes.starts_with(UTF16LE_BOM) {
             Self::Utf16Le
@@ -48,7 +48,7 @@ impl Encoding {
         }
     }
 
-    /// The text of `bytes`, without a byte order mark. What is no character becomes U+FFFD.
+    /// The text of `bytes`, without a byte order mark. Invalid bytes become U+FFFD.
     pub fn decode(self, bytes: Vec<u8>) -> String {
         match self {
             Self::Utf8 => String::from_utf8(bytes)
@@ -120,7 +120,7 @@ impl FromStr for Encoding {
     }
 }
 
-/// A name that is no [`Encoding`].
+/// An unknown [`Encoding`] name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("unknown encoding `{name}`, expected one of {}", Encoding::NAMES.join(", "))]
 pub struct UnknownEncoding {

@@ -1,4 +1,4 @@
-//! The files that a description names: found beside it, and nowhere else.
+//! The files referenced by a description: only from its folder.
 
 use std::fs;
 use std::io;
@@ -6,23 +6,23 @@ use std::path::{Component, Path, PathBuf};
 
 use super::HARD_LIMIT;
 
-/// A folder whose files a description may name, and others that somebody allowed.
+/// A folder whose files a description may reference, and other allowed folders.
 #[derive(Clone, Debug)]
 pub struct Folder {
     folder: PathBuf,
     allowed: Vec<PathBuf>,
 }
 
-/// Why a file that a description names is not read.
+/// Why a referenced file is not read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {
-    /// The operating system said no.
+    /// The operating system reported an error.
     #[error("cannot read `{path}`: {error}")]
     Io {
         /// The file.
         path: String,
-        /// What the system said.
+        /// The error of the system.
         error: io::Error,
     },
     /// The name leads out of the folder.
@@ -31,8 +31,8 @@ pub enum FolderError {
         /// The name, as the description has it.
         name: String,
     },
-    /// It is larger than what is ever read.
-    #[error("`{path}` has {size} bytes, more than the {HARD_LIMIT} that are read")]
+    /// The file is larger than the hard limit.
+    #[error("`{path}` has {size} bytes, more than the limit of {HARD_LIMIT}")]
     TooLarge {
         /// The file.
         path: String,
@@ -79,7 +79,7 @@ impl Folder {
     pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
         let path = self.path_of(name);
         let failed = |error| FolderError::Io { path: path.display().to_string(), error };
-        // before the system is asked: what is there is nobody's business
+        // before accessing the file system, to reveal nothing about its contents
         if !self.may_lead_to(&path) {
             return Err(FolderError::Outside { name: name.to_owned() });
         }

@@ -1,6 +1,6 @@
 //! A hash of bytes that is the same on every machine and in every version.
 
-/// FNV-1a with 64 bits. It tells files and findings apart; it does not withstand somebody who wants two to be alike.
+/// FNV-1a with 64 bits. It distinguishes files and findings, but does not resist deliberate collisions.
 #[derive(Clone, Copy, Debug)]
 pub struct Fnv(pub u64);
 
@@ -21,13 +21,13 @@ impl Fnv {
         self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
     }
 
-    /// Bytes, and a mark behind them that no text has.
+    /// Bytes, followed by a mark that no text contains.
     pub fn field(&mut self, bytes: &[u8]) {
         bytes.iter().for_each(|&byte| self.byte(byte));
         self.byte(0xFF);
     }
 
-    /// A text without its blanks.
+    /// A text without its spaces.
     pub fn text(&mut self, text: &str) {
         text.bytes().filter(|byte| !byte.is_ascii_whitespace()).for_each(|byte| self.byte(byte));
         self.byte(0xFF);

@@ -1,6 +1,6 @@
-//! ISO 646, the seven bits that CiA 306-1 §4.2 allows, and what stands in it for other characters.
+//! ISO 646, the 7-bit characters that CiA 306-1 §4.2 allows, and transliterations of other characters.
 
-/// What stands in ISO 646 for a character that it lacks; `None` where nothing does.
+/// The ISO 646 transliteration of a character; `None` if there is none.
 pub const fn stand_in(c: char) -> Option<&'static str> {
     Some(match c {
         'ä' => "ae",

@@ -2,7 +2,7 @@
 
 use super::Span;
 
-/// Where a byte stands in a text, as people count: both numbers start at 1.
+/// The position of a byte in a text; both numbers start at 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct LineColumn {
     /// Line, counted from 1.

@@ -22,16 +22,16 @@ pub use iso646::stand_in;
 pub use line_index::{LineColumn, LineIndex};
 pub use span::Span;
 
-/// The largest file that is read unless the caller allows more: 64 MiB.
+/// The default size limit of files: 64 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;
 
-/// No option reads a larger file: decoding may make three bytes of one, and a [`Span`] has four-byte offsets.
+/// The hard size limit: decoding may triple the size, and a [`Span`] has four-byte offsets.
 const HARD_LIMIT: u64 = 1 << 30;
 
 /// How a file is opened.
 #[derive(Clone, Debug)]
 pub struct SourceOptions {
-    /// The encoding of the file; `None` finds it out.
+    /// The encoding of the file; `None` detects it.
     pub encoding: Option<Encoding>,
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
@@ -47,12 +47,12 @@ impl Default for SourceOptions {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SourceError {
-    /// The operating system said no.
+    /// The operating system reported an error.
     #[error("cannot read `{path}`: {error}")]
     Io {
         /// The file.
         path: String,
-        /// What the system said.
+        /// The error of the system.
         error: io::Error,
     },
     /// It is a directory.
@@ -62,7 +62,7 @@ pub enum SourceError {
         path: String,
     },
     /// The file is larger than allowed.
-    #[error("`{path}` has {size} bytes, more than the {limit} that are read")]
+    #[error("`{path}` has {size} bytes, more than the limit of {limit}")]
     TooLarge {
         /// The file.
         path: String,
@@ -181,7 +181,7 @@ impl SourceFile {
         }
     }
 
-    /// What reports call this source: the path that it was opened by.
+    /// The name of this source in reports: the path under which it was opened.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -1,4 +1,4 @@
-//! The findings as they are raised, with their words and fixes.
+//! Creates the findings with their texts and fixes.
 
 use super::{
     COMMISSIONING_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
@@ -14,10 +14,10 @@ use crate::source::Span;
 pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
     let same = item.value == first.value;
     let message = if same {
-        say!("`{}` stands twice with the same value", item.name)
+        say!("`{}` is defined twice with the same value", item.name)
     } else {
         say!(
-            "`{}` stands twice, with `{}` and `{}`; the first one is read",
+            "`{}` is defined twice, as `{}` and `{}`; the first one is read",
             item.name,
             first.value,
             item.value
@@ -26,36 +26,36 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
     Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
         .severity(if same { Severity::Warning } else { Severity::Error })
         .label(first.name_at, "first here")
-        .help("keep one of the two lines")
+        .help("remove one of the two lines")
         .fix(remove_line(item, same))
 }
 
-/// Takes a line away that is not read; whether that is meant is only certain where it says the same.
+/// Removes a line that is not read; safe only if both lines are equal.
 fn remove_line(item: &Item<'_>, same: bool) -> Fix {
-    let title = "remove the second line, which is not read";
+    let title = "remove the second, unread line";
     let fix = if same { Fix::safe(title) } else { Fix::risky(title) };
     fix.with(Change::RemoveLine(item.name_at))
 }
 
-/// What a section is to the one of the same name before it.
+/// How a section relates to an earlier one of the same name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::eds) enum Twin {
-    /// Both are read as one.
+    /// Both are merged.
     Joined,
-    /// It says the same and is not read.
+    /// The second one is equal and not read.
     Equal,
-    /// It says something else, or nobody knows, and is not read.
+    /// The second one differs, or was not compared, and is not read.
     Other,
 }
 
-/// A section was there before; `first` is its place in the model.
+/// Reports a repeated section; `first` is the place of the earlier one in the model.
 pub(in crate::eds) fn duplicate_section(name: &str, at: Span, first: Place, twin: Twin) -> Diagnostic {
     let read = if twin == Twin::Joined { "both are read" } else { "the first one is read" };
     let finding =
-        Diagnostic::new(&DUPLICATE_SECTION, at, say!("section `[{}]` stands twice; {}", name, read))
+        Diagnostic::new(&DUPLICATE_SECTION, at, say!("section `[{}]` is defined twice; {}", name, read))
             .label(first, "first here")
-            .help("keep one of the two sections");
-    let title = "remove the second section, which is not read";
+            .help("remove one of the two sections");
+    let title = "remove the second, unread section";
     match twin {
         Twin::Joined => finding,
         Twin::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))),
@@ -69,21 +69,21 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
         if hint { &SECTION_SPELLING } else { &UNKNOWN_SECTION },
         at,
         if hint {
-            say!("`[{}]` looks like an object, but is none", name)
+            say!("`[{}]` is not a valid object section", name)
         } else {
-            say!("the standard has no section `[{}]`; it is kept", name)
+            say!("the standard does not define section `[{}]`; the section is kept", name)
         },
     );
     if hint {
         finding
             .severity(Severity::Error)
-            .help("an index has up to four hex digits, a sub-index up to FFh: `[1018sub1]`")
+            .help("write an index of up to four hex digits and a sub-index up to FF: `[1018sub1]`")
     } else {
         finding.help("check the spelling; some tools refuse unknown sections")
     }
 }
 
-/// Whether someone meant an object: hex digits, perhaps behind `0x`, alone or with `sub` behind them.
+/// Whether the name was meant as an object: hex digits with optional `0x`, optionally followed by `sub`.
 fn looks_like_object(name: &str) -> bool {
     let name = name.strip_prefix("0x").unwrap_or(name);
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).count();
@@ -96,8 +96,8 @@ fn looks_like_object(name: &str) -> bool {
 
 pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
     let message = match item.key {
-        Some(_) => say!("`{}` does not belong into `[{}]`; it is kept", item.name, section),
-        None => say!("the standard has no key `{}` in `[{}]`; it is kept", item.name, section),
+        Some(_) => say!("`{}` does not belong in `[{}]`; the key is kept", item.name, section),
+        None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),
     };
     let finding = Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
         .help("check the spelling; some tools refuse unknown keys");
@@ -107,18 +107,18 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
     }
 }
 
-/// The key that the standard has and is the same but for blanks and the like.
+/// The standard key that differs only in spaces, punctuation and case.
 fn meant(item: &Item<'_>) -> Option<&'static str> {
     let mut names = Field::NAMED.iter().map(|(name, _)| *name);
     names.find(|name| letters(name).eq(letters(item.name)))
 }
 
-/// What a name is but for blanks, the like, and case.
+/// The letters and digits of a name in lower case.
 fn letters(name: &str) -> impl Iterator<Item = u8> {
     name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
 }
 
-/// What a name's spelling shows.
+/// Reports the spelling of a section name.
 pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
     let (rule, message) = match parsed.spelling {
         Spelling::Standard => return None,
@@ -126,17 +126,17 @@ pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Spa
             (&COMMISSIONING_SPELLING, say!("the standard spells `[{}]` with one m", name))
         }
         Spelling::LeadingZero => (&SECTION_SPELLING, say!("`[{}]` has a leading zero", name)),
-        Spelling::Decorated => (&SECTION_SPELLING, say!("`[{}]` is not the name of an object", name)),
+        Spelling::Decorated => (&SECTION_SPELLING, say!("`[{}]` is not a valid object section", name)),
     };
-    let grave = parsed.spelling == Spelling::Decorated;
+    let severe = parsed.spelling == Spelling::Decorated;
     let finding =
-        Diagnostic::new(rule, at, message).severity(if grave { Severity::Error } else { Severity::Warning });
+        Diagnostic::new(rule, at, message).severity(if severe { Severity::Error } else { Severity::Warning });
     let title = say!("write `[{}]`", parsed.to_string());
     let fix = Fix::safe(title.clone()).replace(at, parsed.to_string());
     Some(finding.help(title).fix(fix))
 }
 
-/// The count `item`, or a missing one, of `actual` numbered keys.
+/// Reports the count `item`, or its absence, for `actual` numbered keys.
 pub(in crate::eds) fn wrong_count(
     item: Option<&Item<'_>>,
     key: &str,
@@ -161,20 +161,20 @@ pub(in crate::eds) fn wrong_count(
     Diagnostic::new(&WRONG_COUNT, at, message).help(title).fix(fix)
 }
 
-/// The keys of a list do not count from 1; `item` is the first that is wrong.
+/// Reports keys of a list that are not consecutive from 1; `item` is the first wrong one.
 pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: u32, fix: Fix) -> Diagnostic {
-    let message = say!("`{}` stands where `{}` should", item.name, expected);
+    let message = say!("the key is `{}`, but should be `{}`", item.name, expected);
     Diagnostic::new(&LIST_NUMBERING, item.name_at, message)
         .help("number the entries 1, 2, 3 … in decimal, without leading zeros")
         .fix(fix)
 }
 
 pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>) -> Diagnostic {
-    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, say!("`{}` is no index", item.value))
+    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, say!("`{}` is not a valid index", item.value))
         .help("write an index from 0x1 to 0xFFFF")
 }
 
-/// An `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` without a compact object.
+/// Reports an `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` without a compact object.
 pub(in crate::eds) fn stray_compact_section(
     name: &str,
     at: Span,
@@ -182,22 +182,22 @@ pub(in crate::eds) fn stray_compact_section(
 ) -> Diagnostic {
     let message = match object_type {
         Some(_) => say!("`[{}]` belongs to an object without `CompactSubObj`", name),
-        None => say!("`[{}]` belongs to no object", name),
+        None => say!("`[{}]` does not belong to any object", name),
     };
     Diagnostic::new(&STRAY_COMPACT_SECTION, at, message)
-        .help("give the object `CompactSubObj`, or write the values into its sub-indexes")
+        .help("add `CompactSubObj` to the object, or move the values to its sub-indexes")
 }
 
-/// A number in such a section that the compact object does not have.
+/// Reports a number in such a section that is not a sub-index of the compact object.
 pub(in crate::eds) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnostic {
-    let message = say!("`{}` is no sub-index of an object with `CompactSubObj={}`", item.name, count);
+    let message = say!("`{}` is not a sub-index of an object with `CompactSubObj={}`", item.name, count);
     Diagnostic::new(&STRAY_COMPACT_SECTION, item.name_at, message)
         .help(say!("use the numbers 1 to {}", count))
 }
 
-/// A name or the like in quotes.
+/// Reports a name or other text in quotes.
 pub(in crate::eds) fn quoted_name(item: &Item<'_>) -> Diagnostic {
-    let message = say!("`{}` stands in quotes, which become a part of the text", item.value);
+    let message = say!("`{}` is in quotes, which become part of the text", item.value);
     let inner = item.value.trim_matches('"').trim_ascii();
     let finding = Diagnostic::new(crate::literal::QUOTED, item.value_at, message).help("remove the quotes");
     let is_plain = !inner.is_empty() && inner.len() + 2 == item.value.len();

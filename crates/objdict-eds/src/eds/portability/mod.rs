@@ -1,6 +1,6 @@
-//! The rules of the group `portability` that need the text of an EDS or DCF: how a line is spelt, and which comes first.
+//! The rules of the group `portability` that need the text of an EDS or DCF: spelling and order of lines.
 //!
-//! They are raised when a check is asked for tools, and say nothing of these: `compat` knows who suffers.
+//! They run when a check includes tools, but do not name them: `compat` lists the affected tools.
 
 mod rules;
 mod spelling;
@@ -16,7 +16,7 @@ pub use crate::source::Span;
 
 pub use rules::RULES;
 
-/// Adds what the text shows of `device`, which was read from it.
+/// Adds the findings of the text from which `device` was read.
 pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
     let mut spelling = spelling::Spellings::default();
     let mut values = values::Values::default();
@@ -39,7 +39,7 @@ pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
     structure::commented_sections(document, findings);
 }
 
-/// A section with what it stands for.
+/// A section and its part.
 struct Section<'a> {
     text: &'a str,
     device: &'a Device,
@@ -79,7 +79,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// The entry of the device that the section describes.
+    /// The entry that the section describes.
     fn entry(&self) -> Option<&'a Entry> {
         match *self.part() {
             Part::Object(index) | Part::CompactValues(index) => {
@@ -102,7 +102,7 @@ impl Line<'_> {
     }
 }
 
-/// Places of one cause, reported together as one finding at the first.
+/// Places with one cause, reported as one finding at the first place.
 #[derive(Default)]
 struct Together {
     first: Option<(Span, Text)>,
@@ -122,7 +122,7 @@ impl Together {
         self.edits.push((at, text.into()));
     }
 
-    /// The finding of all; `title` says what its fix does.
+    /// The finding for all places; `title` is the title of its fix.
     fn finish(
         self,
         rule: &'static crate::diagnostic::RuleInfo,
@@ -133,7 +133,9 @@ impl Together {
         let Some((at, message)) = self.first else { return };
         let message = match self.others {
             0 => message,
-            others => say!("{}, and so {}", message, crate::diagnostic::counted(others, "other", "others")),
+            others => {
+                say!("{}, and {} like this", message, crate::diagnostic::counted(others, "other", "others"))
+            }
         };
         let mut finding = Diagnostic::new(rule, at, message).help(help);
         if !self.edits.is_empty() {

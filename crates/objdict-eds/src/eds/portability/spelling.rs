@@ -1,11 +1,11 @@
-//! Names and numbers in a spelling that some tools do not understand.
+//! Spellings of names and numbers that some tools do not accept.
 
 use super::rules::{EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE};
 use super::{Line, Section, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part};
 
-/// What is reported once a file.
+/// Findings that are reported once per file.
 #[derive(Default)]
 pub(super) struct Spellings {
     sections: Together,
@@ -28,9 +28,9 @@ impl Spellings {
     }
 
     pub(super) fn finish(self, findings: &mut Findings) {
-        let title = "write the names as the standard has them";
-        self.sections.finish(&SECTION_CASE, "write the name as the standard has it", title, findings);
-        self.keys.finish(&KEY_CASE, "write the key as the standard has it", title, findings);
+        let title = "write the names in the case of the standard";
+        self.sections.finish(&SECTION_CASE, "write the name in the case of the standard", title, findings);
+        self.keys.finish(&KEY_CASE, "write the key in the case of the standard", title, findings);
         for together in self.empty {
             together.finish(&EMPTY_KEY, "remove the line", "remove the lines without a value", findings);
         }
@@ -42,13 +42,13 @@ impl Spellings {
         if standard == section.name || is_object || !standard.eq_ignore_ascii_case(section.name) {
             return;
         }
-        // the digits of an index or sub-index are understood in both cases
+        // tools accept the hex digits of an index or sub-index in both cases
         let differs = |(a, b): (char, char)| a != b;
         let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_hexdigit()).collect() };
         if letters(&standard).chars().zip(letters(section.name).chars()).any(differs) {
             let at = section.header.name;
             self.sections
-                .add(at, || say!("`[{}]` is written `[{}]` in the standard", section.name, standard));
+                .add(at, || say!("`[{}]` is spelled `[{}]` in the standard", section.name, standard));
             self.sections.mend(at, standard);
         }
     }
@@ -63,12 +63,12 @@ impl Spellings {
             },
         };
         if standard != line.name {
-            self.keys.add(line.name_at, || say!("`{}` is written `{}` in the standard", line.name, standard));
+            self.keys.add(line.name_at, || say!("`{}` is spelled `{}` in the standard", line.name, standard));
             self.keys.mend(line.name_at, standard);
         }
     }
 
-    /// Keys whose absence has a meaning, that of no value.
+    /// Keys for which an empty value means the same as a missing key.
     fn check_empty(&mut self, section: &Section<'_>, line: &Line<'_>) {
         if !line.value.is_empty() || !matches!(section.part(), Part::Object(_) | Part::Entry(..)) {
             return;
@@ -86,7 +86,7 @@ impl Spellings {
     }
 }
 
-/// Whether tools look for a value in the section: not in the header of an ARRAY or RECORD.
+/// Whether tools read a value from the section: not from the section of an ARRAY or RECORD.
 fn holds_value(section: &Section<'_>) -> bool {
     match *section.part() {
         Part::Object(index) => {
@@ -96,7 +96,7 @@ fn holds_value(section: &Section<'_>) -> bool {
     }
 }
 
-/// The line with its line end.
+/// The line including its line end.
 fn whole_line(text: &str, line: &Line<'_>) -> crate::source::Span {
     let start = text[..line.name_at.start as usize].rfind(['\n', '\r']).map_or(0, |at| at + 1);
     let rest = &text[line.value_at.end as usize..];
@@ -105,7 +105,7 @@ fn whole_line(text: &str, line: &Line<'_>) -> crate::source::Span {
     crate::source::Span::new(start as u32, line.value_at.end + (end + line_end) as u32)
 }
 
-/// `Dummy0005` of `dummy0005`; the name itself where its head is another one.
+/// `Dummy0005` for `dummy0005`; the unchanged name if it has another prefix.
 fn with_head(name: &str, head: &str) -> String {
     match name.get(..head.len()) {
         Some(start) if start.eq_ignore_ascii_case(head) => format!("{head}{}", &name[head.len()..]),
@@ -113,7 +113,7 @@ fn with_head(name: &str, head: &str) -> String {
     }
 }
 
-/// Numbers that some tools read in decimal only.
+/// Numbers that some tools parse only as decimal.
 fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
     let rule: &'static RuleInfo = match (section.part(), line.field()) {
         (Part::List(_), Some(Field::SupportedObjects))
@@ -127,7 +127,7 @@ fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings)
         return;
     };
     let Ok(number) = u32::from_str_radix(digits, 16) else { return };
-    let message = say!("`{}` is `{}`, in hex", line.name, line.value);
+    let message = say!("`{}` is `{}`, a hex number", line.name, line.value);
     let fix = Fix::safe(say!("write `{}`", number)).replace(line.value_at, number.to_string());
     findings.push(
         Diagnostic::new(rule, line.value_at, message).help(say!("write `{}={}`", line.name, number)).fix(fix),

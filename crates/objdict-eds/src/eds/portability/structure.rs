@@ -1,4 +1,4 @@
-//! Sections in an order, or with gaps, that some tools do not expect.
+//! Order and gaps of sections that some tools do not expect.
 
 use std::collections::HashSet;
 
@@ -9,7 +9,7 @@ use crate::ini::{Document, LineKind};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 
-/// The objects whose own section was met, and those that were reported.
+/// The objects whose section was seen, and those that were reported.
 #[derive(Default)]
 pub(super) struct Order {
     met: HashSet<u16>,
@@ -35,20 +35,20 @@ impl Order {
     fn check_order(&mut self, index: u16, section: &Section<'_>, findings: &mut Findings) {
         let exists = section.device.object(index).is_some_and(|object| !object.orphan);
         if exists && !self.met.contains(&index) && self.reported.insert(index) {
-            let message = say!("`[{}]` stands before `[{:X}]`", section.name, index);
+            let message = say!("`[{}]` is before `[{:X}]`", section.name, index);
             let finding = Diagnostic::new(&SUB_BEFORE_OBJECT, section.header.name, message)
                 .label(Place::object(index), "the object");
-            findings.push(finding.help(say!("put `[{:X}]` above it", index)));
+            findings.push(finding.help(say!("move `[{:X}]` above this section", index)));
         }
     }
 }
 
-/// The names from 1 to `NrOfEntries` are asked for one by one.
+/// Reports gaps: tools read each name from 1 to `NrOfEntries`.
 fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
     let Some(object) = section.device.object(index) else { return };
     let Some(compact) = &object.compact else { return };
     let Some(highest) = compact.names.iter().map(|(sub, _)| *sub).max() else { return };
-    // a gap is either below the highest name or behind it
+    // a gap is either below the highest name or above it
     let missing: Vec<u8> =
         (1..=highest).filter(|sub| compact.names.iter().all(|(named, _)| named != sub)).collect();
     let counts = section.lines().any(|line| line.field() == Some(&Field::NrOfEntries));
@@ -57,7 +57,7 @@ fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
     }
     let place = Place::of(Part::CompactNames(index));
     let name = |sub: u8| format!("{}{sub}", object.name());
-    let fix = Fix::safe("add the names that the standard gives the others")
+    let fix = Fix::safe("add the missing names with the default of the standard")
         .set(place.clone().field(Field::NrOfEntries), highest.to_string());
     let fix = missing
         .iter()
@@ -66,7 +66,9 @@ fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
     let message = say!("`[{}]` names sub-index {} but not sub-index {}", section.name, highest, first);
     let finding = Diagnostic::new(&SPARSE_NAMES, section.header.name, message);
     findings.push(
-        finding.help(say!("name all from 1 to {}, such as `{}={}`", highest, first, name(first))).fix(fix),
+        finding
+            .help(say!("name all sub-indexes from 1 to {}, such as `{}={}`", highest, first, name(first)))
+            .fix(fix),
     );
 }
 
@@ -85,7 +87,7 @@ fn check_dummies(section: &Section<'_>, findings: &mut Findings) {
     findings.push(finding.help(say!("add {}", lines)).fix(fix));
 }
 
-/// Headers in comments that keys follow before the next header.
+/// Headers in comments that are followed by keys before the next header.
 pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
     let text = document.text();
     let mut together = Together::default();
@@ -105,15 +107,15 @@ pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
                 if let Some((at, shown)) = commented.take() {
                     let start = at.start - (shown.len() - shown.trim_start_matches(';').len()) as u32;
                     let span = Span::new(start, start + shown.len() as u32);
-                    together.add(span, || say!("keys follow the comment `{}`", shown.trim_end()));
+                    together.add(span, || say!("keys follow the commented header `{}`", shown.trim_end()));
                     together.mend(at, " ");
                 }
             }
             LineKind::Blank | LineKind::Junk => {}
         }
     }
-    let help = "put a blank behind the `;`";
-    together.finish(&COMMENTED_SECTION, help, "put a blank behind the `;`", findings);
+    let help = "add a space after the `;`";
+    together.finish(&COMMENTED_SECTION, help, "add a space after the `;`", findings);
 }
 
 /// `[` with letters and digits up to the `]`.

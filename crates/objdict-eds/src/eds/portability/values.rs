@@ -1,4 +1,4 @@
-//! Values in a form that some tools read as something else.
+//! Values in a form that some tools misread.
 
 use super::rules::{
     BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT, UNQUOTED_STRING,
@@ -7,7 +7,7 @@ use super::{Line, Section, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{DataType, Field, Part, TypeKind};
 
-/// What is reported once a file.
+/// Findings that are reported once per file.
 #[derive(Default)]
 pub(super) struct Values {
     reals: Together,
@@ -44,13 +44,13 @@ impl Values {
         let no_fix = "";
         self.reals.finish(
             &REAL_AS_DECIMAL,
-            "for this tool alone write the bits in hex, such as `0x3FC00000`",
+            "write the bits in hex, such as `0x3FC00000`, in a copy for this tool",
             no_fix,
             findings,
         );
         self.strings.finish(
             &UNQUOTED_STRING,
-            "for dcf2dev alone put the text in quotes; other tools make them a part of it",
+            "put the text in quotes in a copy for dcf2dev; other tools read them as part of the text",
             no_fix,
             findings,
         );
@@ -81,7 +81,7 @@ impl Values {
                 "a REAL"
             }
             DataType::INTEGER24 | DataType::INTEGER40 | DataType::INTEGER48 | DataType::INTEGER56 => {
-                "one of a type of odd width"
+                "of an integer type of unusual width"
             }
             _ => return,
         };
@@ -96,14 +96,14 @@ fn is_hex(value: &str) -> bool {
 fn check_bare_node_id(data_type: Option<DataType>, line: &Line<'_>, findings: &mut Findings) {
     let is_integer = data_type.is_some_and(DataType::is_integer);
     if is_integer && line.value.eq_ignore_ascii_case("$NODEID") {
-        let message = say!("`{}` stands alone, without a number to add", line.value);
+        let message = say!("`{}` has no number to add", line.value);
         let fix = Fix::safe("write `$NODEID+0`").replace(line.value_at, "$NODEID+0");
         findings
             .push(Diagnostic::new(&BARE_NODE_ID, line.value_at, message).help("write `$NODEID+0`").fix(fix));
     }
 }
 
-/// Whether a value is text that may hold any character; `data_type` is that of a value of the device.
+/// Whether a value is text with any characters; `data_type` is the type of a value of the device.
 fn is_text(section: &Section<'_>, line: &Line<'_>, data_type: Option<DataType>) -> bool {
     if let Some(data_type) = data_type {
         return matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString);
@@ -132,9 +132,9 @@ fn is_text(section: &Section<'_>, line: &Line<'_>, data_type: Option<DataType>) 
     }
 }
 
-/// A `;` or `#` behind a blank starts a comment for the INI reader of Python, where it is told so.
+/// A `;` or `#` after a space starts a comment in Python's INI reader, if configured so.
 fn check_text(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
-    // blanks between `=` and the value count
+    // spaces between `=` and the value count
     let behind_key = crate::source::Span::new(line.name_at.end, line.value_at.end).of(section.text);
     let is_behind_blank = |mark: char| {
         behind_key.match_indices(mark).any(|(at, _)| behind_key[..at].ends_with(|c: char| c.is_whitespace()))
@@ -142,9 +142,9 @@ fn check_text(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
     let shown: String = line.value.chars().take(60).collect();
     for (rule, mark) in [(&SEMICOLON_IN_TEXT, ';'), (&HASH_IN_TEXT, '#')] {
         if is_behind_blank(mark) {
-            let message = say!("a blank stands before the `{}` of `{}`", mark, shown);
+            let message = say!("a space precedes the `{}` in `{}`", mark, shown);
             let finding = Diagnostic::new(rule, line.value_at, message);
-            findings.push(finding.help(say!("write the text without a blank before the `{}`", mark)));
+            findings.push(finding.help(say!("remove the space before the `{}`", mark)));
             return;
         }
     }

@@ -1,4 +1,4 @@
-//! What the lines of a document show.
+//! Findings about the lines of a document.
 
 use super::{
     BLANK_BEFORE_EQUALS, BLANKS_IN_SECTION_NAME, BYTE_ORDER_MARK, COMMENT_STYLE, CONTROL_CHARACTER,
@@ -9,10 +9,10 @@ use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, Tidy, count
 use crate::ini::{Document, Line, LineKind};
 use crate::source::{Encoding, Span};
 
-/// The most characters that a line may have, its line end not counted.
+/// The maximum length of a line in characters, without its line end.
 const MAX_LINE: usize = 255;
 
-/// Adds what the lines of `document` show.
+/// Adds the findings about the lines of `document`.
 pub fn check(document: &Document, findings: &mut Findings) {
     check_characters(document, findings);
     let mut lines = LineCheck {
@@ -37,12 +37,12 @@ fn check_characters(document: &Document, findings: &mut Findings) {
     let encoding = document.source().encoding();
     if matches!(encoding, Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be) {
         let wide = encoding != Encoding::Utf8Bom;
-        let message = say!("the file starts with the byte order mark of {}", encoding);
+        let message = say!("the file starts with a byte order mark of {}", encoding);
         let finding = Diagnostic::new(&BYTE_ORDER_MARK, Span::empty(0), message)
             .severity(if wide { Severity::Error } else { Severity::Warning })
             .help("save the file as ASCII or as UTF-8 without byte order mark");
         let title = "save the file as UTF-8 without byte order mark";
-        // without the mark a tool may take other letters for those of its own encoding
+        // without the mark, a tool may decode other characters in its own encoding
         let fix = if wide || text.is_ascii() { Fix::safe(title) } else { Fix::risky(title) };
         findings.push(finding.fix(fix.with(Change::Encode(Encoding::Utf8))));
     }
@@ -51,9 +51,9 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         let (at, first) = text.char_indices().find(|(_, c)| !c.is_ascii()).unwrap_or_default();
         let span = Span::new(at as u32, (at + first.len_utf8()) as u32);
         let message = match others {
-            1 => say!("`{}` is not in ISO 646; the file is read as {}", first, encoding),
+            1 => say!("`{}` is not an ISO 646 character; the file is read as {}", first, encoding),
             _ => say!(
-                "{} characters are not in ISO 646, `{}` is the first; the file is read as {}",
+                "{} characters are not in ISO 646, starting with `{}`; the file is read as {}",
                 others,
                 first,
                 encoding
@@ -61,8 +61,8 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         };
         findings.push(
             Diagnostic::new(&NOT_ASCII, span, message)
-                .help("use seven-bit characters, such as `deg C` or `ue`")
-                .fix(Fix::risky("write seven-bit characters").with(Change::Tidy(Tidy::Iso646))),
+                .help("use 7-bit characters, such as `deg C` or `ue`")
+                .fix(Fix::risky("write 7-bit characters").with(Change::Tidy(Tidy::Iso646))),
         );
     }
     let is_control = |byte: &u8| *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F;
@@ -75,15 +75,15 @@ fn check_characters(document: &Document, findings: &mut Findings) {
                 let start = line.span.start + at as u32;
                 let message = say!("control character {:02X}h", bytes[at]);
                 let finding = Diagnostic::new(&CONTROL_CHARACTER, Span::new(start, start + 1), message);
-                findings.push(finding.help("remove it").fix(without(&line, bytes, is_control)));
+                findings.push(finding.help("remove the character").fix(without(&line, bytes, is_control)));
             }
         }
     }
 }
 
-/// Takes some bytes out of a line. In one that is blank without them they are nobody's.
+/// Removes some bytes from a line. In an otherwise blank line this is safe.
 fn without(line: &Line, bytes: &[u8], is_bad: impl Fn(&u8) -> bool) -> Fix {
-    let title = "remove the control characters of the line";
+    let title = "remove the control characters from the line";
     let mut fix = if line.kind == LineKind::Blank { Fix::safe(title) } else { Fix::risky(title) };
     let mut at = 0;
     while let Some(start) = bytes[at..].iter().position(&is_bad).map(|length| at + length) {
@@ -94,13 +94,13 @@ fn without(line: &Line, bytes: &[u8], is_bad: impl Fn(&u8) -> bool) -> Fix {
     fix
 }
 
-/// Style findings that would be on every line of a file are made once, for the first line, with the number of lines.
+/// Style findings that may affect every line are reported once, at the first line, with the number of lines.
 struct LineCheck<'a> {
     text: &'a str,
     first_section: Option<Span>,
     /// The first line end of the file.
     line_end: Option<LineEnd>,
-    /// The first line that ends in another way.
+    /// The first line with another line end.
     mixed: Option<Diagnostic>,
     /// Whether a line ends with CR alone.
     lone_cr: bool,
@@ -174,8 +174,8 @@ impl LineCheck<'_> {
         let message = match line_end {
             LineEnd::None => return,
             LineEnd::Cr => "the line ends with CR alone",
-            LineEnd::Lf => "the line ends with LF, the lines before end with CR LF",
-            LineEnd::CrLf => "the line ends with CR LF, the lines before end with LF",
+            LineEnd::Lf => "the line ends with LF, but the previous lines with CR LF",
+            LineEnd::CrLf => "the line ends with CR LF, but the previous lines with LF",
         };
         if self.mixed.is_none() {
             let finding = Diagnostic::new(&MIXED_LINE_ENDS, Span::new(line.span.end, line.next), message);
@@ -186,15 +186,15 @@ impl LineCheck<'_> {
     fn check_length(&mut self, line: &Line) {
         let length = line.span.of(self.text).chars().count();
         if length > MAX_LINE {
-            let message = say!("the line has {} characters, {} are allowed", length, MAX_LINE);
+            let message = say!("the line has {} characters, but at most {} are allowed", length, MAX_LINE);
             let finding = Diagnostic::new(&LINE_TOO_LONG, Span::empty(line.span.start), message);
             self.findings.push(match line.kind {
                 LineKind::Entry { key, .. } => {
                     let key = key.of(self.text);
                     let most = MAX_LINE.saturating_sub(key.chars().count() + 1);
-                    finding.help(say!("shorten the value: `{}` has room for {} characters", key, most))
+                    finding.help(say!("shorten the value of `{}` to {} characters", key, most))
                 }
-                _ => finding.help("shorten it"),
+                _ => finding.help("shorten the line"),
             });
         }
     }
@@ -204,13 +204,11 @@ impl LineCheck<'_> {
         let is_merge = ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| text.starts_with(mark));
         let shown: String = text.chars().take(40).collect();
         let finding =
-            Diagnostic::new(&JUNK_LINE, line.span, say!("`{}` is no section, key or comment", shown));
+            Diagnostic::new(&JUNK_LINE, line.span, say!("`{}` is not a section, key or comment", shown));
         self.findings.push(if is_merge {
-            finding.help(
-                "a merge left this mark: choose one of the two versions and remove the other with the marks",
-            )
+            finding.help("resolve the merge conflict: keep one of the two versions and remove the markers")
         } else {
-            let fix = Fix::risky("make it a comment").replace(Span::empty(line.span.start), "; ");
+            let fix = Fix::risky("change the line to a comment").replace(Span::empty(line.span.start), "; ");
             finding.help("remove the line, or put a `;` before it").fix(fix)
         });
     }
@@ -224,9 +222,9 @@ impl LineCheck<'_> {
         let indent = text.find('[').unwrap_or_default() as u32;
         if indent > 0 {
             let span = Span::new(line.span.start, line.span.start + indent);
-            let finding = Diagnostic::new(&INDENTED_SECTION, span, "blanks before the section header");
-            let fix = Fix::safe("remove the blanks").replace(span, "");
-            self.findings.push(finding.help("start the `[` in the first column").fix(fix));
+            let finding = Diagnostic::new(&INDENTED_SECTION, span, "spaces before the section header");
+            let fix = Fix::safe("remove the spaces").replace(span, "");
+            self.findings.push(finding.help("write the `[` in the first column").fix(fix));
         }
         let Some(close) = text.find(']') else {
             let finding = Diagnostic::new(&UNCLOSED_SECTION, line.span, say!("`{}` has no `]`", text.trim()));
@@ -237,14 +235,14 @@ impl LineCheck<'_> {
         let close = line.span.start + close as u32;
         let behind = Span::new(close + 1, line.span.end);
         if !behind.of(self.text).trim().is_empty() {
-            let message = say!("`{}` stands behind the section header", behind.of(self.text).trim());
+            let message = say!("`{}` follows the section header", behind.of(self.text).trim());
             let finding = Diagnostic::new(&TEXT_AFTER_SECTION, behind, message);
             let fix = comment_above(behind, behind.of(self.text).trim());
-            self.findings.push(finding.help("put it in a comment line of its own").fix(fix));
+            self.findings.push(finding.help("put the text in a separate comment line").fix(fix));
         }
         if name.start != line.span.start + indent + 1 || name.end != close {
             let span = Span::new(line.span.start + indent, close + 1);
-            let finding = Diagnostic::new(&BLANKS_IN_SECTION_NAME, span, "blanks inside the brackets");
+            let finding = Diagnostic::new(&BLANKS_IN_SECTION_NAME, span, "spaces inside the brackets");
             let written = format!("[{}]", name.of(self.text));
             let title = say!("write `{}`", written);
             self.findings.push(finding.help(title.clone()).fix(Fix::safe(title).replace(span, written)));
@@ -252,17 +250,17 @@ impl LineCheck<'_> {
     }
 
     fn key_before_section(&mut self, key: Span) {
-        let message = say!("`{}` stands before the first section", key.of(self.text));
+        let message = say!("`{}` precedes the first section", key.of(self.text));
         let finding = Diagnostic::new(&KEY_BEFORE_SECTION, key, message);
-        self.findings.push(finding.help("put the section's header above it"));
-        // one cause: the missing header
+        self.findings.push(finding.help("add the section header above the key"));
+        // later keys have the same cause: the missing header
         self.first_section = Some(key);
     }
 
     fn finish(self) {
         if let Some(finding) = self.mixed {
-            let title = "end all lines alike";
-            // to some tools a lone CR is no line end
+            let title = "use the same line end in all lines";
+            // some tools do not treat a lone CR as line end
             let fix = if self.lone_cr { Fix::risky(title) } else { Fix::safe(title) };
             self.findings.push(finding.fix(fix.with(Change::Tidy(Tidy::LineEnds))));
         }
@@ -275,22 +273,22 @@ impl LineCheck<'_> {
         }
         if let Some((span, lines)) = self.blank {
             let lines = counted(lines as usize, "line has", "lines have");
-            let message = say!("{} blanks before the key or the `=`", lines);
-            let fix = Fix::safe("remove the blanks before all keys and `=`").with(Change::Tidy(Tidy::Keys));
+            let message = say!("{} spaces before the key or the `=`", lines);
+            let fix = Fix::safe("remove the spaces before all keys and `=`").with(Change::Tidy(Tidy::Keys));
             let finding = Diagnostic::new(&BLANK_BEFORE_EQUALS, span, message);
             self.findings.push(finding.help("write `key=value`").fix(fix));
         }
         if self.first_section.is_none() {
             let finding = Diagnostic::new(&NO_SECTION, Span::empty(0), "the file has no section");
-            self.findings.push(finding.help("this is no EDS or DCF; check the file name"));
+            self.findings.push(finding.help("check the file name: the file is not an EDS or DCF"));
         }
     }
 }
 
-/// Makes a comment above its line of what stands behind a section header. What does not look like one may have been meant
-/// otherwise.
+/// Moves text after a section header to a comment above it. Text that does not look like a comment may have another
+/// purpose.
 fn comment_above(span: Span, text: &str) -> Fix {
-    let title = "put it in a comment line of its own";
+    let title = "put the text in a separate comment line";
     let is_comment = text.starts_with([';', '#']) || text.starts_with("//");
     let comment = text.trim_start_matches([';', '#', '/']).trim();
     let fix = if is_comment { Fix::safe(title) } else { Fix::risky(title) };

@@ -4,9 +4,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/access-without-mapping", Warning, Entry(check), fix Unsafe;
-    summary: "an access type speaks of PDOs, but the entry is not mappable",
+    summary: "the access type names a PDO direction, but the entry is not mappable",
     checks: "Whether entries with access `rwr` or `rww` have `PDOMapping=1`.",
-    why: "`rwr` and `rww` are `rw` with the direction of the PDO that may carry the entry. One of the two keys is wrong, and the process value may be missing in every tool.",
+    why: "`rwr` and `rww` are `rw` with the PDO direction that the entry can be mapped to. One of the two keys is wrong, and tools may not offer the entry for mapping.",
     example: "`AccessType=rww` and `PDOMapping=0`",
     remedy: "Write `PDOMapping=1`, or `AccessType=rw`.",
     source: "CiA 306-1 §4.6.3.2",
@@ -19,7 +19,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let pdo = if access == Access::Rwr { "a TPDO" } else { "an RPDO" };
-    let message = say!("`{}` means that {} may carry the entry, but it is not mappable", access, pdo);
+    let message = say!("`{}` allows mapping to {}, but the entry is not mappable", access, pdo);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::AccessType), message)
         .label(at.field(Field::PdoMapping), "not mappable");
     let fix = Fix::risky(say!("write `{AccessType=rw}`")).set(at.field(Field::AccessType), "rw");

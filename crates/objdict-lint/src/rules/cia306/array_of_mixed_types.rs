@@ -6,7 +6,7 @@ rule! {
     "cia306/array-of-mixed-types", Error, Object(check), fix Unsafe;
     summary: "the entries of an ARRAY have different data types",
     checks: "Whether sub-indexes 1 to FEh of an ARRAY all have the same `DataType`.",
-    why: "Code generators make an array of one type of it, and cut or misread the others.",
+    why: "Code generators use one element type for the whole array and truncate or misread the other elements.",
     example: "An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2",
     remedy: "Write `ObjectType=0x9` (RECORD), or correct the data type.",
     source: "CiA 301 §7.4.3, table 42",

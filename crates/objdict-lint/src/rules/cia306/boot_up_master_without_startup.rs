@@ -4,10 +4,10 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/boot-up-master-without-startup", Note, Device(check);
-    summary: "a master has no object that says how it starts the network",
+    summary: "a boot-up master lacks 1F80h, NMT startup",
     checks: "Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.",
-    why: "A configuration tool makes the device the master by 1F80h. Without it, nobody can say whether it starts the network, or let it be a slave.",
-    example: "`SimpleBootUpMaster=1`, and no `[1F80]`",
+    why: "A configuration tool uses 1F80h to make the device the NMT master. Without 1F80h, a tool can neither configure how the device starts the network nor turn the master off.",
+    example: "`SimpleBootUpMaster=1` without `[1F80]`",
     remedy: "Add 1F80h, an UNSIGNED32, or write `SimpleBootUpMaster=0`.",
     source: "CiA 306-1 §4.5, CiA 302-2",
 }
@@ -18,7 +18,7 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster);
-    let message = "the device boots the network up, and has no 1F80h (NMT startup)";
+    let message = "the device is a boot-up master, but 1F80h (NMT startup) is missing";
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("add 1F80h (NMT startup, UNSIGNED32), or write 0"));
 }

@@ -5,8 +5,8 @@ use crate::{rule, stated};
 rule! {
     "cia306/compact-and-sub-number", Error, Object(check), fix Safe;
     summary: "an object has both `CompactSubObj` and `SubNumber`",
-    checks: "Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. It may count sub-indexes that are described beyond the compact ones.",
-    why: "The two are two ways to describe sub-indexes. Some readers follow the one, some the other.",
+    checks: "Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. Sub-indexes described in addition to the compact ones may be counted.",
+    why: "Both keys describe the sub-indexes. Some readers use one, some the other.",
     example: "`CompactSubObj=8` and `SubNumber=9`",
     remedy: "Remove `SubNumber`.",
     source: "CiA 306-1 §4.6.3.4.2",
@@ -20,7 +20,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         return;
     }
     let count = compact.count;
-    let message = say!("`{CompactSubObj}` is {}, so `{SubNumber}` cannot be {}", count, number);
+    let message = say!("`{SubNumber}` is {}, but `{CompactSubObj}` already defines {}", number, count);
     let place = |field| Place::object(index).field(field);
     let finding = Diagnostic::new(&RULE.info, place(Field::SubNumber), message)
         .label(place(Field::CompactSubObj), say!("sub-indexes 0 to {}", count));

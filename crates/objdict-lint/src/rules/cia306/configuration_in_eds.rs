@@ -5,10 +5,10 @@ use crate::rule;
 rule! {
     "cia306/configuration-in-eds", Note, Device(check);
     summary: "an EDS has keys of a DCF",
-    checks: "Whether a description of a type of device is without the keys of a configured node: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. The first one is shown.",
-    why: "Tools that take the file for an EDS ignore them. Perhaps it is a DCF and lacks its `[DeviceComissioning]`.",
+    checks: "Whether an EDS uses keys of a DCF: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. Only the first one is shown.",
+    why: "Tools that read the file as an EDS ignore them. The file may be a DCF without its `[DeviceComissioning]`.",
     example: "`ParameterValue=500` in an EDS",
-    remedy: "Remove the keys, write the value as `DefaultValue`, or make it a DCF.",
+    remedy: "Remove the keys, write the value as `DefaultValue`, or convert the file to a DCF.",
     source: "CiA 306-1 §5",
 }
 
@@ -40,12 +40,12 @@ fn check(device: &Device, findings: &mut Findings) {
     };
     let others = others + places.len() - 1;
     let message = match others {
-        0 => say!("{} belongs into {a DCF}", what),
-        _ => say!("{} and {} more like it belong into {a DCF}", what, others),
+        0 => say!("{} belongs in {a DCF}", what),
+        _ => say!("{} and {} similar items belong in {a DCF}", what, others),
     };
     let finding = Diagnostic::new(&RULE.info, first.clone(), message);
     findings.push(finding.help(say!(
-        "write values as `{DefaultValue}`, or add `{[DeviceComissioning]}` and call the file {.dcf}"
+        "write values as `{DefaultValue}`, or add `{[DeviceComissioning]}` and rename the file to {.dcf}"
     )));
 }
 

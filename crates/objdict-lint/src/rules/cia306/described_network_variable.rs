@@ -4,9 +4,9 @@ use crate::rule;
 
 rule! {
     "cia306/described-network-variable", Error, Device(check);
-    summary: "network variables that come to be later are described as objects",
+    summary: "network variables of dynamic channels are described as objects",
     checks: "Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.",
-    why: "The program of such a device brings these objects with it; the description only states the segments they live in. What is described beside them stands in the way.",
+    why: "The application program of such a device defines these objects; the EDS only describes their segments. Objects described in addition conflict with the program.",
     example: "`DynamicChannelsSupported=1` and `[A040]`",
     remedy: "Remove the objects, or write `DynamicChannelsSupported=0` if they never change.",
     source: "CiA 306-1 §4.6.3.4.3",

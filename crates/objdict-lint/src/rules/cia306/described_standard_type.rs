@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/described-standard-type", Note, Device(check);
-    summary: "a data type of CiA 301 is described",
-    checks: "Whether no object from 0001h to 0025h is described, the data types and structures that CiA 301 defines itself.",
-    why: "Every tool knows these types. Some refuse a file with objects below 1000h, and one that reads them finds at best what it knew. The first one is shown.",
+    summary: "the file describes a data type of CiA 301",
+    checks: "Whether the file describes objects 0001h to 0025h, the data types and structures that CiA 301 defines.",
+    why: "Every tool knows these types. Some refuse a file with objects below 1000h, and the others learn nothing new. Only the first one is shown.",
     example: "`[0005]`",
-    remedy: "Remove the sections and their lines in the lists. Own types stand from 0040h on.",
+    remedy: "Remove the sections and their lines in the lists. Custom types start at 0040h.",
     source: "CiA 301 §7.4.7, table 44; CiA 306-1 §4.6.3",
 }
 

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/dummy-type", Warning, Device(check), fix Safe;
-    summary: "a data type cannot be a dummy",
-    checks: "Whether the types that `[DummyUsage]` allows are BOOLEAN, an INTEGER or an UNSIGNED of any width.",
-    why: "A dummy fills bits of an RPDO that the device does not want. Only these types may stand in a mapping for it; a tool that uses another one gets an abort.",
+    summary: "a data type is not allowed as a dummy",
+    checks: "Whether the types allowed in `[DummyUsage]` are BOOLEAN, an INTEGER or an UNSIGNED of any width.",
+    why: "A dummy fills unused bits of an RPDO. Only these types may be mapped as dummies; the device aborts the mapping of any other type.",
     example: "`Dummy0008=1`, which is REAL32",
-    remedy: "Write 0 or remove the line; a gap of 32 bits is filled with UNSIGNED32.",
+    remedy: "Write 0 or remove the line. Use UNSIGNED32 for a gap of 32 bits.",
     source: "CiA 301 §7.4.7.1, CiA 306-1 §4.6.2",
 }
 

@@ -7,11 +7,11 @@ use crate::rule;
 rule! {
     "cia306/duplicate-name", Note, Object(check);
     summary: "two sub-indexes of an object have the same name",
-    checks: "Whether the names of an object's sub-indexes differ, from 2000h on: below, CiA 301 itself repeats names. The first repetition in an object is shown.",
-    why: "People cannot tell the entries apart, readers that find entries by name return the first one, and code generators have to make up numbers.",
+    checks: "Whether the names of an object's sub-indexes differ. Objects below 2000h are not checked because CiA 301 itself repeats names there. Only the first repetition in an object is shown.",
+    why: "Users cannot distinguish the entries, libraries that look up entries by name return the first one, and code generators have to add numbers.",
     example: "`ParameterName=Gain` in `[2000sub1]` and in `[2000sub2]`",
     remedy: "Add a number or a word to the names.",
-    source: "Not in a standard; python-canopen, for one, finds entries by name",
+    source: "Not in a standard; python-canopen, for example, looks up entries by name",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
@@ -24,9 +24,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     findings.push(finding.help("add a number or a word to the names"));
 }
 
-/// The first two sub-indexes with the same name that is not empty.
+/// The first two sub-indexes with the same non-empty name.
 fn repetition(object: &Object) -> Option<(u8, u8)> {
-    /// So many names are compared with each other faster than they are hashed.
+    /// Up to this many names, comparing pairs is faster than hashing.
     const FEW: usize = 10;
     let subs = &object.subs;
     if subs.len() <= FEW {

@@ -5,8 +5,8 @@ use crate::rule;
 rule! {
     "cia306/dynamic-channels-flag", Error, Device(check), fix Unsafe;
     summary: "`DynamicChannelsSupported` and `[DynamicChannels]` disagree",
-    checks: "Whether a device with dynamic channels describes their segments, and one with described segments says that it has such channels.",
-    why: "A tool that programs the device places network variables in the segments. Without them it has no place, without the flag it does not look.",
+    checks: "Whether a device with dynamic channels describes their segments, and whether a device with described segments sets `DynamicChannelsSupported`.",
+    why: "A programming tool places network variables in the segments. Without segments there is no place for them, and without the flag the tool does not look for segments.",
     example: "`DynamicChannelsSupported=1` without `[DynamicChannels]`",
     remedy: "Add the section with `NrOfSeg` and the segments, or write 0.",
     source: "CiA 306-1 §4.5, CiA 302-4",
@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     match (supported, &device.dynamic_channels) {
         (Some(number), None) if number > 0 => {
             let message =
-                say!("`{DynamicChannelsSupported}` is {}, but there is no `{[DynamicChannels]}`", number);
+                say!("`{DynamicChannelsSupported}` is {}, but `{[DynamicChannels]}` is missing", number);
             let fix = Fix::risky(say!("write `{DynamicChannelsSupported=0}`")).set(flag.clone(), "0");
             let finding = Diagnostic::new(&RULE.info, flag, message).fix(fix);
             findings.push(finding.help(say!("describe the segments in `{[DynamicChannels]}`, or write 0")));

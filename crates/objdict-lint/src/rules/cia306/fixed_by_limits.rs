@@ -6,11 +6,11 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/fixed-by-limits", Note, Entry(check);
-    summary: "the limits of an entry leave one value",
-    checks: "Whether `LowLimit` and `HighLimit` of entries from 2000h on that can be written differ. Flags that keep tools from writing mark a command, which may have one value.",
-    why: "Nothing but the one value can be written, so that the entry might as well be a constant. Often a limit was left at its start value.",
+    summary: "the limits of an entry allow only one value",
+    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that ObjFlags excludes from downloads are commands and may have a single value.",
+    why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
-    remedy: "Write the limits that the device has, or remove them.",
+    remedy: "Correct the limits, or remove them.",
     source: "CiA 306-1 §4.6.3.2",
 }
 
@@ -26,8 +26,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
         return;
     }
-    let message = say!("the entry can be written, and its limits leave `{}` only", low);
+    let message = say!("the entry is writable, but its limits allow only `{}`", low);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::HighLimit), message);
     let finding = finding.label(at.field(Field::LowLimit), "the other limit");
-    findings.push(finding.help("write the limits that the device has, or remove them"));
+    findings.push(finding.help("correct the limits, or remove them"));
 }

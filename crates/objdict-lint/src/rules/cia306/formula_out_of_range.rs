@@ -4,9 +4,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/formula-out-of-range", Error, Entry(check);
-    summary: "a formula does not fit its data type",
-    checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for that of the node.",
-    why: "On some nodes the value is cut off: the COB-ID or node-ID is another one.",
+    summary: "a formula exceeds the range of its data type",
+    checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for the node-ID of the node.",
+    why: "On some nodes the value is truncated, which gives a wrong COB-ID or node-ID.",
     example: "`DefaultValue=$NODEID+0x90` of an UNSIGNED8",
     remedy: "Choose a larger data type, or correct the number.",
     source: "CiA 306-1 §4.3",
@@ -39,7 +39,7 @@ fn check_formula(
     let [_, node_id] = stated::node_ids(at.device);
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
     let message =
-        say!("`{}` is {} on node {}, but {} ends at {}", value, result, node_id, data_type, highest);
+        say!("`{}` is {} on node {}, but the maximum of {} is {}", value, result, node_id, data_type, highest);
     let finding = Diagnostic::new(&RULE.info, at.field(field.clone()), message)
         .label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/gap-in-array", Note, Object(check);
-    summary: "the elements of an ARRAY have a gap",
-    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh follow each other, FFh left aside. Elsewhere, the standards define objects with gaps.",
-    why: "A gap is allowed, but an ARRAY is made to be walked over: programs count from 1 to sub-index 0 and get an abort, generated code has an element too many. Sometimes the sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.",
+    summary: "the sub-indexes of an ARRAY have a gap",
+    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps.",
+    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements. Sometimes sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.",
     example: "`[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`",
-    remedy: "Describe the missing elements, or make it a RECORD.",
+    remedy: "Describe the missing elements, or change the object to a RECORD.",
     source: "CiA 306-1 §4.6.3.2, CiA 301 §7.4.3",
 }
 
@@ -21,9 +21,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(mut last) = subs.next() else { return };
     for sub in subs {
         if sub != last + 1 {
-            let message = say!("{:04X}h has sub-index {} behind {}", index, sub_index(sub), sub_index(last));
+            let message = say!("{:04X}h has sub-index {} directly after {}", index, sub_index(sub), sub_index(last));
             let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
-            findings.push(finding.help("describe the missing elements, or make it a RECORD"));
+            findings.push(finding.help("describe the missing elements, or change the object to a RECORD"));
             return;
         }
         last = sub;

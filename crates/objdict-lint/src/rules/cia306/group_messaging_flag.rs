@@ -5,10 +5,10 @@ use crate::{Facts, rule};
 rule! {
     "cia306/group-messaging-flag", Warning, Facts(check);
     summary: "`GroupMessaging` and the PDOs disagree",
-    checks: "Whether a device with multiplexed PDOs, whose mapping counts 254 or 255, or with the lists that belong to them (1FA0h to 1FFFh), says `GroupMessaging=1`, and whether one that says it has such a list, such a PDO, or a mapping that can be made one.",
-    why: "Tools offer multiplexed PDOs for devices with the flag only, and configure them where nothing is there to configure.",
+    checks: "Whether a device with multiplexed PDOs (mapping count 254 or 255) or with their lists (1FA0h to 1FFFh) has `GroupMessaging=1`, and whether a device with `GroupMessaging=1` has such a list, such a PDO, or a PDO with a writable mapping.",
+    why: "Tools offer multiplexed PDOs only for devices with the flag. With a wrong flag they configure PDOs that the device does not support.",
     example: "`[1A00sub0]` with `DefaultValue=255` and `GroupMessaging=0`",
-    remedy: "Write what the device supports.",
+    remedy: "Correct the flag.",
     source: "CiA 306-1 §4.5, CiA 301 §7.5.2.36",
 }
 
@@ -23,25 +23,25 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let finding = Diagnostic::new(
                 &RULE.info,
                 place,
-                say!("{} is a multiplexed PDO, and the flag denies them", pdo),
+                say!("{} is a multiplexed PDO, but `{GroupMessaging}` is {GroupMessaging:0}", pdo),
             );
-            finding.label(device.value_place(pdo.mapping_index(), 0), "makes it one")
+            finding.label(device.value_place(pdo.mapping_index(), 0), "multiplexed by this value")
         }
         (false, None, Some((&index, _))) => {
-            let message = say!("{:04X}h is for multiplexed PDOs, and the flag denies them", index);
+            let message = say!("{:04X}h is for multiplexed PDOs, but `{GroupMessaging}` is {GroupMessaging:0}", index);
             Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the list")
         }
         (true, None, None) if !can_be_made(facts) => Diagnostic::new(
             &RULE.info,
             place,
-            "no PDO of the device is a multiplexed one, or can be made one",
+            "the device has no multiplexed PDO and no PDO that can become one",
         ),
         _ => return,
     };
-    findings.push(finding.help("write what the device supports"));
+    findings.push(finding.help("correct the flag"));
 }
 
-/// Whether a PDO is there, or implied, whose number of mapped objects can be written.
+/// Whether the device has or implies a PDO with a writable number of mapped objects.
 fn can_be_made(facts: &Facts<'_>) -> bool {
     let writable = |object: &Object| {
         object.subs.get(0).is_some_and(|entry| entry.access.is_none_or(Access::is_writable))

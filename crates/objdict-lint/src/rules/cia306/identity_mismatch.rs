@@ -5,10 +5,10 @@ use crate::rule;
 rule! {
     "cia306/identity-mismatch", Error, Device(check), fix Unsafe;
     summary: "`[DeviceInfo]` and the identity object disagree",
-    checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` are the values of 1018h sub-indexes 1, 2 and 3, where both are stated. In a DCF the configured value may agree instead of the default. Where one of the two is 0, most likely nobody has filled it in, and it is a warning.",
-    why: "A tool finds the description of a device by what it reads from 1018h. With other numbers in `[DeviceInfo]` it finds none, or a wrong one.",
+    checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` equal 1018h sub-indexes 1, 2 and 3, where both values are given. In a DCF, the configured value may match instead of the default. If one of the two is 0, it was probably never filled in, and the finding is a warning.",
+    why: "A tool looks up the EDS by the values read from 1018h. With different numbers in `[DeviceInfo]`, the tool finds no EDS or the wrong one.",
     example: "`VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`",
-    remedy: "Write the number that the device answers with into both.",
+    remedy: "Write the number that the device reports in both places.",
     source: "CiA 306-1 §4.5",
 }
 
@@ -28,7 +28,7 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
-        // where nobody has filled it in, it is clear which one is right
+        // a value that was never filled in is the wrong one
         let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
         let fix = if stated == 0 { Fix::safe(title) } else { Fix::risky(title) };
         let fix = fix.set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
@@ -36,7 +36,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
             .severity(if stated == 0 || value == 0 { Severity::Warning } else { Severity::Error })
             .label(Place::entry(0x1018, sub).field(key), "the identity object");
-        let finding = finding.help("write the number that the device answers with into both");
+        let finding = finding.help("write the number that the device reports in both places");
         findings.push(if value > 0 { finding.fix(fix) } else { finding });
     }
 }

@@ -7,11 +7,11 @@ const FIRST: u16 = 1995;
 
 rule! {
     "cia306/implausible-date", Note, Device(check);
-    summary: "the file was made before there were such files",
-    checks: "Whether `CreationDate` and `ModificationDate` are in 1995 or later, the year of the first device descriptions for CANopen.",
-    why: "The date is that of a computer whose clock was not set, or the two numbers of the month and day slipped into the year. Tools that look for the newer of two files take the wrong one.",
+    summary: "the date is before the first EDS files",
+    checks: "Whether `CreationDate` and `ModificationDate` are in 1995 or later. CANopen device descriptions exist since 1995.",
+    why: "The computer's clock was not set, or month and day digits ended up in the year. Tools that look for the newer of two files choose the wrong one.",
     example: "`CreationDate=01-01-1980`",
-    remedy: "Write the date.",
+    remedy: "Correct the date.",
     source: "CiA 306-1 §4.4",
 }
 
@@ -22,7 +22,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let early =
         dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
     let Some((field, date)) = early else { return };
-    let message = say!("there were no such files in {}", date.year);
+    let message = say!("EDS files did not exist in {}", date.year);
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::FileInfo).field(field), message);
-    findings.push(finding.help("write the date"));
+    findings.push(finding.help("correct the date"));
 }

@@ -4,9 +4,9 @@ use crate::rule;
 
 rule! {
     "cia306/invalid-baud-rate", Error, Device(check);
-    summary: "the bit rate of a DCF cannot be",
-    checks: "Whether `Baudrate` is one of CiA 301 (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it, as `BaudRate_x` says. 0, which tools write when nobody chose a bit rate, is a warning.",
-    why: "A node with another bit rate than its network disturbs it, or is never heard.",
+    summary: "the bit rate of a DCF is not valid",
+    checks: "Whether `Baudrate` is a CiA 301 bit rate (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it according to `BaudRate_x`. 0, which tools write when no bit rate is selected, is a warning.",
+    why: "A node with a wrong bit rate disturbs the network or cannot communicate.",
     example: "`Baudrate=500000`",
     remedy: "Write the bit rate in kbit/s.",
     source: "CiA 306-1 §5.4, CiA 301 §6.2",
@@ -19,20 +19,20 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::of(Part::Commissioning).field(Field::Baudrate);
     if !RATES.contains(&rate) {
         let message = match rate {
-            0 => say!("`{Baudrate}` is 0, so the bit rate is open").to_owned(),
-            _ => say!("`{Baudrate}` is {}, but CANopen has no such bit rate", rate),
+            0 => say!("`{Baudrate}` is 0: no bit rate is selected").to_owned(),
+            _ => say!("`{Baudrate}` is {}, but CANopen does not define this bit rate", rate),
         };
         let finding = Diagnostic::new(&RULE.info, place, message).severity(if rate == 0 {
             Severity::Warning
         } else {
             Severity::Error
         });
-        findings.push(finding.help(say!("the bit rates in kbit/s are {}", series(RATES))));
+        findings.push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(RATES))));
         return;
     }
     let Some(info) = &device.device_info else { return };
     let supported: Vec<u16> = info.baud_rates.supported().collect();
-    // a device that supports none is another finding
+    // a device without bit rates has its own finding
     if supported.is_empty() || supported.contains(&rate) {
         return;
     }
@@ -43,5 +43,5 @@ fn check(device: &Device, findings: &mut Findings) {
     let message = say!("`{Baudrate}` is {}, which the device does not support", rate);
     let label = Place { field, ..Place::of(Part::DeviceInfo) };
     let finding = Diagnostic::new(&RULE.info, place, message).label(label, "not supported");
-    findings.push(finding.help(say!("the device supports {} kbit/s", series(supported))));
+    findings.push(finding.help(say!("write a bit rate that the device supports: {} kbit/s", series(supported))));
 }

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/invalid-extension-limit", Error, Device(check);
-    summary: "a module extends an object beyond what it can hold",
-    checks: "Whether `ObjExtend` of each extension is at most 254, the highest sub-index that an element can have, and not below the number of sub-indexes in `Count`.",
-    why: "`ObjExtend` says after which sub-index the next object goes on. With one that cannot be reached, the sub-indexes of the modules overlap or have no place.",
+    summary: "a module extends an object beyond its highest sub-index",
+    checks: "Whether `ObjExtend` of each extension is at most 254, the highest sub-index of an element, and not below the number of sub-indexes in `Count`.",
+    why: "`ObjExtend` is the sub-index after which the next object starts. With an invalid value, sub-indexes of the modules overlap or do not fit.",
     example: "`ObjExtend=4` and `Count=8` in `[M1SubExt6000]`",
-    remedy: "Write 254, or 128 for the objects with one bit an entry that CiA 401 has.",
+    remedy: "Write 254, or 128 for CiA 401 objects with one bit per entry.",
     source: "CiA 306-1 §6.3",
 }
 
@@ -22,22 +22,22 @@ fn check(device: &Device, findings: &mut Findings) {
             };
             let place = |field| Place::of(Part::Module(number, ModulePart::SubExt(index))).field(field);
             let finding = if limit == 255 {
-                let message = "`255` as highest sub-index of an element, which is 254 at most";
+                let message = "`255` is above 254, the highest sub-index of an element";
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
             } else if count > limit {
                 let message = say!(
-                    "each module {} adds {} sub-indexes to {:04X}h, which takes {}",
+                    "each module {} adds {} sub-indexes to {:04X}h, but `{ObjExtend}` is {}",
                     number,
                     count,
                     index,
                     limit
                 );
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
-                    .label(place(Field::Count), "so many are added")
+                    .label(place(Field::Count), "number of added sub-indexes")
             } else {
                 continue;
             };
-            findings.push(finding.help("write 254, or 128 for objects with one bit an entry"));
+            findings.push(finding.help("write 254, or 128 for objects with one bit per entry"));
         }
     }
 }

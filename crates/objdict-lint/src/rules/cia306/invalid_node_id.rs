@@ -4,11 +4,11 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/invalid-node-id", Error, Device(check);
-    summary: "the node-ID of a DCF is none",
-    checks: "Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, no value may be a formula with `$NODEID`.",
-    why: "The node cannot be reached, and its COB-IDs are not known.",
+    summary: "the node-ID of a DCF is not valid",
+    checks: "Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, formulas with `$NODEID` are not allowed.",
+    why: "Other nodes cannot address the node, and its COB-IDs are unknown.",
     example: "`NodeID=0`",
-    remedy: "Write the node-ID.",
+    remedy: "Write the node-ID of the node.",
     source: "CiA 306-1 §5.4, CiA 301 §7.2.5.2",
 }
 
@@ -36,7 +36,7 @@ fn is_misfit(node: &Commissioning) -> bool {
 }
 
 fn report_unknown(place: Place, formula: Place, findings: &mut Findings) {
-    let message = say!("`{NodeID}` is 255, so the formulas with `$NODEID` have no value");
+    let message = say!("`{NodeID}` is 255, so formulas with `$NODEID` have no value");
     let finding = Diagnostic::new(&RULE.info, place, message).label(formula, "a formula");
-    findings.push(finding.help("write the node-ID that the node will have"));
+    findings.push(finding.help("write the future node-ID of the node"));
 }

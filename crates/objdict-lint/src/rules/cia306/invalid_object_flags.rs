@@ -4,9 +4,9 @@ use crate::{EntryAt, rule};
 
 rule! {
     "cia306/invalid-object-flags", Warning, Entry(check), fix Safe;
-    summary: "`ObjFlags` has bits without a meaning",
-    checks: "Whether no other bits are set than 0 (refuse write), 1 (refuse read) and 2, which CiA 311 added (the value counts after a reset).",
-    why: "The other bits are reserved: a later version may give them a meaning. Perhaps a number of another key got here.",
+    summary: "`ObjFlags` has reserved bits",
+    checks: "Whether only bits 0 (no download), 1 (no upload) and 2 (effective after a reset, added by CiA 311) are set.",
+    why: "The other bits are reserved: a later version may define them. The value may belong to another key.",
     example: "`ObjFlags=0x8`",
     remedy: "Write the sum of 1 and 2, or remove the key.",
     source: "CiA 306-1 §4.6.3.3",
@@ -15,7 +15,7 @@ rule! {
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(flags) = at.entry.flags.filter(|flags| flags.0 > 7) else { return };
     let message = say!(
-        "`{ObjFlags}` is {}, of which only the bits 0 to 2 have a meaning",
+        "`{ObjFlags}` is {}, but only bits 0 to 2 are defined",
         Argument::worth(Field::ObjFlags, format_args!("{:#x}", flags.0))
     );
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjFlags), message);

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/invalid-segment", Error, Device(check);
-    summary: "a segment of the dynamic channels cannot hold network variables",
-    checks: "Whether each segment has type, direction and range, whether the range lies in A000h to BFFFh and does not run backwards, and whether no two ranges overlap.",
-    why: "A tool that programs the device gives the network variables indexes out of these ranges.",
+    summary: "a segment of the dynamic channels is not valid",
+    checks: "Whether each segment has type, direction and range, whether the range is within A000h to BFFFh in ascending order, and whether ranges overlap.",
+    why: "A programming tool takes the indexes of network variables from these ranges.",
     example: "`Range1=0xA0BF-0xA080`",
-    remedy: "Write the first and the last index: `Range1=0xA080-0xA0BF`.",
+    remedy: "Write the first and last index: `Range1=0xA080-0xA0BF`.",
     source: "CiA 302-4, CiA 306-1 §4.6.3.4.3",
 }
 
@@ -45,27 +45,27 @@ fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, find
     }
     let message = say!("segment {} of the dynamic channels has no {}", number, listing(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message);
-    findings.push(finding.help("a segment has `TypeN`, `DirN`, `RangeN` and `PPOffsetN`"));
+    findings.push(finding.help("write `TypeN`, `DirN`, `RangeN` and `PPOffsetN` for each segment"));
 }
 
 fn check_range(channels: &DynamicChannels, number: usize, (low, high): (u16, u16), findings: &mut Findings) {
     let at = place("Range", number);
     let range = say!("{:04X}h to {:04X}h", low, high);
     if low > high {
-        let finding = Diagnostic::new(&RULE.info, at, say!("the range {} runs backwards", range));
+        let finding = Diagnostic::new(&RULE.info, at, say!("the range {} is in descending order", range));
         findings.push(finding.help("write the smaller index first"));
     } else if low < 0xA000 || high > 0xBFFF {
-        let message = say!("the range {} leaves A000h to BFFFh, where network variables are", range);
+        let message = say!("the range {} is not within A000h to BFFFh, the area of network variables", range);
         findings.push(Diagnostic::new(&RULE.info, at, message).help("write a range from 0xA000 to 0xBFFF"));
     } else {
         let before = (1..number).zip(&channels.segments);
         let overlaps = |range: (u16, u16)| range.0 <= high && low <= range.1;
         let other = before.into_iter().find(|(_, segment)| segment.range.is_some_and(overlaps));
         if let Some((other, _)) = other {
-            let message = say!("the ranges of the segments {} and {} overlap", other, number);
+            let message = say!("the ranges of segments {} and {} overlap", other, number);
             let finding =
                 Diagnostic::new(&RULE.info, at, message).label(place("Range", other), "the other range");
-            findings.push(finding.help("give each segment indexes of its own"));
+            findings.push(finding.help("write separate ranges for the segments"));
         }
     }
 }

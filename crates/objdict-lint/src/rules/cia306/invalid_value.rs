@@ -4,11 +4,11 @@ use crate::{nearest_access, respell, rule};
 
 rule! {
     "cia306/invalid-value", Error, Device(check), fix Unsafe;
-    summary: "a text is no value of its key",
-    checks: "Whether numbers are numbers and fit their type or key, whether defaults and limits are values of their data type, whether access types, object types, dates and times are those that the standard knows. A date or time that is none is a warning only. In real files these are half of the findings (`14:19PM`, `04-19-20`); the others are access types that no document has (`R`), numbers in another notation (`0000h`), words where a number belongs, and texts as the default of a DOMAIN: each of them is read in several ways by several tools.",
-    why: "Each tool makes something else of it: refuses the file, leaves the value out, or cuts it to size, so that 300 in an UNSIGNED8 becomes 44.",
+    summary: "a value is not valid for its key",
+    checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings. In real files they are half of the findings (`14:19PM`, `04-19-20`); the others are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN: tools read each of them differently.",
+    why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
     example: "`DefaultValue=300` of an UNSIGNED8",
-    remedy: "Write a value that fits, or choose the data type that you mean.",
+    remedy: "Write a valid value, or correct the data type.",
     source: "CiA 306-1 §4.3, §4.6.3.2",
 }
 
@@ -20,9 +20,9 @@ fn check(device: &Device, findings: &mut Findings) {
             let fix = respell(misfit, data_type, place.clone());
             let finding = Diagnostic::new(&RULE.info, place, message(misfit, data_type));
             let is_date = matches!(misfit.reason, Reason::NotADate | Reason::NotAClockTime);
-            // no tool needs the dates
+            // tools do not depend on dates
             let severity = if is_date { Severity::Warning } else { Severity::Error };
-            let finding = finding.severity(severity).help(help(misfit));
+            let finding = finding.severity(severity).help(help(misfit, data_type));
             findings.push(match fix {
                 Some(fix) => finding.fix(fix),
                 None => finding,
@@ -39,47 +39,65 @@ fn message(misfit: &Misfit, data_type: Option<DataType>) -> Text {
     };
     match reason {
         Reason::OutOfRange { low, high } => {
-            say!("`{}` does not fit {}, which takes {} to {}", text, what, low, high)
+            say!("`{}` does not fit {}, which allows {} to {}", text, what, low, high)
         }
-        Reason::NotANumber => say!("`{}` is no number; {} takes one", text, what),
+        Reason::NotANumber => say!("`{}` is not a number, but {} needs one", text, what),
         Reason::NotOctal => {
-            say!("`{}` is no number: a leading zero means octal, which has no digit 8 or 9", text)
+            say!("`{}` is not a number: a leading zero means octal, which has no digits 8 and 9", text)
         }
-        Reason::NotReal => say!("`{}` is no number that fits {}", text, what),
-        Reason::NotHexBytes => say!("`{}` is not made of pairs of hex digits, as {} takes them", text, what),
-        Reason::NotATime => say!("`{}` is no time; {} takes one", text, what),
-        Reason::NotAFormula => say!("`{}` is no formula of the form `$NODEID+number`", text),
-        Reason::FormulaForType => say!("`{}` is a formula, and {} is no integer", text, what),
-        Reason::UnknownWord => say!("`{}` is none of the words that {} takes", text, what),
-        Reason::NotADate => say!("`{}` is no date of the form `mm-dd-yyyy`", text),
-        Reason::NotAClockTime => say!("`{}` is no time of the form `hh:mmAM` or `hh:mmPM`", text),
-        Reason::Malformed => say!("`{}` is not of the form that {} takes", text, what),
+        Reason::NotReal => say!("`{}` is not a valid number for {}", text, what),
+        Reason::NotHexBytes => say!("`{}` is not a sequence of hex digit pairs, but {} needs one", text, what),
+        Reason::NotATime => say!("`{}` is not a time, but {} needs one", text, what),
+        Reason::NotAFormula => say!("`{}` is not a formula of the form `$NODEID+number`", text),
+        Reason::FormulaForType => say!("`{}` is a formula, but {} is not an integer", text, what),
+        Reason::UnknownWord => say!("`{}` is not a valid {}", text, what),
+        Reason::NotADate => say!("`{}` is not a date of the form `mm-dd-yyyy`", text),
+        Reason::NotAClockTime => say!("`{}` is not a time of the form `hh:mmAM` or `hh:mmPM`", text),
+        Reason::Malformed => say!("`{}` does not have the form required by {}", text, what),
     }
 }
 
-fn help(misfit: &Misfit) -> Text {
+fn help(misfit: &Misfit, data_type: Option<DataType>) -> Text {
     match (&misfit.field, &misfit.reason) {
         (Field::AccessType, _) => match nearest_access(&misfit.text) {
-            Some(access) => say!("did you mean `{}`? the access types are {}", access, access_names()),
-            None => say!("the access types are {}", access_names()),
+            Some(access) => say!("did you mean `{}`? write one of {}", access, access_names()),
+            None => say!("write one of the access types {}", access_names()),
         },
         (Field::ObjectType, _) => say!(
-            "the object types are {ObjectType:0x0} NULL, {ObjectType:0x2} DOMAIN, {ObjectType:0x5} DEFTYPE, {ObjectType:0x6} DEFSTRUCT, {ObjectType:0x7} VAR, {ObjectType:0x8} ARRAY, {ObjectType:0x9} RECORD"
+            "write one of the object types: {ObjectType:0x0} NULL, {ObjectType:0x2} DOMAIN, {ObjectType:0x5} DEFTYPE, {ObjectType:0x6} DEFSTRUCT, {ObjectType:0x7} VAR, {ObjectType:0x8} ARRAY, {ObjectType:0x9} RECORD"
         ),
         (Field::Count, _) => "write the number of sub-indexes, or `0;` and a number of bits".into(),
         (_, Reason::NotADate) => {
-            "write month, day and year with two, two and four digits: `01-31-2026`".into()
+            "write month and day with two digits, the year with four: `01-31-2026`".into()
         }
-        (_, Reason::NotAClockTime) => "write two digits for hour (01 to 12) and minute: `09:45AM`".into(),
+        (_, Reason::NotAClockTime) => "write hour (01 to 12) and minute with two digits: `09:45AM`".into(),
         (_, Reason::NotAFormula) => {
-            "write `$NODEID`, or `$NODEID+` and a number; there is no other operator".into()
+            "write `$NODEID`, or `$NODEID+` and a number; other operators are not supported".into()
         }
-        (_, Reason::NotHexBytes) => "write two hex digits a byte and nothing else: `01A105`".into(),
-        (_, Reason::NotATime) => "write the days and the milliseconds with a blank between them".into(),
+        (_, Reason::NotHexBytes) => "write two hex digits per byte and nothing else: `01A105`".into(),
+        (_, Reason::NotATime) => "write days and milliseconds, separated by a space".into(),
         (_, Reason::NotOctal) => "remove the leading zeros".into(),
-        (_, Reason::OutOfRange { .. }) => "write a value that fits, or choose a larger data type".into(),
-        _ => say!("write a value of the right form, or remove the text to leave {the key} empty"),
+        (Field::Baudrate, Reason::OutOfRange { .. } | Reason::NotANumber) => {
+            "write the bit rate in kbit/s: 10, 20, 50, 125, 250, 500, 800 or 1000".into()
+        }
+        (_, Reason::OutOfRange { .. }) if data_type.is_some() => {
+            "write a value that fits, or choose a larger data type".into()
+        }
+        (_, Reason::OutOfRange { low: 0, high: 1 }) => "write 0 or 1".into(),
+        (_, Reason::OutOfRange { low, high }) => say!("write a number from {} to {}", low, high),
+        (field, Reason::NotANumber) if data_type.is_none() => match switch(&misfit.text) {
+            Some(number) => say!("write `{}`", Argument::setting(field, number)),
+            None => "write a number in decimal or hex, such as `10` or `0xA`".into(),
+        },
+        _ => say!("write a valid value, or leave {the key} empty"),
     }
+}
+
+/// The number for a word that means yes or no.
+fn switch(word: &str) -> Option<u8> {
+    let is = |words: [&str; 3]| words.iter().any(|other| other.eq_ignore_ascii_case(word));
+    let (yes, no) = (is(["true", "yes", "on"]), is(["false", "no", "off"]));
+    (yes || no).then_some(yes.into())
 }
 
 fn access_names() -> Argument {

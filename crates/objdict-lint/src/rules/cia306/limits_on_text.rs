@@ -4,9 +4,9 @@ use crate::{EntryAt, rule};
 
 rule! {
     "cia306/limits-on-text", Warning, Entry(check), fix Safe;
-    summary: "a text has limits",
-    checks: "Whether `LowLimit` and `HighLimit` are only used with numbers: not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
-    why: "No order of texts is defined, so the limits mean nothing. Perhaps they were meant as lengths, or the data type is wrong.",
+    summary: "a string has limits",
+    checks: "Whether `LowLimit` and `HighLimit` are used with numbers only, not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
+    why: "Strings have no defined order, so limits have no meaning. They may have been meant as lengths, or the data type is wrong.",
     example: "`DataType=0x0009` with `HighLimit=20`",
     remedy: "Remove the limits.",
     source: "CiA 306-1 §4.6.3.2",
@@ -24,11 +24,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         data_type.kind(),
         TypeKind::VisibleString | TypeKind::UnicodeString | TypeKind::OctetString | TypeKind::Domain
     );
-    // limits of a DOMAIN object are a key that it does not have
+    // for DOMAIN objects these keys are not supported, which has its own rule
     if is_text && at.holds_value() && at.object_type() != Some(ObjectType::Domain) {
-        let message = say!("`{}` of a {} means nothing", field, data_type);
+        let message = say!("`{}` has no meaning for a {}", field, data_type);
         let finding = Diagnostic::new(&RULE.info, at.field(field), message)
-            .label(at.field(Field::DataType), "no number");
+            .label(at.field(Field::DataType), "not a number");
         let stated =
             [(Field::LowLimit, entry.low_limit.is_some()), (Field::HighLimit, entry.high_limit.is_some())];
         let stated = stated.into_iter().filter(|(_, stated)| *stated);

@@ -1,16 +1,16 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, say};
-use crate::model::{Field, Value};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
+use crate::model::{DataType, Field, TypeKind, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/low-limit-above-high", Error, Entry(check), fix Unsafe;
     summary: "the low limit is above the high limit",
-    checks: "Whether `LowLimit` is at most `HighLimit`, both read as the data type says. Limits with `$NODEID` are tried with the node-IDs 1 and 127, or with that of the DCF.",
-    why: "No value is within such limits: tools refuse every one, or stop checking.",
+    checks: "Whether `LowLimit` is at most `HighLimit`, both interpreted in the data type. Limits with `$NODEID` are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF.",
+    why: "No value is within such limits: tools refuse every value, or skip the check.",
     example: "`LowLimit=10` and `HighLimit=2`",
-    remedy: "Exchange the two. Limits of a signed type are written in decimal: `LowLimit=-128`.",
+    remedy: "Swap the two. Write limits of signed types in decimal: `LowLimit=-128`.",
     source: "CiA 306-1 §4.6.3.2",
 }
 
@@ -20,14 +20,25 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !above || !at.holds_value() {
         return;
     }
-    let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, high);
+    let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, shown(high, at.entry.data_type));
     let finding = Diagnostic::new(&RULE.info, at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
     let is_formula = [low, high].into_iter().any(|limit| matches!(limit, Value::NodeId(_)));
-    let fix = Fix::risky("exchange the two")
+    let fix = Fix::risky("swap the limits")
         .set(at.field(Field::LowLimit), high.to_string())
         .set(at.field(Field::HighLimit), low.to_string());
-    let finding = finding.help("exchange the two, or correct the one that is wrong");
-    // which one is larger depends on the node
+    let finding = finding.help("swap the limits, or correct one of them");
+    // the larger one depends on the node-ID
     findings.push(if is_formula { finding } else { finding.fix(fix) });
+}
+
+/// A negative limit with its bits too: `0xFFFF` was perhaps meant as a positive number.
+fn shown(limit: &Value, data_type: Option<DataType>) -> Text {
+    match (limit, data_type.map(|data_type| (data_type, data_type.kind()))) {
+        (Value::Signed(number @ ..0), Some((data_type, TypeKind::Signed(bits)))) => {
+            let mask = u64::MAX >> 64u8.saturating_sub(bits);
+            say!("{:#X} ({} as {})", number.cast_unsigned() & mask, *number, data_type)
+        }
+        _ => say!("{}", limit),
+    }
 }

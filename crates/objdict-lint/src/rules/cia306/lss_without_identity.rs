@@ -4,9 +4,9 @@ use crate::rule;
 
 rule! {
     "cia306/lss-without-identity", Warning, Device(check);
-    summary: "the device supports LSS, but cannot be told apart",
+    summary: "the device supports LSS, but its identity is incomplete",
     checks: "Whether 1018h of a device with `LSS_Supported=1` has vendor-ID, product code, revision number and serial number.",
-    why: "LSS addresses a device by these four numbers. A device that lacks one cannot be selected among others of its kind.",
+    why: "LSS addresses a device by these four numbers. A device without one of them cannot be selected.",
     example: "`LSS_Supported=1` and a 1018h that ends with sub-index 1",
     remedy: "Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.",
     source: "CiA 305, CiA 301 §7.5.2.21",
@@ -16,7 +16,7 @@ const NAMES: [&str; 4] = ["vendor-ID", "product code", "revision number", "seria
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.device_info else { return };
-    // a missing 1018h is a finding of its own
+    // a missing 1018h has its own finding
     let Some(identity) = device.object(0x1018).filter(|_| info.lss_supported == Some(true)) else { return };
     let missing: Vec<&str> =
         (1..).zip(NAMES).filter(|&(sub, _)| identity.entry(sub).is_none()).map(|(_, name)| name).collect();

@@ -4,11 +4,11 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/manager-that-is-no-master", Warning, Device(check);
-    summary: "the manager of the network is no master",
-    checks: "Whether a DCF with `CANopenManager=1` is of a device with `SimpleBootUpMaster=1` or with 1F80h, NMT startup.",
-    why: "The manager starts and watches the other nodes. A device that cannot be the NMT master leaves them where they are after power-on.",
+    summary: "the network manager is not an NMT master",
+    checks: "Whether a DCF with `CANopenManager=1` has `SimpleBootUpMaster=1` or 1F80h, NMT startup.",
+    why: "The manager starts and monitors the other nodes. Without an NMT master they stay in the state after power-on.",
     example: "`CANopenManager=1`, `SimpleBootUpMaster=0`, and no `[1F80]`",
-    remedy: "Write `CANopenManager=0`, or what the device supports.",
+    remedy: "Write `CANopenManager=0`, or correct `SimpleBootUpMaster`.",
     source: "CiA 306-1 §5.4, CiA 302-2",
 }
 
@@ -20,9 +20,9 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let place = Place::of(Part::Commissioning).field(Field::CanOpenManager);
     let finding =
-        Diagnostic::new(&RULE.info, place, "the node manages the network, and cannot be its master").label(
+        Diagnostic::new(&RULE.info, place, "the node is the network manager, but not an NMT master").label(
             Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster),
-            "says so, and there is no 1F80h",
+            "not an NMT master, and 1F80h is missing",
         );
-    findings.push(finding.help(say!("write `{CANopenManager=0}`, or what the device supports")));
+    findings.push(finding.help(say!("write `{CANopenManager=0}`, or correct `{SimpleBootUpMaster}`")));
 }

@@ -4,9 +4,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe;
-    summary: "an entry is called mappable, but no PDO can carry it",
-    checks: "Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and can change, that is, are not `const`.",
-    why: "A tool offers the entry for mapping, and the device refuses it.",
+    summary: "an entry is marked mappable, but cannot be mapped",
+    checks: "Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and are not `const`.",
+    why: "Tools offer the entry for mapping, but the device refuses the mapping.",
     example: "`PDOMapping=1` of a VISIBLE_STRING",
     remedy: "Write `PDOMapping=0`, or correct `DataType` or `AccessType`.",
     source: "CiA 301 §7.5.2.36",
@@ -19,7 +19,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
     let (message, field, label) = match (unmappable, entry.access) {
-        (Some(data_type), _) => (say!("no PDO can map {}", data_type), Field::DataType, "the data type"),
+        (Some(data_type), _) => (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type"),
         (None, Some(Access::Const)) => {
             (Text::from("a constant never changes"), Field::AccessType, "a constant")
         }

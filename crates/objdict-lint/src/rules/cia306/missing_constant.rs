@@ -5,10 +5,10 @@ use crate::{EntryAt, rule};
 rule! {
     "cia306/missing-constant", Note, Entry(check);
     summary: "a constant has no value",
-    checks: "Whether entries with access `const` have a `DefaultValue`. Left alone are the texts 1008h to 100Ah and the identity 1018h, which are often the same description for several versions of a device, DOMAINs, and sub-index 0, which has a rule of its own.",
-    why: "A constant is what a tool can know without asking the device. Code that is generated from the description has 0 instead.",
+    checks: "Whether entries with access `const` have a `DefaultValue`. Not checked: strings 1008h to 100Ah and identity 1018h, which often share one description for several versions of a device, DOMAINs, and sub-index 0, which has its own rule.",
+    why: "Tools know a constant without asking the device. Code generated from the description contains 0 instead.",
     example: "`AccessType=const` without `DefaultValue`",
-    remedy: "Write the value, or `AccessType=ro` for a value that differs from device to device.",
+    remedy: "Write the value, or `AccessType=ro` for a value that differs between devices.",
     source: "CiA 306-1 §4.6.3.2",
 }
 
@@ -26,9 +26,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if varies || count || values || domain || !entry.misfits.is_empty() {
         return;
     }
-    let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "a constant without a value")
+    let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "the constant has no value")
         .label(at.field(Field::AccessType), "a constant");
     findings.push(finding.help(say!(
-        "write `{DefaultValue}`, or `{AccessType=ro}` if the value differs from device to device"
+        "write `{DefaultValue}`, or `{AccessType=ro}` if the value differs between devices"
     )));
 }

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/missing-device-info-key", Warning, Device(check), fix Unsafe;
-    summary: "`[DeviceInfo]` does not say all that it has to",
-    checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, the numbers of PDOs and LSS are stated. Names may be empty, numbers may not. `BaudRate_x` of rates that the device does not support may be left out. In a DCF, which is for one known device, and where only the order code is missing, it is a note. In real files it is mostly the order code, and numbers of products that were never sold; the files that state nothing of granularity, boot-up or group messaging are nearly all DCFs that a tool wrote, so two in three findings are notes.",
-    why: "A configuration tool finds the description of a device by its numbers, and asks the other keys what it may offer. A conformance test refuses the file.",
+    summary: "`[DeviceInfo]` lacks mandatory keys",
+    checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, PDO counts and LSS are given. Names may be empty, numbers may not. `BaudRate_x` of unsupported bit rates may be missing. The finding is a note in a DCF, which is for one known device, and if only the order code is missing. In real files, mostly the order code is missing, or the numbers of products that were never sold; nearly all files without granularity, boot-up or group messaging are DCFs written by a tool, so two of three findings are notes.",
+    why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test refuses the file.",
     example: "`[DeviceInfo]` without `NrOfRXPDO`",
-    remedy: "Add the keys; what the device does not have is 0.",
+    remedy: "Add the keys. Write 0 for unsupported features.",
     source: "CiA 306-1 §4.5",
 }
 
@@ -20,7 +20,7 @@ fn check(device: &Device, findings: &mut Findings) {
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
-    let message = say!("`{[DeviceInfo]}` gives no value for {}", listing(&missing));
+    let message = say!("`{[DeviceInfo]}` has no {}", listing(&missing));
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(first.clone()), message)
         .severity(if light { Severity::Note } else { Severity::Warning });
@@ -33,7 +33,7 @@ fn check(device: &Device, findings: &mut Findings) {
     });
 }
 
-/// What is demanded, with whether it is there.
+/// The mandatory keys and whether each has a value.
 fn stated(info: &DeviceInfo) -> [(Field, bool); 14] {
     [
         (Field::VendorName, info.vendor_name.is_some()),
@@ -53,7 +53,7 @@ fn stated(info: &DeviceInfo) -> [(Field, bool); 14] {
     ]
 }
 
-/// A line that the author can start from.
+/// An example line for the help.
 fn example(field: &Field) -> Argument {
     let value = match field {
         Field::VendorName | Field::ProductName | Field::OrderCode => "",
@@ -63,7 +63,7 @@ fn example(field: &Field) -> Argument {
     Argument::setting(field, value)
 }
 
-/// The missing keys with what can be known of them, or what most devices have; `None` where a name is missing.
+/// The missing keys with their known or most common values; `None` if a name is missing.
 fn defaults(device: &Device, missing: &[Field]) -> Option<Fix> {
     let count = |range: std::ops::RangeInclusive<u16>| device.objects.range(range).count().to_string();
     let identity = |sub: u8| {

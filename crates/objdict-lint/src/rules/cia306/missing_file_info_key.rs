@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/missing-file-info-key", Warning, Device(check), fix Unsafe;
-    summary: "`[FileInfo]` does not say all that it has to",
-    checks: "Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are there; a missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note, for a file may never have been changed. `Description` may be empty.",
-    why: "A configuration tool tells two files of one device apart by version and date. A conformance test refuses the file.",
+    summary: "`[FileInfo]` lacks mandatory keys",
+    checks: "Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are given. A missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note: the file may be unmodified. `Description` may be empty.",
+    why: "Configuration tools distinguish files of one device by version and date. A conformance test refuses the file.",
     example: "`[FileInfo]` without `FileRevision`",
-    remedy: "Add the keys. Who does not count revisions writes `FileRevision=0`.",
+    remedy: "Add the keys. Write `FileRevision=0` if revisions are not counted.",
     source: "CiA 306-1 §4.4",
 }
 
@@ -26,7 +26,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// What is demanded of every file, with whether it is stated.
+/// The mandatory keys of every file and whether each has a value.
 fn creation(info: &FileInfo) -> [(Field, bool); 7] {
     [
         (Field::FileName, is_text(info.file_name.as_deref())),
@@ -53,7 +53,7 @@ fn is_text(text: Option<&str>) -> bool {
 
 fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut Findings) {
     let Some(first) = missing.first() else { return };
-    let message = say!("`{[FileInfo]}` gives no value for {}", listing(missing));
+    let message = say!("`{[FileInfo]}` has no {}", listing(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
     let finding = finding.help(say!("add {}", listing(missing.iter().map(example))));
@@ -63,7 +63,7 @@ fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut
     });
 }
 
-/// The missing keys as of a first version that nobody has changed; `None` where nobody knows who made it when.
+/// The missing keys of an unmodified first version; `None` if author or date are unknown.
 fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
     missing.iter().try_fold(Fix::risky(say!("add {the keys}")), |fix, field| {
         let value = match field {
@@ -79,7 +79,7 @@ fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
     })
 }
 
-/// A line that the author can start from.
+/// An example line for the help.
 fn example(field: &Field) -> Argument {
     let value = match field {
         Field::FileName => "device.eds",

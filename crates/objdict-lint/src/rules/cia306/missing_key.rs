@@ -4,9 +4,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/missing-key", Error, Entry(check), fix Unsafe;
-    summary: "a key is missing that the object type demands",
-    checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType`, for without it the object is a VAR. A `DOMAIN` needs none of them.",
-    why: "Without data type and access nobody can read or write the value. Tools guess, each in its own way, or refuse the file.",
+    summary: "a key required by the object type is missing",
+    checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
+    why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",
     example: "A VAR without `AccessType`",
     remedy: "Add the key.",
     source: "CiA 306-1 §4.6.3.2, obligation table",
@@ -25,13 +25,13 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 
 fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     let entry = at.entry;
-    // an application without access has a parameter that says so
+    // in an XDD, a parameter may define the access
     let has_access = entry.access.is_some()
         || entry.parameter.as_ref().is_some_and(|parameter| parameter.access.is_some());
     if entry.data_type.is_some() && has_access {
         return;
     }
-    // the value of such a VAR is described by its sub-index 0
+    // sub-index 0 describes the value of such a VAR
     if at.sub.is_none() && at.object.compact.is_none() && at.object.subs.get(0).is_some() {
         return;
     }
@@ -51,7 +51,11 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     };
     let message = say!("{} needs {}", kind, listing(&missing));
     let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
-    findings.push(finding.help(say!("add {}", listing(missing.iter().map(example)))));
+    findings.push(finding.help(match missing.as_slice() {
+        [Field::DataType] => say!("add `{DataType}` with the type of the value"),
+        [Field::AccessType] => say!("add `{AccessType}`, such as `{AccessType=rw}`"),
+        _ => say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`"),
+    }));
 }
 
 fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {
@@ -67,26 +71,20 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
         let fix = Fix::safe(title.clone()).set(at.field(Field::SubNumber), described.to_string());
         finding.help(title).fix(fix)
     } else {
-        finding.help(say!("describe its sub-indexes and write their number, or add `{CompactSubObj}`"))
+        finding.help(say!("describe the sub-indexes and write their number, or add `{CompactSubObj}`"))
     });
 }
 
-/// The type of an object is in doubt: because it is not stated, or for a reason that another rule reports.
+/// The object type is unknown: missing, or invalid, which another rule reports.
 fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     let in_doubt = at.sub.is_none() && stated::is_structured(at.object);
     if !in_doubt || at.entry.object_type.is_some() || !at.entry.misfits.is_empty() {
         return;
     }
-    let message = say!("an object with sub-indexes needs `{ObjectType}`; without it, it is a VAR");
+    let message = say!("an object with sub-indexes needs `{ObjectType}`; without `{ObjectType}` the object is a VAR");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message);
     let fix = Fix::risky(say!("add `{ObjectType=0x9}`")).set(at.field(Field::ObjectType), "0x9");
     findings.push(
         finding.help(say!("add `{ObjectType=0x9}` for a RECORD, `{ObjectType=0x8}` for an ARRAY")).fix(fix),
     );
-}
-
-/// A line that the author can start from.
-fn example(field: &Field) -> Argument {
-    let value = if *field == Field::DataType { "0x0007" } else { "rw" };
-    Argument::setting(field, value)
 }

@@ -4,9 +4,9 @@ use crate::rule;
 
 rule! {
     "cia306/missing-last-eds", Note, Device(check);
-    summary: "a DCF does not name the EDS that it was made from",
-    checks: "Whether a DCF with a `[FileInfo]` that says more than its name has `LastEDS`.",
-    why: "Nobody can find out whether the configuration is up to date with the device, or take over another EDS of it.",
+    summary: "a DCF does not name its EDS",
+    checks: "Whether a DCF with more than a file name in `[FileInfo]` has `LastEDS`.",
+    why: "Tools cannot check whether the configuration matches the device, or update it to a newer EDS.",
     example: "A DCF without `LastEDS`",
     remedy: "Write the file name of the EDS.",
     source: "CiA 306-1 §5.2",
@@ -19,6 +19,6 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::FileInfo).field(Field::LastEds);
-    let finding = Diagnostic::new(&RULE.info, place, "the file does not name the EDS that it was made from");
+    let finding = Diagnostic::new(&RULE.info, place, "the file does not name its EDS");
     findings.push(finding.help(say!("write the file name of the EDS as `{LastEDS}`")));
 }

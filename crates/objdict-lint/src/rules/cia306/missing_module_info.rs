@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/missing-module-info", Error, Device(check);
-    summary: "a module does not say what it is",
+    summary: "a module lacks its product information",
     checks: "Whether each module has `[MxModuleInfo]` with `ProductName`, `ProductVersion`, `ProductRevision` and `OrderCode`.",
-    why: "A configuration tool shows these to the user who plugs modules together.",
+    why: "Configuration tools show these values to users who assemble modules.",
     example: "`[M1FixedObjects]` without `[M1ModuleInfo]`",
-    remedy: "Add the section or the keys.",
+    remedy: "Add the section or the missing keys.",
     source: "CiA 306-1 §6.3",
 }
 
@@ -18,9 +18,9 @@ fn check(device: &Device, findings: &mut Findings) {
         let missing = missing(module);
         let Some(first) = missing.first() else { continue };
         let message = if missing.len() == 4 {
-            say!("module {} has no `{}`, or an empty one", number, Part::Module(number, ModulePart::Info))
+            say!("module {} has no `{}`, or the section is empty", number, Part::Module(number, ModulePart::Info))
         } else {
-            say!("`{}` gives no value for {}", Part::Module(number, ModulePart::Info), listing(&missing))
+            say!("`{}` has no {}", Part::Module(number, ModulePart::Info), listing(&missing))
         };
         let info = Place::of(Part::Module(number, ModulePart::Info)).field(first.clone());
         let place = if missing.len() == 4 { some_part(number, module) } else { info };
@@ -40,7 +40,7 @@ fn missing(module: &Module) -> Vec<Field> {
     stated.into_iter().filter(is_missing).map(|(field, _)| field).collect()
 }
 
-/// A section that a module without information has.
+/// Any section of a module without information.
 fn some_part(number: u16, module: &Module) -> Place {
     let part = if let Some(&index) = module.fixed.keys().next() {
         ModulePart::Fixed(index)

@@ -6,11 +6,11 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/missing-module-object", Warning, Device(check);
-    summary: "the objects of a connected module are not in the DCF",
-    checks: "Whether a DCF describes the fixed objects of the modules in `[ConnectedModules]`, and the objects that they extend.",
-    why: "The DCF is of the station as it stands, modules included. What the modules bring is not configured when it is not described.",
-    example: "`1=2` in `[ConnectedModules]`, `1=0x6423` in `[M2FixedObjects]`, and no `[6423]`",
-    remedy: "Describe the objects as the modules make them.",
+    summary: "the DCF does not describe the objects of a connected module",
+    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`.",
+    why: "The DCF describes the complete station including its modules. Objects of modules that are not described are not configured.",
+    example: "`1=2` in `[ConnectedModules]` and `1=0x6423` in `[M2FixedObjects]` without `[6423]`",
+    remedy: "Describe the objects as defined by the modules.",
     source: "CiA 306-1 §6.4",
 }
 
@@ -28,9 +28,9 @@ fn check(device: &Device, findings: &mut Findings) {
         };
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let message =
-            say!("module {} brings {:04X}h{}, which the {DCF} does not describe", number, first, more);
+            say!("module {} defines {:04X}h{}, missing in the {DCF}", number, first, more);
         let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help("describe the objects as the modules make them"));
+        findings.push(finding.help("describe the objects as defined by the modules"));
     }
 }

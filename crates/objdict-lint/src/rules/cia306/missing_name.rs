@@ -5,10 +5,10 @@ use crate::{EntryAt, rule};
 rule! {
     "cia306/missing-name", Error, Entry(check);
     summary: "an object or sub-index has no name",
-    checks: "Whether each section of an object or sub-index has a `ParameterName` that is not empty.",
-    why: "The name is what a tool shows. python-canopen and others refuse a file without it; generated code has to make one up.",
+    checks: "Whether each section of an object or sub-index has a non-empty `ParameterName`.",
+    why: "Tools show the name. python-canopen and others refuse a file without it; code generators have to invent one.",
     example: "`ParameterName=`",
-    remedy: "Give it the name that the standard or the manual uses.",
+    remedy: "Write the name from the standard or the manual.",
     source: "CiA 306-1 §4.6.3.2",
 }
 

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/missing-section", Error, Device(check), fix Safe;
-    summary: "a section that every description has is missing",
-    checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are there. An error are `[FileInfo]` and `[DeviceInfo]` of an EDS, and each list that described objects belong to. What a DCF is made of is looked at with more patience: the tools that write it need not say who made it. In real files it is mostly a DCF without `[Comments]` or `[FileInfo]`, which is a note and does no harm; the errors are fragments, and lists without which whole ranges of objects are lost. An empty file has its own finding.",
-    why: "Objects of a missing list are in no list at all, so most tools do not see them. Without `[DeviceInfo]` nobody knows whose device it is. The other sections may be empty, but some readers refuse a file without them.",
+    summary: "a standard section is missing",
+    checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are in the file. A missing `[FileInfo]` or `[DeviceInfo]` of an EDS is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note; the errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
+    why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers refuse a file without them.",
     example: "A file that starts with `[1000]`",
-    remedy: "Add the section; an empty list is `SupportedObjects=0`, empty comments are `Lines=0`.",
+    remedy: "Add the section. Write `SupportedObjects=0` for an empty list, `Lines=0` for empty comments.",
     source: "CiA 306-1 §4.2",
 }
 
@@ -17,28 +17,28 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let is_node = device.kind == DeviceKind::Node;
-    let grave = if is_node { Severity::Note } else { Severity::Error };
+    let severe = if is_node { Severity::Note } else { Severity::Error };
     let light = if is_node { Severity::Note } else { Severity::Warning };
-    // keys above all sections most likely belong to it, and that is reported
+    // keys before the first section most likely belong to it, which has its own finding
     let headless = device.extra.iter().any(|section| section.name().is_empty());
     if device.file_info.is_none() && !headless {
-        findings.push(report(&Part::FileInfo, grave, "say who made the file and when"));
+        findings.push(report(&Part::FileInfo, severe, "write author and date of the file"));
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
-        findings.push(report(&Part::DeviceInfo, severity, "say whose device it is and what it can do"));
+        findings.push(report(&Part::DeviceInfo, severity, "write vendor, product and features of the device"));
     }
     if device.dummy_usage.is_none() {
-        let help = "write `Dummy0005=1` for a type that can fill a gap in an RPDO";
+        let help = "write `Dummy0005=1` for each type that may fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
-        let fix = Fix::safe("add it without dummies").with(Change::Add(Part::DummyUsage, none));
+        let fix = Fix::safe("add the section without dummies").with(Change::Add(Part::DummyUsage, none));
         findings.push(report(&Part::DummyUsage, light, help).fix(fix));
     }
     if device.comments.is_none() {
         let none = vec![(Field::Lines, "0".to_owned())];
-        let fix = Fix::safe("add it without comments").with(Change::Add(Part::Comments, none));
-        findings.push(report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` into it")).fix(fix));
+        let fix = Fix::safe("add the section without comments").with(Change::Add(Part::Comments, none));
+        findings.push(report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` in the {section}")).fix(fix));
     }
     check_lists(device, light, findings);
 }
@@ -54,22 +54,22 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         let fix = Fix::safe("add the list").with(Change::List(list, members.clone().collect()));
         let objects = members.count();
         if objects == 0 {
-            // where the mandatory objects are missing too, that is the finding
+            // missing mandatory objects have their own finding
             if list != ObjectList::Mandatory {
-                let finding = report(&Part::List(list), light, say!("write `{SupportedObjects=0}` into it"));
+                let finding = report(&Part::List(list), light, say!("write `{SupportedObjects=0}` in the {section}"));
                 findings.push(finding.fix(fix));
             }
             continue;
         }
         let objects_belong = counted(objects, "object belongs", "objects belong");
-        let message = say!("{section} `{}` is missing, to which {}", list, objects_belong);
+        let message = say!("{section} `{}` is missing, but {} in it", list, objects_belong);
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
         findings
-            .push(finding.help(say!("list the objects in it: `{SupportedObjects=1}`, `1=0x1000`")).fix(fix));
+            .push(finding.help(say!("add the list of these objects: `{SupportedObjects=1}`, `1=0x1000`")).fix(fix));
     }
 }
 
-/// Whether the file says nothing at all, which another rule reports.
+/// Whether the file is empty, which another rule reports.
 fn is_blank(device: &Device) -> bool {
     let lists = &device.lists;
     device.file_info.is_none()

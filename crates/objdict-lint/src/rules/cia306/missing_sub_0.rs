@@ -6,7 +6,7 @@ rule! {
     "cia306/missing-sub-0", Error, Object(check), fix Unsafe;
     summary: "an ARRAY or RECORD has no sub-index 0",
     checks: "Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.",
-    why: "A manager reads sub-index 0 first to learn how many entries there are.",
+    why: "Managers first read sub-index 0 to get the number of entries.",
     example: "`[1003]` with `[1003sub1]` only",
     remedy: "Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.",
     source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
@@ -16,7 +16,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if object.subs.get(0).is_some() || object.compact.is_some() {
         return;
     }
-    // nothing but a count, or not even that, has findings of its own
+    // an object without sub-indexes has its own findings
     let counted_only = object.subs.is_empty() && object.sub_number != Some(0);
     let Some(object_type) = stated::object_type(object).filter(|object_type| object_type.has_subs()) else {
         return;
@@ -36,7 +36,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     )));
 }
 
-/// Sub-index 0, and `SubNumber` with it counted.
+/// Adds sub-index 0, and updates `SubNumber`.
 fn add_sub_0(index: u16, object: &Object) -> Fix {
     let fix = Fix::risky(say!("add `{}`", Part::Entry(index, 0))).with(sub_0(index, object));
     let described = stated::described_subs(object) + 1;

@@ -4,9 +4,9 @@ use crate::rule;
 
 rule! {
     "cia306/modified-before-created", Note, Device(check);
-    summary: "the file was modified before it was created",
-    checks: "Whether date and time of the last modification come after those of the creation.",
-    why: "One of them is wrong, perhaps day and month in the wrong order, so nobody can tell which of two files is the newer one.",
+    summary: "the modification date is before the creation date",
+    checks: "Whether date and time of the last modification are not before the creation.",
+    why: "One of the dates is wrong, perhaps with day and month swapped, so tools cannot decide which of two files is newer.",
     example: "`CreationDate=11-18-2024` and `ModificationDate=03-04-2024`",
     remedy: "Correct the date. The order is month, day, year.",
     source: "CiA 306-1 §4.4",
@@ -26,10 +26,10 @@ fn check(device: &Device, findings: &mut Findings) {
         (Field::ModificationDate, Field::CreationDate)
     };
     let message = match times.filter(|_| modified == created) {
-        Some((from, to)) => say!("modified at {}, but created at {} of the same day", to, from),
+        Some((from, to)) => say!("modified at {}, but created at {} on the same day", to, from),
         None => say!("modified on {}, but created on {}", modified, created),
     };
     let place = |field| Place::of(Part::FileInfo).field(field);
     let finding = Diagnostic::new(&RULE.info, place(wrong), message).label(place(right), "created here");
-    findings.push(finding.help("correct the date; month and day come before the year: `01-31-2026`"));
+    findings.push(finding.help("correct the date; the order is month, day, year: `01-31-2026`"));
 }

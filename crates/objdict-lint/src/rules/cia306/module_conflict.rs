@@ -7,14 +7,14 @@ use crate::rule;
 rule! {
     "cia306/module-conflict", Error, Device(check);
     summary: "two modules describe the same object differently",
-    checks: "Whether a fixed object or an extension that several modules have is the same in all of them: object type, data type, access, mapping, default, limits and flags, of its sub-indexes too. Names and `Count` may differ, and the default of what modules add to 1027h (module list), for that is the number of the module.",
-    why: "The object exists once in the plugged device, so only one of the descriptions can be true.",
+    checks: "Whether a fixed object or extension of several modules is identical in all of them: object type, data type, access, mapping, default, limits and flags, including sub-indexes. Names and `Count` may differ. Defaults of extensions of 1027h (module list) may differ too: they are the module numbers.",
+    why: "The assembled device has the object only once, so only one description can be correct.",
     example: "`[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16",
-    remedy: "Describe the object alike in all modules.",
+    remedy: "Use the same description in all modules.",
     source: "CiA 306-1 §6.3",
 }
 
-/// 1027h: each element is the number of a module.
+/// 1027h: each element is a module number.
 const MODULE_LIST: u16 = 0x1027;
 
 fn check(device: &Device, findings: &mut Findings) {
@@ -76,8 +76,8 @@ fn report(
     }
     let place = |number| Place::of(Part::Module(number, part));
     let message =
-        say!("{:04X}h of the modules {} and {} differs in {}", index, first, second, listing(fields));
+        say!("{:04X}h of modules {} and {} differs in {}", index, first, second, listing(fields));
     let finding =
         Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the other description");
-    findings.push(finding.help("describe the object alike in all modules"));
+    findings.push(finding.help("use the same description in all modules"));
 }

@@ -4,9 +4,9 @@ use crate::{IndexSet, rule};
 
 rule! {
     "cia306/module-list-mismatch", Error, Device(check), fix Unsafe;
-    summary: "the lists of a module do not name the objects that it describes",
-    checks: "Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described one is listed, and each sub-index of a fixed object has its object.",
-    why: "A tool that plugs the module together goes by the lists, and leaves out what they do not name.",
+    summary: "the lists of a module do not match its objects",
+    checks: "Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described index is listed, and each sub-index of a fixed object has its object.",
+    why: "Tools that assemble modules use the lists and ignore objects that are not listed.",
     example: "`1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`",
     remedy: "Describe the object, or correct the list and its `NrOfEntries`.",
     source: "CiA 306-1 §6.3",
@@ -33,7 +33,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
         if let Some((sub, _)) = object.subs.iter().next().filter(|_| object.orphan) {
             let place = Place::of(Part::Module(number, ModulePart::FixedEntry(index, sub)));
             let message =
-                say!("sub-indexes of the fixed object {:04X}h are described, the object is not", index);
+                say!("sub-indexes of the fixed object {:04X}h are described, but the object is missing", index);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(
                 finding.help(say!("add {a section} `{}`", Part::Module(number, ModulePart::Fixed(index)))),
@@ -60,10 +60,10 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
 
 fn listed_only(list: &Part, item: u32, section: &Part, findings: &mut Findings) {
     let place = Place::of(list.clone()).field(Field::Item(item));
-    let fix = Fix::risky("take it off the list").remove(place.clone());
-    let message = say!("listed, but there is no {section} `{}`", section);
+    let fix = Fix::risky("remove the list entry").remove(place.clone());
+    let message = say!("listed, but {section} `{}` is missing", section);
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
-    findings.push(finding.help("describe the object, or take it off the list"));
+    findings.push(finding.help("describe the object, or remove its list entry"));
 }
 
 fn described_only(section: Part, index: u16, (list, length): (&Part, usize), findings: &mut Findings) {

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/module-numbering", Error, Device(check), fix Safe;
-    summary: "the modules are not numbered from 1 to their number",
-    checks: "Whether the sections `[MxModuleInfo]` and the like have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.",
-    why: "Tools count from 1. They do not see modules beyond the number, and stop at a gap.",
+    summary: "the modules are not numbered consecutively from 1",
+    checks: "Whether the sections of the modules (`[MxModuleInfo]` and others) have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.",
+    why: "Tools count from 1. They ignore modules above the count and stop at a gap.",
     example: "`NrOfEntries=2`, `[M1ModuleInfo]` and `[M3ModuleInfo]`",
-    remedy: "Number the modules again, in all of their sections and in `[ConnectedModules]`.",
+    remedy: "Renumber the modules in all their sections and in `[ConnectedModules]`.",
     source: "CiA 306-1 §6.3",
 }
 
@@ -23,12 +23,12 @@ fn check(device: &Device, findings: &mut Findings) {
     match modules.declared {
         None if described == 0 => {}
         None => {
-            let message = say!("`{[SupportedModules]}` does not say that there are {} modules", described);
+            let message = say!("{} modules are described, but `{[SupportedModules]}` has no count", described);
             let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)))
                 .set(count, described.to_string());
             let finding = Diagnostic::new(&RULE.info, first_module(modules), message).fix(fix);
             findings.push(finding.help(say!(
-                "write `{}` into `{[SupportedModules]}`",
+                "write `{}` in `{[SupportedModules]}`",
                 Argument::setting(Field::NrOfEntries, described)
             )));
         }
@@ -46,7 +46,7 @@ fn check(device: &Device, findings: &mut Findings) {
         Some(declared) => {
             let numbers = series(modules.supported.keys());
             let message = say!("{} modules have the numbers {}, not 1 to {}", declared, numbers, declared);
-            findings.push(Diagnostic::new(&RULE.info, count, message).help("number the modules again"));
+            findings.push(Diagnostic::new(&RULE.info, count, message).help("renumber the modules"));
         }
     }
 }

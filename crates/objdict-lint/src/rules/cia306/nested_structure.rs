@@ -5,10 +5,10 @@ use crate::{EntryAt, rule};
 rule! {
     "cia306/nested-structure", Warning, Entry(check);
     summary: "an entry is a structure",
-    checks: "Whether a sub-index or VAR has an object type with sub-indexes of its own (ARRAY, RECORD, DEFSTRUCT), or the data type of a structure: 0020h to 0025h, or a DEFSTRUCT of the file.",
-    why: "There are no sub-indexes below a sub-index, so nobody can reach the parts of the structure.",
+    checks: "Whether a sub-index or VAR has an object type with sub-indexes (ARRAY, RECORD, DEFSTRUCT), or a structured data type: 0020h to 0025h, or a DEFSTRUCT of the file.",
+    why: "A sub-index cannot have sub-indexes, so the parts of the structure cannot be accessed.",
     example: "`ObjectType=0x8` in `[2000sub1]`",
-    remedy: "Give each part a sub-index or an object of its own.",
+    remedy: "Use a separate sub-index or object for each part.",
     source: "CiA 301 §7.4.4",
 }
 
@@ -25,13 +25,13 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         Some(sub) => say!("sub-index {} of {:04X}h", sub_index(sub), at.index),
         None => say!("{:04X}h", at.index),
     };
-    let message = say!("{} is a structure ({}), but can only hold a single value", what, kind);
+    let message = say!("{} is a structure ({}), but must be a single value", what, kind);
     let finding = Diagnostic::new(&RULE.info, at.field(field), message);
-    findings.push(finding.help("give each part of the structure a sub-index or an object of its own"));
+    findings.push(finding.help("use a separate sub-index or object for each part of the structure"));
 }
 
-/// The definition of a type may name a structure; an object or sub-index may not. The type of sub-index 0 has a rule of its
-/// own.
+/// Type definitions may name a structure, objects and sub-indexes may not. The type of sub-index 0 has its own
+/// rule.
 fn holds_one_value(at: &EntryAt<'_>) -> bool {
     let is_definition = matches!(at.object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
     at.holds_value() && !is_definition && at.sub != Some(0)

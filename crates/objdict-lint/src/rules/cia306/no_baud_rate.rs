@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/no-baud-rate", Warning, Device(check);
-    summary: "the device supports no bit rate",
-    checks: "Whether at least one `BaudRate_x` is 1. A device that finds the bit rate by itself (`BaudRate_auto=1`) need not have one.",
-    why: "A configuration tool offers only the stated bit rates, so it offers none.",
+    summary: "no supported bit rate is given",
+    checks: "Whether at least one `BaudRate_x` is 1, unless the device detects the bit rate (`BaudRate_auto=1`).",
+    why: "Configuration tools offer only the bit rates given here, so they offer none.",
     example: "`[DeviceInfo]` without any `BaudRate_x`",
-    remedy: "Add `BaudRate_125=1` and the others that the device supports.",
+    remedy: "Add `BaudRate_125=1` and the other supported bit rates.",
     source: "CiA 306-1 §4.5",
 }
 
@@ -27,5 +27,5 @@ fn check(device: &Device, findings: &mut Findings) {
     };
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings
-        .push(finding.help(say!("write `{BaudRate_125=1}` and the like for each bit rate of the device")));
+        .push(finding.help(say!("add a key such as `{BaudRate_125=1}` for each supported bit rate")));
 }

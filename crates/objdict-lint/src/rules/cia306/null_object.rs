@@ -5,10 +5,10 @@ use crate::rule;
 rule! {
     "cia306/null-object", Warning, Object(check);
     summary: "an object of type NULL is described",
-    checks: "Whether no object has the object type 0, NULL.",
-    why: "A NULL object has no data: there is nothing to read or write. Tools list an object that answers nothing, or refuse the file.",
+    checks: "Whether an object has object type 0, NULL.",
+    why: "A NULL object has no data to read or write. Tools show an object that does not respond, or refuse the file.",
     example: "`ObjectType=0x0`",
-    remedy: "Write the object type that the object has, or remove the object and its line in the list.",
+    remedy: "Write the actual object type, or remove the object and its list entry.",
     source: "CiA 301 §7.4.3, table 42",
 }
 
@@ -18,5 +18,5 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     }
     let message = say!("{:04X}h is a NULL object, which has no data", index);
     let finding = Diagnostic::new(&RULE.info, Place::object(index).field(Field::ObjectType), message);
-    findings.push(finding.help("write the object type that it has, or remove the object"));
+    findings.push(finding.help("write the actual object type, or remove the object"));
 }

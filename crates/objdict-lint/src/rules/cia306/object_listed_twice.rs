@@ -7,10 +7,10 @@ use crate::{IndexSet, ListFixes, rule};
 rule! {
     "cia306/object-listed-twice", Error, Device(check), fix Unsafe;
     summary: "an object is listed twice",
-    checks: "Whether each index stands once in one list.",
-    why: "Some tools make two objects of it, some refuse the file.",
+    checks: "Whether each index is in one list only, and once.",
+    why: "Some tools create two objects, others refuse the file.",
     example: "`0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`",
-    remedy: "Remove one of the two, number the entries behind it again and write the new count.",
+    remedy: "Remove one of the two, renumber the following entries and update the count.",
     source: "CiA 306-1 §4.6.3.1",
 }
 
@@ -30,12 +30,12 @@ fn check(device: &Device, findings: &mut Findings) {
             }
             let place = |list, number| Place::of(Part::List(list)).field(Field::Item(number));
             let message = if other == list {
-                say!("{:04X}h stands twice in `{}`", index, list)
+                say!("{:04X}h is listed twice in `{}`", index, list)
             } else {
-                say!("{:04X}h stands in `{}` and in `{}`", index, other, list)
+                say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
-            let mut finding = finding.label(place(other, at), "first here").help("keep one of the two");
+            let mut finding = finding.label(place(other, at), "first here").help("remove one of the two entries");
             finding.fix = fixes.next(device.lists.get(list), || match other == list {
                 true => once(device, list),
                 false => elsewhere(device, list, other, index),
@@ -45,16 +45,16 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// Every member of the list once.
+/// Keeps each member of the list once.
 fn once(device: &Device, list: ObjectList) -> Fix {
     let mut seen = HashSet::new();
     let members = device.lists.get(list).iter().copied().filter(|&index| seen.insert(index)).collect();
-    Fix::safe("name it once").with(Change::List(list, members))
+    Fix::safe("remove the repeated entries").with(Change::List(list, members))
 }
 
-/// An object off the one of two lists into which it does not belong.
+/// Removes the object from the list that it does not belong to.
 fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
     let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
     let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
-    Fix::risky(say!("take it off `{}`", wrong)).with(Change::List(wrong, members))
+    Fix::risky(say!("remove it from `{}`", wrong)).with(Change::List(wrong, members))
 }

@@ -4,11 +4,11 @@ use crate::{IndexSet, ListFixes, rule, with_members};
 
 rule! {
     "cia306/object-not-listed", Error, Device(check), fix Safe;
-    summary: "an object is described, but in no list",
-    checks: "Whether each object from 1000h on is in one of the lists. Definitions of data types below need not be. Where a list is missing as a whole, that is the finding.",
-    why: "Readers that go by the lists, as Lely and most C tools do, do not see the object.",
+    summary: "an object is described, but not listed",
+    checks: "Whether each object from 1000h on is in one of the lists. Data type definitions need not be. A missing list has its own finding.",
+    why: "Readers that rely on the lists, such as Lely and most C tools, do not see the object.",
     example: "`[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`",
-    remedy: "Add the index to the list of its range and write the new count, or remove the section.",
+    remedy: "Add the index to the list of its range and update the count, or remove the section.",
     source: "CiA 306-1 §4.6.3.1",
 }
 
@@ -22,16 +22,16 @@ fn check(device: &Device, findings: &mut Findings) {
     for (list, members) in
         ObjectList::ALL.into_iter().zip([&lists.mandatory, &lists.optional, &lists.manufacturer])
     {
-        // where the whole list is missing, that is the finding
+        // a missing list has its own finding
         let Some(members) = members else { continue };
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let all = with_members(members, others.clone());
         for index in others {
-            let message = say!("{:04X}h is described, but in no list of objects", index);
+            let message = say!("{:04X}h is described, but not in any object list", index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
             let mut finding = finding.help(say!("add `0x{:04X}` to `{}`", index, list));
             finding.fix = fixes.next(&all, || {
-                let fix = Fix::safe(say!("add to `{}` what is described", list));
+                let fix = Fix::safe(say!("add all described objects to `{}`", list));
                 fix.with(Change::List(list, all.clone()))
             });
             findings.push(finding);

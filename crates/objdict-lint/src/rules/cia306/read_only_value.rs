@@ -6,9 +6,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/read-only-value", Warning, Entry(check), fix Unsafe;
-    summary: "a DCF configures what cannot be written",
-    checks: "Whether a `ParameterValue` that differs from the default belongs to an entry that can be written. That of a `ro` entry is a note: a tool may have stored what it read from the node, as the standard's own example does. Sub-index 0 and the identity object are left alone.",
-    why: "The value never gets into the node. Whoever wrote it believes that it does.",
+    summary: "a DCF configures an entry that is not writable",
+    checks: "Whether each `ParameterValue` that differs from the default belongs to a writable entry. For `ro` entries the finding is a note: a tool may have stored a value read from the node, as in the example of the standard. Sub-index 0 and the identity object are not checked.",
+    why: "Tools cannot download the value to the node, although the author expects it.",
     example: "`AccessType=const`, `DefaultValue=8` and `ParameterValue=9`",
     remedy: "Remove the `ParameterValue`, or correct `AccessType`.",
     source: "CiA 306-1 §5.3.1",
@@ -34,10 +34,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let access = at.entry.access.unwrap_or(Access::Ro);
     let message =
-        say!("`{ParameterValue}` is {}, but the entry is `{}` and its default {}", value, access, default);
+        say!("`{ParameterValue}` is {}, but the entry is `{}` and its default is {}", value, access, default);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
         .severity(severity)
-        .label(at.field(Field::AccessType), "cannot be written");
+        .label(at.field(Field::AccessType), "not writable");
     let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
     findings.push(finding.help(say!("remove `{ParameterValue}`, or correct `{AccessType}`")).fix(fix));
 }

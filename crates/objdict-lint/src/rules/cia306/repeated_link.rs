@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/repeated-link", Warning, Object(check);
-    summary: "a link of an object is there twice",
+    summary: "an object is linked twice",
     checks: "Whether each object is linked once.",
-    why: "Tools that show linked objects as one group show the object twice.",
+    why: "Tools that show linked objects as a group show the object twice.",
     example: "`1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`",
-    remedy: "Remove the link, and count one less.",
+    remedy: "Remove the link and decrease the count by one.",
     source: "CiA 306-1 §4.6.4",
 }
 
@@ -21,11 +21,11 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         if seen.insert(link) {
             continue;
         }
-        let message = say!("{:04X}h is linked with {:04X}h twice", index, link);
+        let message = say!("{:04X}h has two links to {:04X}h", index, link);
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let place = Place::of(Part::Links(index)).field(Field::Item(item));
         findings
-            .push(Diagnostic::new(&RULE.info, place, message).help("remove the link, and count one less"));
+            .push(Diagnostic::new(&RULE.info, place, message).help("remove the link and decrease the count by one"));
         return;
     }
 }

@@ -5,17 +5,17 @@ use crate::rule;
 rule! {
     "cia306/reserved-index", Warning, Object(check);
     summary: "an object has a reserved index",
-    checks: "Whether an object lies in 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh, or at 0000h.",
-    why: "A later version of the standard may give the index a meaning, and tools of other vendors will then misunderstand the device. A conformance test fails.",
+    checks: "Whether an object has index 0000h or is in 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh.",
+    why: "A later version of the standard may define the index, and tools will then misinterpret the device. A conformance test fails.",
     example: "`[C000]`",
-    remedy: "Put an object of your own in 2000h to 5FFFh.",
+    remedy: "Move vendor-specific objects to 2000h to 5FFFh.",
     source: "CiA 301 §7.4.1, table 41; CiA 302-2 for 102Ah",
 }
 
 fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let area = match index {
         0x101A..=0x101F => "101Ah to 101Fh",
-        // 102Ah, the NMT inhibit time, is in CiA 302-2
+        // CiA 302-2 defines 102Ah, the NMT inhibit time
         0x102B..=0x11FF => "102Bh to 11FFh",
         0x1C00..=0x1EFF => "1C00h to 1EFFh",
         0xC000.. => "C000h to FFFFh",
@@ -23,8 +23,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         _ => return,
     };
     if !object.orphan {
-        let message = say!("{:04X}h lies in a reserved area, {}", index, area);
+        let message = say!("{:04X}h is in a reserved area ({})", index, area);
         let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
-        findings.push(finding.help("objects of a manufacturer are in 2000h to 5FFFh"));
+        findings.push(finding.help("move vendor-specific objects to 2000h to 5FFFh"));
     }
 }

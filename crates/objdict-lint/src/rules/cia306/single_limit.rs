@@ -4,11 +4,11 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/single-limit", Note, Entry(check);
-    summary: "an entry has one limit and lacks the other",
-    checks: "Whether `LowLimit` and `HighLimit` are both there, or both not. A low limit of 0 or above of a signed type, and a high limit of any, leave the other side open.",
-    why: "It is allowed, but tools differ in what the missing one is: 0, the end of the type's range, or no limits at all.",
+    summary: "an entry has only one of the two limits",
+    checks: "Whether `LowLimit` and `HighLimit` are both given, or neither. A low limit of 0 or above of a signed type, and a high limit of any type, leave the other end open.",
+    why: "A single limit is allowed, but tools interpret the missing one differently: 0, the end of the type's range, or no limits at all.",
     example: "`HighLimit=100`, and no `LowLimit`",
-    remedy: "Write the other limit too.",
+    remedy: "Add the other limit.",
     source: "CiA 306-1 §4.6.3.2",
 }
 
@@ -24,7 +24,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !is_number || is_domain || !at.holds_value() || stated::is_misfit(entry, &missing) {
         return;
     }
-    let message = say!("`{}` is there, and `{}` is not", stated, missing);
+    let message = say!("`{}` is set without `{}`", stated, missing);
     let finding = Diagnostic::new(&RULE.info, at.field(stated), message);
-    findings.push(finding.help(say!("write `{}` too", missing)));
+    findings.push(finding.help(say!("add `{}`", missing)));
 }

@@ -5,8 +5,8 @@ use crate::{EntryAt, rule, stated};
 rule! {
     "cia306/sub-0-type", Error, Entry(check), fix Unsafe;
     summary: "sub-index 0 is not an UNSIGNED8",
-    checks: "Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8. 1004h, which is obsolete, held a number of PDOs there.",
-    why: "It holds the highest sub-index, and managers read one byte of it.",
+    checks: "Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8, except in the obsolete 1004h, where it is a number of PDOs.",
+    why: "Sub-index 0 is the highest sub-index, and managers read one byte.",
     example: "`[1A00sub0]` with `DataType=0x0007`",
     remedy: "Write `DataType=0x0005`.",
     source: "CiA 301 §7.4.7.2",

@@ -4,9 +4,9 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/sub-number-mismatch", Error, Object(check), fix Safe;
-    summary: "`SubNumber` is not the number of described sub-indexes",
-    checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT is the number of its sections, sub-index 0 counted, sub-index FFh not. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
-    why: "Readers that count do not see the last sub-indexes, or look for some that are not there.",
+    summary: "`SubNumber` does not match the described sub-indexes",
+    checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT equals the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
+    why: "Readers that count do not see the last sub-indexes, or look for missing ones.",
     example: "`SubNumber=3` where sub-indexes 0 to 3 are described",
     remedy: "Write the number of sections.",
     source: "CiA 306-1 §4.6.3.2",
@@ -18,7 +18,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if stated == described || object.compact.is_some() {
         return;
     }
-    // sub-index 0 is counted, but not described: that is the finding
+    // a counted, but missing sub-index 0 has its own finding
     let only_sub_0_missing = described > 0 && stated == described + 1 && object.subs.get(0).is_none();
     if only_sub_0_missing || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
         return;
@@ -34,7 +34,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     } else {
         let title = say!("write `{}`", Argument::setting(Field::SubNumber, described));
         let place = Place::object(index).field(Field::SubNumber);
-        // where sub-index 0 says the same as `SubNumber`, a section got lost
+        // if sub-index 0 agrees with `SubNumber`, a section is missing
         let value = object.value(0).and_then(|value| value.as_integer());
         let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
         let fix = Fix::safe(title.clone()).set(place, described.to_string());

@@ -5,8 +5,8 @@ use crate::{rule, stated};
 rule! {
     "cia306/sub-of-var", Error, Object(check);
     summary: "a VAR or DOMAIN has sub-indexes",
-    checks: "Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is tolerated, for the value of a VAR is there.",
-    why: "Some tools take the object for a single value and drop its sub-indexes, others take it for a RECORD.",
+    checks: "Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is accepted: it may describe the value of a VAR.",
+    why: "Some tools treat the object as a single value and drop its sub-indexes, others treat it as a RECORD.",
     example: "`ObjectType=0x7` in `[2000]`, and `[2000sub1]`",
     remedy: "Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.",
     source: "CiA 301 §7.4.3",

@@ -4,8 +4,8 @@ use crate::{IndexSet, ListFixes, rule, stated, sub_0, with_members};
 
 rule! {
     "cia306/sub-without-object", Error, Device(check), fix Unsafe;
-    summary: "a sub-index belongs to no object",
-    checks: "Whether each sub-index has the section of its object.",
+    summary: "a sub-index has no object",
+    checks: "Whether the object of each sub-index has a section.",
     why: "Object type and name are missing; many tools refuse the file.",
     example: "`[2001sub1]` without `[2001]`",
     remedy: "Describe the object, or remove its sub-indexes.",
@@ -21,7 +21,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let mut fixes = ListFixes::new();
     for (&index, object) in orphans {
         let Some((sub, _)) = object.subs.iter().next() else { continue };
-        let message = say!("sub-indexes of {:04X}h are described, the object is not", index);
+        let message = say!("sub-indexes of {:04X}h are described, but the object is missing", index);
         let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
         let title =
             say!("add {a section} `{}` with name, object type and `{SubNumber}`", Part::Object(index));
@@ -42,7 +42,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// The section that the object lacks, and sub-index 0 if it lacks that too.
+/// The missing section of the object, with sub-index 0 if missing too.
 fn section(title: Text, index: u16, object: &Object) -> Fix {
     let fix = Fix::risky(title);
     let (fix, described) = match object.subs.get(0) {

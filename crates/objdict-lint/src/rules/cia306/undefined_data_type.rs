@@ -4,24 +4,24 @@ use crate::{EntryAt, rule};
 
 rule! {
     "cia306/undefined-data-type", Error, Entry(check);
-    summary: "a data type does not exist",
-    checks: "Whether `DataType` is a type of CiA 301, or from 0040h to 025Fh one that the file defines in a DEFTYPE or DEFSTRUCT of that index.",
-    why: "Nobody knows how long the value is and what it means; it can be neither read nor written.",
+    summary: "a data type is not defined",
+    checks: "Whether `DataType` is a type of CiA 301, or, from 0040h to 025Fh, a DEFTYPE or DEFSTRUCT of the file.",
+    why: "Length and meaning of the value are unknown; the value can be neither read nor written.",
     example: "`DataType=0x0017`",
-    remedy: "Write the type that you mean, `0x0007` for UNSIGNED32, or describe your own type in a section of its index.",
+    remedy: "Write the intended type, such as `0x0007` for UNSIGNED32, or describe a custom type in a section with its index.",
     source: "CiA 301 §7.4.7, table 44",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(data_type) = at.entry.data_type else { return };
     let why = match data_type.kind() {
-        TypeKind::Reserved => "is the index of no data type",
+        TypeKind::Reserved => "is not the index of a data type",
         TypeKind::Defined if !is_defined(at.device, data_type) => {
-            "is a data type that the file does not define"
+            "is a data type, but the file does not define it"
         }
         _ => return,
     };
-    // the type of sub-index 0 has a rule of its own
+    // the type of sub-index 0 has its own rule
     let is_count = at.sub == Some(0) && at.object.object_type().has_subs();
     if is_count || !at.holds_value() {
         return;

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/unknown-connected-module", Error, Device(check), fix Unsafe;
-    summary: "a connected module is not among the supported ones",
-    checks: "Whether each number in `[ConnectedModules]` is that of a module that the file describes.",
-    why: "Nobody knows which objects such a module brings.",
+    summary: "a connected module is not described",
+    checks: "Whether each number in `[ConnectedModules]` is the number of a described module.",
+    why: "The objects of such a module are unknown.",
     example: "`2=7` in `[ConnectedModules]` of a coupler with five modules",
-    remedy: "Write the number of a described module, or copy the description of the module from the EDS.",
+    remedy: "Write the number of a described module, or copy the module description from the EDS.",
     source: "CiA 306-1 §6.4",
 }
 
@@ -18,10 +18,10 @@ fn check(device: &Device, findings: &mut Findings) {
         if !modules.supported.contains_key(number) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
             let message = say!("module {} is connected, but not described", number);
-            let fix = Fix::risky("take it off the list").remove(place.clone());
+            let fix = Fix::risky("remove the list entry").remove(place.clone());
             let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
             findings.push(finding.help(say!(
-                "add the {sections} `{}` and so on, or correct the number",
+                "add the {sections} of the module (`{}` and others), or correct the number",
                 Part::Module(*number, ModulePart::Info)
             )));
         }

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/unsorted-list", Note, Device(check), fix Safe;
-    summary: "a list of objects is not in ascending order",
-    checks: "Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` ascend. An index that is listed twice has a finding of its own.",
-    why: "People look an object up in the list, and tools that compare two descriptions line by line show an object that has moved.",
+    summary: "an object list is not in ascending order",
+    checks: "Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` are in ascending order. An index that is listed twice has its own finding.",
+    why: "Readers look up objects in the list, and line-by-line comparisons show moved objects as changes.",
     example: "`1=0x1017` and `2=0x1005` in `[OptionalObjects]`",
-    remedy: "Sort the list; `objdict fmt` does it.",
+    remedy: "Sort the list, for example with `objdict fmt`.",
     source: "Not in a standard",
 }
 
@@ -22,7 +22,7 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let (Some(first), Some(second)) = (indexes.get(at), indexes.get(at + 1)) else { continue };
-        let message = say!("`{}` has {:04X}h behind {:04X}h", list, second, first);
+        let message = say!("`{}` lists {:04X}h after {:04X}h", list, second, first);
         let item = u32::try_from(at + 2).unwrap_or(u32::MAX);
         let place = Place::of(Part::List(list)).field(Field::Item(item));
         let fix = Fix::safe("sort the list").with(Change::List(list, sorted));

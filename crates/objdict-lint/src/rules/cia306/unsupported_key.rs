@@ -4,9 +4,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/unsupported-key", Warning, Entry(check), fix Unsafe;
-    summary: "a key says something that the object type does not support",
-    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, and a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` say nothing and are tolerated. `CompactSubObj` of a VAR or DOMAIN is an error.",
-    why: "The key speaks of a value that is not there. Perhaps the object type is wrong, or the key stands in the wrong section.",
+    summary: "the object type does not support a key",
+    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error.",
+    why: "The key describes a value that does not exist. The object type may be wrong, or the key is in the wrong section.",
     example: "`[1018]` with `ObjectType=0x9` and `DataType=0x0023`",
     remedy: "Remove the key, move it to the sub-indexes, or correct `ObjectType`.",
     source: "CiA 306-1 §4.6.3.2, obligation table",
@@ -24,9 +24,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     let Some(first) = keys.first() else { return };
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
-    let message = say!("{} {} has no use for {}", article, object_type, listing(&keys));
+    let message = say!("{} {} does not support {}", article, object_type, listing(&keys));
     let title = if keys.len() == 1 { say!("remove {the key}") } else { say!("remove {the keys}") };
-    // a value or a limit may have been meant for something
+    // a value or limit may be intended
     let is_safe = |field: &Field| matches!(field, Field::DataType | Field::AccessType | Field::SubNumber);
     let fix = if keys.iter().all(is_safe) { Fix::safe(title) } else { Fix::risky(title) };
     let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
@@ -38,13 +38,13 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     });
     let finding = finding.fix(fix);
     findings.push(if object_type.has_subs() {
-        finding.help("remove it, or move it to the sub-indexes")
+        finding.help(say!("remove {the key}, or move {the key} to the sub-indexes"))
     } else {
-        finding.help(say!("remove it, or correct `{ObjectType}`"))
+        finding.help(say!("remove {the key}, or correct `{ObjectType}`"))
     });
 }
 
-/// The keys that count sub-indexes. Where such are described, the finding is that they are.
+/// The keys that count sub-indexes. Described sub-indexes have their own finding.
 fn keys_of_structure(at: &EntryAt<'_>) -> Vec<Field> {
     let object = at.object;
     let mut keys = Vec::new();

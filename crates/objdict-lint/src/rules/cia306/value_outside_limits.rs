@@ -6,9 +6,9 @@ use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/value-outside-limits", Error, Entry(check);
-    summary: "a value lies outside its limits",
-    checks: "Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are tried with the node-IDs 1 and 127, or with that of the DCF. 1010h and 1011h are left alone: their limits are those of the signature that is written, and what is read is something else.",
-    why: "The device refuses the value when it is written; a tool that restores it gets an abort.",
+    summary: "a value is outside its limits",
+    checks: "Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF. 1010h and 1011h are not checked: their limits apply to the signature, not to the value that is read.",
+    why: "The device rejects the value; a tool that restores it gets an abort.",
     example: "`DefaultValue=5` and `HighLimit=4`",
     remedy: "Correct the value or the limit.",
     source: "CiA 306-1 §4.6.3.2, §5.3.1",
@@ -40,14 +40,14 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
 }
 
-/// A limit that a value is beyond, and on which node.
+/// A limit exceeded by a value, and the node-ID for which it is.
 struct Exceeded<'a> {
     field: Field,
     limit: &'a Value,
     node_id: u8,
 }
 
-/// The limit that a value is beyond.
+/// The limit exceeded by a value.
 fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Exceeded<'a>> {
     let beyond = |limit: &Option<Value>, order| stated::first_node(value, limit.as_ref()?, order, node_ids);
     let below = beyond(&entry.low_limit, Ordering::Less);
@@ -59,7 +59,7 @@ fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Ex
     Some(Exceeded { field, limit, node_id })
 }
 
-/// Whether another rule says it, because no value is within the limits or there is no value, or the limits are those of a
+/// Whether another rule reports the cause (contradictory limits, no value), or the limits are those of a
 /// signature.
 fn is_explained(at: &EntryAt<'_>) -> bool {
     let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
@@ -83,7 +83,7 @@ fn report(
         return;
     }
     let Exceeded { field, limit, node_id } = exceeded;
-    // what a formula is on that node
+    // the value of a formula for that node-ID
     let number = |value: &Value| match (value, value.integer_for(node_id)) {
         (Value::NodeId(_), Some(number)) => say!("{} on node {}", number, node_id),
         _ => say!("{}", value),

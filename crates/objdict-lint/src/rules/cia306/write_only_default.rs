@@ -4,9 +4,9 @@ use crate::{EntryAt, rule};
 
 rule! {
     "cia306/write-only-default", Note, Entry(check);
-    summary: "an entry that cannot be read has a default",
-    checks: "Whether entries with `AccessType=wo` have no `DefaultValue` other than 0.",
-    why: "Nobody can read back what was written, so a tool that restores or compares defaults fails at the entry; mostly it is a command, and writing its default would carry it out.",
+    summary: "a write-only entry has a default",
+    checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0.",
+    why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
     example: "`AccessType=wo` and `DefaultValue=1`",
     remedy: "Remove the value, or correct the access type.",
     source: "CiA 306-1 §4.6.3.2",
@@ -17,7 +17,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_nothing(value)) else { return };
-    let message = say!("`{}` as default of an entry that nobody can read", default);
+    let message = match default.to_string() {
+        text if text.is_empty() => say!("`{DefaultValue}` is an empty string, but the entry is write-only"),
+        text => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
+    };
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), message);
     let finding = finding.label(at.field(Field::AccessType), "write only");
     findings.push(finding.help(say!("remove the value, or correct `{AccessType}`")));

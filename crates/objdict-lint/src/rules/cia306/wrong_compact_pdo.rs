@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe;
-    summary: "`CompactPDO` implies PDOs that cannot be",
-    checks: "Whether `CompactPDO` has the bits 0 and 1 (COB-ID and transmission type, which every PDO has), not the bits 6 and 7 (there are no sub-indexes 7 and 8), nor bit 3 (sub-index 4 is reserved; many masters have it, so it is a note), and whether there is any PDO for it.",
-    why: "Tools make the communication records of all implied PDOs from this one mask.",
+    summary: "`CompactPDO` has an invalid mask",
+    checks: "Whether `CompactPDO` has bits 0 and 1 (COB-ID and transmission type, present in every PDO), no bits 6 and 7 (sub-indexes 7 and 8 do not exist) and no bit 3 (sub-index 4 is reserved; used by many masters, so a note), and whether the device has PDOs.",
+    why: "Tools create the communication records of all implied PDOs from this mask.",
     example: "`CompactPDO=0x1`",
-    remedy: "Add up 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. A device without implied PDOs writes 0.",
+    remedy: "Add 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. Write 0 for a device without implied PDOs.",
     source: "CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1",
 }
 
@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
         findings.push(finding.help(say!("write `{CompactPDO=0}` or remove {the key}")).fix(fix));
     } else if corrected != mask {
         let message = match mask & MANDATORY {
-            MANDATORY => say!("no PDO has {}", subs(mask & !POSSIBLE)),
+            MANDATORY => say!("{} cannot exist", subs(mask & !POSSIBLE)),
             present => say!("every PDO has {}", subs(MANDATORY & !present)),
         };
         let title = say!("write `CompactPDO={:#04x}`", corrected);
@@ -45,7 +45,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// The sub-indexes that the bits of a mask stand for.
+/// The sub-indexes of the bits of a mask.
 fn subs(mask: u8) -> Text {
     let subs = (0..8).filter(|bit| mask >> bit & 1 != 0).map(|bit| bit + 1);
     let word = if mask.is_power_of_two() { "sub-index" } else { "sub-indexes" };

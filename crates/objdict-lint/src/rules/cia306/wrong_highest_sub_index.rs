@@ -4,9 +4,9 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe;
-    summary: "sub-index 0 does not hold the highest sub-index",
-    checks: "Whether the value of sub-index 0 is the highest described sub-index, FFh not counted. A smaller value is an error; a larger one, or none, is a warning. Left alone are objects whose sub-index 0 can be written or counts entries in use: the error history, PDO and SRDO mappings, the lists for multiplexed PDOs.",
-    why: "A manager reads as many entries as sub-index 0 says. It never sees those beyond, and gets an abort for those that are not there.",
+    summary: "sub-index 0 is not the highest sub-index",
+    checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
+    why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
     example: "`[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`",
     remedy: "Write the highest sub-index, or describe the missing entries.",
     source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
@@ -39,15 +39,15 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
             .help(say!("write `{}`", Argument::setting(&field, highest)))
     } else {
         let message =
-            say!("sub-index 0 of {:04X}h is {}, but the highest described one is {}", index, value, highest);
+            say!("sub-index 0 of {:04X}h is {}, but the highest described sub-index is {}", index, value, highest);
         Diagnostic::new(&RULE.info, place, message)
             .severity(Severity::Warning)
-            .help(say!("describe the others, or write `{}`", Argument::setting(&field, highest)))
+            .help(say!("describe the missing sub-indexes, or write `{}`", Argument::setting(&field, highest)))
     };
     findings.push(finding.fix(fix));
 }
 
-/// Whether `SubNumber` and sub-index 0 agree with each other: then a section is missing or too many, which the mismatch
+/// Whether `SubNumber` and sub-index 0 agree: then a section is missing or superfluous, which the mismatch
 /// of `SubNumber` reports.
 fn explained_by_sub_number(object: &Object, value: i128) -> bool {
     let stated = object.sub_number.map(i128::from);

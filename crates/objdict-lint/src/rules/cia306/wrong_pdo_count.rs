@@ -4,15 +4,15 @@ use crate::rule;
 
 rule! {
     "cia306/wrong-pdo-count", Error, Device(check), fix Safe;
-    summary: "`NrOfRXPDO` or `NrOfTXPDO` is not the number of PDOs",
-    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` that of 1800h to 19FFh. With `CompactPDO` the number may be larger: the others are implied.",
-    why: "Configuration tools offer so many PDOs as the number says; what lies beyond is never configured, or writing to it fails.",
+    summary: "`NrOfRXPDO` or `NrOfTXPDO` does not match the described PDOs",
+    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied.",
+    why: "Configuration tools offer the given number of PDOs. PDOs above it are never configured, and writing missing ones fails.",
     example: "`NrOfRXPDO=2` where only 1400h is described",
     remedy: "Write the number of communication parameter objects, or describe the missing ones.",
     source: "CiA 306-1 §4.5, §4.6.3.4.1",
 }
 
-/// The PDOs of one direction: what they are called, where their number is stated, and their communication records.
+/// The PDOs of one direction: their name, the field of their number, and the range of their communication records.
 struct Pdos {
     name: &'static str,
     field: Field,
@@ -51,7 +51,7 @@ fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, f
         .set(place.clone(), described.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(if stated > described {
-        finding.help(say!("write `{}`, or describe the other {}s", Argument::setting(field, described), name))
+        finding.help(say!("write `{}`, or describe the missing {}s", Argument::setting(field, described), name))
     } else {
         finding.help(say!("write `{}`", Argument::setting(field, described)))
     });

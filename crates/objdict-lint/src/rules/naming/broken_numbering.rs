@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "naming/broken-numbering", Note, Object(check);
-    summary: "the numbers in the names of an object's elements are in another order than the sub-indexes",
-    checks: "Whether, in an object from 2000h on whose elements all have the same name with numbers in a row behind it, the numbers go up with the sub-indexes, wherever they start. Numbers with gaps or repetitions mean something else, and are left alone.",
-    why: "Mostly lines were swapped: whoever sets element 3 by its name sets another one.",
+    summary: "the numbers in element names are not in the order of the sub-indexes",
+    checks: "Whether numbered element names of an object from 2000h on ascend with the sub-indexes, from any start. Checked are objects whose elements share one name followed by consecutive numbers. Numbers with gaps or repetitions have another purpose and are not checked.",
+    why: "Usually lines were swapped: software that sets element 3 by its name sets another element.",
     example: "`[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`",
-    remedy: "Number the names like the sub-indexes.",
+    remedy: "Number the names in the order of the sub-indexes.",
     source: "Not in a standard",
 }
 
@@ -19,18 +19,18 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some((first, second)) = disorder(object) else { return };
     let name = |sub| object.subs.get(sub).map_or("", |entry| &entry.name);
     let message = say!(
-        "sub-index {} is `{}`, and sub-index {} `{}`",
+        "sub-index {} is `{}`, but sub-index {} is `{}`",
         sub_index(first),
         name(first),
         sub_index(second),
         name(second)
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
-    let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the one before");
-    findings.push(finding.help("number the names like the sub-indexes"));
+    let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the previous element");
+    findings.push(finding.help("number the names in the order of the sub-indexes"));
 }
 
-/// The first two neighbours whose numbers do not go up, where the numbers of all elements are a row.
+/// The first two neighbours whose numbers do not ascend, if the numbers of all elements are consecutive.
 fn disorder(object: &Object) -> Option<(u8, u8)> {
     let mut elements = object.subs.iter().filter(|&(sub, _)| sub > 0 && sub < 0xFF);
     let (sub, entry) = elements.next()?;
@@ -51,7 +51,7 @@ fn disorder(object: &Object) -> Option<(u8, u8)> {
     broken.filter(|_| is_row && is_unique(object, lowest))
 }
 
-/// Whether no number is there twice; they are known to lie in a row as long as there are elements.
+/// Whether no number repeats; the numbers are known to lie within a range as long as the number of elements.
 fn is_unique(object: &Object, lowest: u64) -> bool {
     let mut seen = [false; 256];
     object.subs.iter().filter(|&(sub, _)| sub > 0 && sub < 0xFF).all(|(_, entry)| {
@@ -61,7 +61,7 @@ fn is_unique(object: &Object, lowest: u64) -> bool {
     })
 }
 
-/// A name that ends with a number: what stands before it, and the number.
+/// A name that ends with a number: its stem, and the number.
 fn numbered(name: &str) -> Option<(&str, u32)> {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = name.get(stem.len()..)?;

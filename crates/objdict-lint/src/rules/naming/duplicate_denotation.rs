@@ -7,10 +7,10 @@ use crate::{rule, with_others};
 rule! {
     "naming/duplicate-denotation", Note, Device(check);
     summary: "two entries have the same denotation",
-    checks: "Whether the denotations of a DCF, the names of the entries in the application, differ. The first repetition is shown, with the others.",
-    why: "An application that finds its variables by their denotation gets the first of the two.",
+    checks: "Whether the denotations of a DCF, the application's names of entries, differ. The first repetition is shown with the others.",
+    why: "An application that looks up variables by denotation gets the first of the two.",
     example: "`Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`",
-    remedy: "Give each its own name.",
+    remedy: "Give each entry a unique denotation.",
     source: "CiA 306-1 §5.3",
 }
 
@@ -48,5 +48,5 @@ fn check(device: &Device, findings: &mut Findings) {
     let message = say!("two entries have the denotation `{}`", name);
     let finding = Diagnostic::new(&RULE.info, second, message).label(first, "first here");
     let others = repeated.map(|(_, place, name)| (place, say!("`{}` again", name)));
-    findings.push(with_others(finding, others).help("give each its own name"));
+    findings.push(with_others(finding, others).help("give each entry a unique denotation"));
 }

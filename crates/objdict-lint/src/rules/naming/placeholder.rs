@@ -22,10 +22,10 @@ const PLACEHOLDERS: [&str; 14] = [
 rule! {
     "naming/placeholder", Note, Entry(check);
     summary: "a name is a placeholder",
-    checks: "Whether no name is one that a tool gives to something new, or that somebody writes to come back to it: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`.",
-    why: "Nobody has come back to it, and the user of the device cannot know what the entry is.",
+    checks: "Whether a name is a default name of a tool or a reminder of the author: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`.",
+    why: "Users of the device cannot know the purpose of the entry.",
     example: "`ParameterName=New object`",
-    remedy: "Write what the entry is.",
+    remedy: "Write a descriptive name.",
     source: "Not in a standard",
 }
 
@@ -37,5 +37,5 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let message = say!("`{}` is a placeholder", name);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterName), message);
-    findings.push(finding.help("write what the entry is"));
+    findings.push(finding.help("write a descriptive name"));
 }

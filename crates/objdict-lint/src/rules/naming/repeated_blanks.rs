@@ -4,11 +4,11 @@ use crate::{EntryAt, rule};
 
 rule! {
     "naming/repeated-blanks", Note, Entry(check), fix Unsafe;
-    summary: "a name has blanks that nobody sees",
-    checks: "Whether no name starts or ends with a blank, or has two of them in a row.",
-    why: "Tools that look an entry up by its name do not find it under the name that people read, and comparisons show a change where nobody sees one.",
+    summary: "a name has extra spaces",
+    checks: "Whether a name starts or ends with a space, or has two spaces in a row.",
+    why: "Tools that look up an entry by the visible name do not find it, and comparisons show changes that are not visible.",
     example: "`ParameterName=Motor  speed`",
-    remedy: "Remove the blanks.",
+    remedy: "Remove the extra spaces.",
     source: "Not in a standard",
 }
 
@@ -25,7 +25,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let place = at.field(Field::ParameterName);
-    let message = say!("`{}` has blanks that nobody sees", name);
-    let fix = Fix::risky("remove the blanks").set(place.clone(), clean.as_str());
+    let message = say!("`{}` has extra spaces", name);
+    let fix = Fix::risky("remove the extra spaces").set(place.clone(), clean.as_str());
     findings.push(Diagnostic::new(&RULE.info, place, message).help(say!("write `{}`", clean)).fix(fix));
 }

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "naming/same-identifier", Note, Object(check);
-    summary: "two names of an object give the same identifier",
-    checks: "Whether the names of an object's sub-indexes from 2000h on differ in more than capitals, blanks and signs. Equal names have a finding of their own. The first pair in an object is shown.",
-    why: "Generated code has letters, digits and `_` only: `Gain +` and `gain -` are the same there, and the generator has to make up numbers, which change when an entry comes between.",
+    summary: "two names of an object result in the same identifier",
+    checks: "Whether the names of an object's sub-indexes from 2000h on differ in more than case, spaces and punctuation. Equal names have their own finding. Only the first pair in an object is shown.",
+    why: "Identifiers in generated code consist of letters, digits and `_`: `Gain +` and `gain -` become the same, and the generator has to add numbers, which change when an entry is inserted.",
     example: "`ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`",
-    remedy: "Say the difference in words: `Limit positive` and `Limit negative`.",
+    remedy: "Express the difference in words: `Limit positive` and `Limit negative`.",
     source: "Not in a standard",
 }
 
@@ -19,7 +19,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some((first, second)) = alike(object) else { return };
     let name = |sub| object.subs.get(sub).map_or("", |entry| &entry.name);
     let message = say!(
-        "`{}` and `{}`, sub-indexes {} and {}, give the same identifier",
+        "`{}` and `{}`, sub-indexes {} and {}, result in the same identifier",
         name(first),
         name(second),
         sub_index(first),
@@ -27,10 +27,10 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
     let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
-    findings.push(finding.help("say the difference in words"));
+    findings.push(finding.help("express the difference in words"));
 }
 
-/// The first two sub-indexes whose names differ in capitals, blanks and signs only.
+/// The first two sub-indexes whose names differ in case, spaces and punctuation only.
 fn alike(object: &Object) -> Option<(u8, u8)> {
     let mut seen: Vec<(u64, u8)> = Vec::with_capacity(object.subs.len());
     for (sub, entry) in object.subs.iter() {
@@ -40,7 +40,7 @@ fn alike(object: &Object) -> Option<(u8, u8)> {
             other == hash && is_alike(name, &entry.name)
         });
         match same {
-            // equal names are reported as that
+            // equal names have their own finding
             Some(&(_, first)) if object.subs.get(first).is_some_and(|other| other.name == entry.name) => {}
             Some(&(_, first)) => return Some((first, sub)),
             None => seen.push((hash, sub)),

@@ -4,29 +4,29 @@ use crate::{EntryAt, rule};
 
 rule! {
     "naming/type-in-name", Note, Entry(check);
-    summary: "a name speaks of another type than the entry has",
-    checks: "Whether the name of an entry that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, is of that width and kind.",
-    why: "The type was changed and the name was not, or the other way round. Programs that go by the name read the wrong number of bytes.",
+    summary: "the name contains another type than the entry has",
+    checks: "Whether a name that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, matches width and kind of the entry.",
+    why: "The type was changed without the name, or vice versa. Programs that rely on the name read the wrong number of bytes.",
     example: "`ParameterName=Speed_U16` with `DataType=0x0007`",
     remedy: "Correct the type or the name.",
     source: "Not in a standard",
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
-    // the number of entries is named like the object by some editors
+    // some editors give the number of entries the name of the object
     let Some(data_type) = at.entry.data_type.filter(|_| at.sub != Some(0)) else { return };
     let Some((named, text)) = named_type(&at.entry.name) else { return };
     let is_other = data_type.kind() != named && data_type.bit_length().is_some();
     if !is_other || !at.holds_value() {
         return;
     }
-    let message = say!("the name ends with `{}`, and the entry is {}", text, data_type);
+    let message = say!("the name ends with `{}`, but the entry is {}", text, data_type);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
     let finding = finding.label(at.field(Field::ParameterName), "the name");
     findings.push(finding.help("correct the type or the name"));
 }
 
-/// The type that a name ends with: a known word and a width, behind something that is no letter or digit.
+/// The type at the end of a name: a known word and a width, after a character that is not a letter or digit.
 fn named_type(name: &str) -> Option<(TypeKind, &str)> {
     let inner = name.trim_end_matches([')', ']']);
     let word = inner.rsplit(|c: char| !c.is_ascii_alphanumeric()).next()?;

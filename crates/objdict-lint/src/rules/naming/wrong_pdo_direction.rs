@@ -7,11 +7,11 @@ const TRANSMIT: [&str; 3] = ["tpdo", "transmit", "txpdo"];
 
 rule! {
     "naming/wrong-pdo-direction", Warning, Pdo(check);
-    summary: "a PDO is named after the other direction",
-    checks: "Whether the names of the objects of RPDOs (14xxh and 16xxh) do not speak of a transmit PDO or TPDO only, and those of TPDOs (18xxh and 1Axxh) of a receive PDO or RPDO only.",
-    why: "Whoever configures the device by the names configures the wrong PDO. Mostly the object was copied.",
+    summary: "the name of a PDO has the wrong direction",
+    checks: "Whether names of RPDO objects (14xxh and 16xxh) mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
+    why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
     example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
-    remedy: "Correct the name, or the index.",
+    remedy: "Correct the name or the index.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
 
@@ -26,15 +26,15 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let name = object.name();
         let says = |words: [&str; 3]| words.iter().any(|word| contains(name, word));
         if says(other) && !says(own) {
-            let message = say!("{:04X}h is of {}, and is called `{}`", index, pdo, name);
+            let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
             let place = Place::object(index).field(Field::ParameterName);
-            findings.push(Diagnostic::new(&RULE.info, place, message).help("correct the name, or the index"));
+            findings.push(Diagnostic::new(&RULE.info, place, message).help("correct the name or the index"));
             return;
         }
     }
 }
 
-/// Whether a name has a word in it, whatever the case of its letters.
+/// Whether a name contains a word, ignoring case.
 fn contains(name: &str, word: &str) -> bool {
     name.as_bytes().windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
 }

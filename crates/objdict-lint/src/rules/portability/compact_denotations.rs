@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/compact-denotations", Warning, Device(check);
-    summary: "denotations of a compact object are unknown to a tool",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown, others are named.",
+    summary: "a tool does not know the denotations of a compact object",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown with the others.",
     why: "dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.",
     example: "`[2000Denotation]`",
-    remedy: "Use `[xxxxName]`, or describe the sub-indexes one by one.",
+    remedy: "Use `[xxxxName]`, or describe the sub-indexes individually.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = places.next() else { return };
     let finding =
-        Diagnostic::new(&RULE.info, first, "the denotations of these sub-indexes are not known to all tools")
-            .help(say!("use `{[xxxxName]}`, or describe the sub-indexes one by one"));
+        Diagnostic::new(&RULE.info, first, "not all tools read the denotations of a compact object")
+            .help(say!("use `{[xxxxName]}`, or describe the sub-indexes individually"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/compact-names", Warning, Device(check);
-    summary: "names of a compact object are lost to a tool",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxName]` without a gap. The first one is shown, others are named.",
-    why: "CANopenEditor does not read the section: its sub-indexes have the name of the object with a number in hex behind it.",
+    summary: "a tool ignores the names of a compact object",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxName]` without a gap. The first one is shown with the others.",
+    why: "CANopenEditor does not read the section and names the sub-indexes after the object, with a hex number appended.",
     example: "`[2000Name]`",
-    remedy: "Describe the sub-indexes one by one where their names matter.",
+    remedy: "Describe the sub-indexes individually if their names matter.",
     source: "CANopenEditor of 2026",
 }
 
@@ -20,12 +20,12 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = places.next() else { return };
     let finding =
-        Diagnostic::new(&RULE.info, first, "the names of these sub-indexes are not known to all tools")
-            .help("describe the sub-indexes one by one");
+        Diagnostic::new(&RULE.info, first, "not all tools read the names of a compact object")
+            .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
-/// Whether not all names from 1 to as many as there are stand there, of which another rule speaks.
+/// Whether a name between 1 and the number of names is missing, which has its own rule.
 fn has_gap(compact: &Compact) -> bool {
     (1..=compact.names.len()).any(|sub| compact.names.iter().all(|(named, _)| usize::from(*named) != sub))
 }

@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/compact-parameter-value", Warning, Device(check);
-    summary: "a compact object has one configured value for all",
-    checks: "Whether an object with `CompactSubObj` has a `ParameterValue`, and no section `[xxxxValue]`. The first one is shown, others are named.",
-    why: "dcf-tools takes the presence of the key for its value, and crashes.",
+    summary: "a compact object has one configured value for all sub-indexes",
+    checks: "Whether an object with `CompactSubObj` has a `ParameterValue`, but no section `[xxxxValue]`. The first one is shown with the others.",
+    why: "dcf-tools does not read the value of the key correctly and crashes.",
     example: "`CompactSubObj=8` and `ParameterValue=1`",
-    remedy: "Write the value of each sub-index into `[xxxxValue]`.",
+    remedy: "Write the value of each sub-index in `[xxxxValue]`.",
     source: "dcf-tools 2.4.2",
 }
 
@@ -22,8 +22,8 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding = Diagnostic::new(
         &RULE.info,
         first,
-        say!("`{ParameterValue}` of a compact object configures all its sub-indexes"),
+        say!("`{ParameterValue}` of a compact object configures all sub-indexes"),
     )
-    .help(say!("write the values into `{[xxxxValue]}`"));
+    .help(say!("write the values in `{[xxxxValue]}`"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

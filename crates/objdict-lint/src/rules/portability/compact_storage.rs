@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/compact-storage", Warning, Device(check);
-    summary: "`CompactSubObj` is not understood by a tool",
-    checks: "Whether an object has `CompactSubObj`, without a section of names, values or denotations: other rules speak of those. The first one is shown, others are named.",
-    why: "CANopenEditor makes the sub-indexes, but loses their default and mapping, and gives them the low limit as the high one. python-canopen makes those of an ARRAY when they are asked for, without a value in sub-index 0, and none of a RECORD.",
+    summary: "a tool does not support `CompactSubObj` correctly",
+    checks: "Whether an object has `CompactSubObj` without a section of names, values or denotations, which have their own rules. The first one is shown with the others.",
+    why: "CANopenEditor creates the sub-indexes, but drops their default and mapping and uses the low limit as the high limit. python-canopen creates the sub-indexes of an ARRAY on access, without a value in sub-index 0, and none for a RECORD.",
     example: "`CompactSubObj=8`",
-    remedy: "Describe the sub-indexes one by one.",
+    remedy: "Describe the sub-indexes individually.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -22,13 +22,13 @@ fn check(device: &Device, findings: &mut Findings) {
     let finding = Diagnostic::new(
         &RULE.info,
         first,
-        say!("`{CompactSubObj}` is not understood as the standard has it by all tools"),
+        say!("not all tools support `{CompactSubObj}` as the standard defines it"),
     )
-    .help("describe the sub-indexes one by one");
+    .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
-/// Without sections of its own.
+/// Whether the object has no sections for its sub-indexes.
 fn is_plain(compact: &Compact) -> bool {
     compact.names.is_empty() && compact.values.is_empty() && compact.denotations.is_empty()
 }

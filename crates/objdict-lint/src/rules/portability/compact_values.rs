@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/compact-values", Warning, Device(check);
-    summary: "values of a compact object are lost to a tool",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxValue]`. The first one is shown, others are named.",
-    why: "python-canopen and CANopenEditor do not read the section: they know the default and nothing of what is configured.",
+    summary: "a tool ignores the values of a compact object",
+    checks: "Whether an object with `CompactSubObj` has a section `[xxxxValue]`. The first one is shown with the others.",
+    why: "python-canopen and CANopenEditor do not read the section: they use the default instead of the configured values.",
     example: "`[2000Value]`",
-    remedy: "Describe the sub-indexes one by one, each with its `ParameterValue`.",
+    remedy: "Describe the sub-indexes individually, each with its `ParameterValue`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = places.next() else { return };
     let finding =
-        Diagnostic::new(&RULE.info, first, "the values of these sub-indexes are not known to all tools")
-            .help("describe the sub-indexes one by one");
+        Diagnostic::new(&RULE.info, first, "not all tools read the values of a compact object")
+            .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -4,11 +4,11 @@ use crate::{rule, stated, with_others};
 
 rule! {
     "portability/denotation", Note, Device(check);
-    summary: "a denotation is lost to a tool",
-    checks: "Whether an entry of a DCF has a `Denotation`. The first one is shown, others are named.",
-    why: "python-canopen does not read it and writes files without it: the name in the application is gone.",
+    summary: "a tool drops a denotation",
+    checks: "Whether an entry of a DCF has a `Denotation`. The first one is shown with the others.",
+    why: "python-canopen does not read the denotation and writes files without it: the application's name of the entry is lost.",
     example: "`Denotation=Pump 3`",
-    remedy: "Repeat in `ParameterName` what a reader of the other tool must know.",
+    remedy: "Repeat important denotations in `ParameterName`.",
     source: "python-canopen 2.4.1",
 }
 
@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::Denotation));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, say!("`{Denotation}` is not known to all tools"))
-        .help(say!("repeat what matters in `{ParameterName}`"));
+    let finding = Diagnostic::new(&RULE.info, first, say!("not all tools read `{Denotation}`"))
+        .help(say!("repeat important denotations in `{ParameterName}`"));
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }

@@ -4,11 +4,11 @@ use crate::{EntryAt, Origin, rule, stated};
 
 rule! {
     "portability/domain-without-type", Warning, Entry(check), fix Safe;
-    summary: "a DOMAIN without data type or access",
-    checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not ask for them: a DOMAIN is of type DOMAIN, and `rw`.",
-    why: "dcf-tools and python-canopen ask each object with a value for both keys and stop where one is missing.",
+    summary: "a DOMAIN has no data type or access",
+    checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not require them: the data type is DOMAIN, the access `rw`.",
+    why: "dcf-tools and python-canopen read both keys of each object with a value and fail if one is missing.",
     example: "`ObjectType=0x2` without `DataType`",
-    remedy: "Write `DataType=0x000F` and `AccessType=rw`, which is what their absence means.",
+    remedy: "Write `DataType=0x000F` and `AccessType=rw` (the defaults).",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 }
 

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "portability/dynamic-channels", Warning, Device(check);
-    summary: "`[DynamicChannels]` is unknown to a tool",
+    summary: "a tool does not know `[DynamicChannels]`",
     checks: "Whether the file has a section `[DynamicChannels]`.",
-    why: "dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
     example: "`[DynamicChannels]`",
-    remedy: "Give the tool a copy without the section; then the network variables have no place to go.",
+    remedy: "Use a copy without the section for the tool; network variables then have no segments.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -19,6 +19,6 @@ fn check(device: &Device, findings: &mut Findings) {
             Place::of(Part::DynamicChannels),
             say!("`{[DynamicChannels]}` is {a section} of CiA 302"),
         );
-        findings.push(finding.help(say!("give the tool a copy without the {section}")));
+        findings.push(finding.help(say!("use a copy without the {section} for the tool")));
     }
 }

@@ -4,19 +4,19 @@ use crate::{rule, stated, with_others};
 
 rule! {
     "portability/file-reference", Note, Device(check);
-    summary: "the file of a DOMAIN is lost to a tool",
-    checks: "Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown, others are named.",
-    why: "python-canopen and CANopenEditor neither load the file nor write its name again.",
+    summary: "a tool ignores the file of a DOMAIN",
+    checks: "Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown with the others.",
+    why: "python-canopen and CANopenEditor neither load the file nor write its name back.",
     example: "`DownloadFile=firmware.bin`",
-    remedy: "Let the application load the file, or use a tool that does.",
+    remedy: "Load the file in the application, or use a tool that supports it.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "a file holds the data of this entry")
-        .help("let the application load the file");
+    let finding = Diagnostic::new(&RULE.info, first, "not all tools load the file of this entry")
+        .help("load the file in the application");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 

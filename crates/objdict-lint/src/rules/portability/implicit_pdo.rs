@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "portability/implicit-pdo", Note, Device(check);
-    summary: "a PDO that only `CompactPDO` implies",
-    checks: "Whether `CompactPDO` and the numbers of PDOs in `[DeviceInfo]` imply PDOs that have no objects in the file.",
-    why: "python-canopen and CANopenEditor do not look at `CompactPDO` (CANopenEditor: unless there are modules), so these PDOs do not exist for them.",
+    summary: "a PDO is only implied by `CompactPDO`",
+    checks: "Whether `CompactPDO` and the PDO counts in `[DeviceInfo]` imply PDOs without objects in the file.",
+    why: "python-canopen and CANopenEditor ignore `CompactPDO` (CANopenEditor unless the file has modules), so they do not know these PDOs.",
     example: "`NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`",
-    remedy: "Describe the objects of the PDOs; `objdict convert` writes them.",
+    remedy: "Describe the objects of the PDOs, for example with `objdict convert`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 

@@ -4,11 +4,11 @@ use crate::{rule, stated, with_others};
 
 rule! {
     "portability/long-value", Note, Device(check);
-    summary: "a value to be configured is longer than four bytes",
-    checks: "Whether an entry that can be written has a default or configured value and a type of more than four bytes, or of any length. The first one is shown, others are named.",
-    why: "CODESYS lists entries of up to four bytes for the configuration of a node by SDO; longer ones must be written by the application.",
+    summary: "a configured value has more than four bytes",
+    checks: "Whether a writable entry with a default or configured value has a type of more than four bytes or of variable length. The first one is shown with the others.",
+    why: "CODESYS configures entries of up to four bytes by SDO; the application must write longer ones.",
     example: "A writable UNSIGNED64 with a default",
-    remedy: "Let the application write the entry, or split it into entries of four bytes.",
+    remedy: "Write the entry from the application, or split it into entries of four bytes.",
     source: "Manual of CODESYS, tab `SDOs` of a CANopen remote device",
 }
 
@@ -20,7 +20,7 @@ fn check(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, "the value has more than four bytes")
-        .help("let the application write it");
+        .help("write the entry from the application");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 

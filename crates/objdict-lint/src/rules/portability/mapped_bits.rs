@@ -5,9 +5,9 @@ use crate::{rule, stack};
 
 rule! {
     "portability/mapped-bits", Warning, Device(check);
-    summary: "a PDO carries single bits",
-    checks: "Whether the default mapping has entries whose length is no multiple of eight bits.",
-    why: "CANopenNode maps whole bytes, unless it is configured for bits (`CO_CONFIG_PDO_BITWISE_MAPPING`); the PDO is not valid then.",
+    summary: "a PDO maps single bits",
+    checks: "Whether the default mapping has entries whose length is not a multiple of eight bits.",
+    why: "CANopenNode maps whole bytes unless configured for bits (`CO_CONFIG_PDO_BITWISE_MAPPING`); otherwise the PDO is not valid.",
     example: "`0x20000001` in 1A00h",
     remedy: "Map entries of whole bytes, or configure the stack for bits.",
     source: "PDOconfigMap of CANopenNode 4",

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "portability/modules", Warning, Device(check);
-    summary: "modules are unknown to a tool",
+    summary: "a tool does not know modules",
     checks: "Whether the file describes modules: `[SupportedModules]` and the sections `[Mx…]`.",
-    why: "dcf-tools refuses a file with such sections. python-canopen reads the device alone and does not see what its modules add.",
+    why: "dcf-tools refuses a file with such sections. python-canopen reads only the device without the objects of the modules.",
     example: "`[SupportedModules]`",
-    remedy: "Write one file of the device with the modules that are plugged in.",
+    remedy: "Use a file of the device with its connected modules for the tool.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 }
 
@@ -17,9 +17,9 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding = Diagnostic::new(
             &RULE.info,
             Place::of(Part::SupportedModules),
-            "the device is described with its modules",
+            "the file describes modules",
         );
         findings
-            .push(finding.help("give the tool the description of the device with the modules that it has"));
+            .push(finding.help("use a file of the device with its connected modules for the tool"));
     }
 }

@@ -5,11 +5,11 @@ use crate::{rule, stack};
 
 rule! {
     "portability/no-error-history", Warning, Device(check);
-    summary: "there is no error history for a stack that keeps one",
+    summary: "a stack needs 1003h, error history",
     checks: "Whether the device has 1003h.",
-    why: "CANopenNode keeps a history of errors unless it is configured otherwise (`CO_CONFIG_EM` without `CO_CONFIG_EM_HISTORY`). Without 1003h its start then fails, and no error information says why.",
+    why: "CANopenNode keeps an error history unless configured otherwise (`CO_CONFIG_EM` without `CO_CONFIG_EM_HISTORY`). Without 1003h its start fails, without error information.",
     example: "no `[1003]`",
-    remedy: "Describe the object as an ARRAY of at least one element, or configure the stack without the history.",
+    remedy: "Describe 1003h as an ARRAY with at least one element, or configure the stack without the history.",
     source: "CO_EM_init of CANopenNode 4",
 }
 

@@ -4,11 +4,11 @@ use crate::{rule, with_others};
 
 rule! {
     "portability/object-links", Warning, Device(check);
-    summary: "object links are unknown to a tool",
-    checks: "Whether an object has a section `[xxxxObjectLinks]`. The first one is shown, others are named.",
-    why: "dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.",
+    summary: "a tool does not know object links",
+    checks: "Whether an object has a section `[xxxxObjectLinks]`. The first one is shown with the others.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
     example: "`[2000ObjectLinks]`",
-    remedy: "Give the tool a copy without the section: it only says what belongs together.",
+    remedy: "Use a copy without the section for the tool: the section only groups objects.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -18,7 +18,7 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Links(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "object links are unknown to some tools")
-        .help(say!("give the tool a copy without the {section}"));
+    let finding = Diagnostic::new(&RULE.info, first, "some tools do not know object links")
+        .help(say!("use a copy without the {section} for the tool"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

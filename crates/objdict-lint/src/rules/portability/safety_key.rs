@@ -4,11 +4,11 @@ use crate::{rule, stated, with_others};
 
 rule! {
     "portability/safety-key", Warning, Device(check);
-    summary: "the keys of CANopen Safety are unknown to a tool",
-    checks: "Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown, others are named.",
-    why: "dcf-tools refuses a file with keys that it does not know; python-canopen and CANopenEditor write files without them.",
+    summary: "a tool does not know the keys of CANopen Safety",
+    checks: "Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown with the others.",
+    why: "dcf-tools refuses a file with unknown keys; python-canopen and CANopenEditor write files without them.",
     example: "`SRDOMapping=1`",
-    remedy: "Give the tool a copy of the file without these keys.",
+    remedy: "Use a copy of the file without these keys for the tool.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let mut places = supported.into_iter().chain(entries);
     let Some(first) = places.next() else { return };
     let finding = Diagnostic::new(&RULE.info, first, say!("{the key} belongs to CANopen Safety"))
-        .help("give the tool a copy without it");
+        .help(say!("use a copy without {the key} for the tool"));
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 

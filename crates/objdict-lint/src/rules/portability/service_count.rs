@@ -5,11 +5,11 @@ use crate::{rule, stack};
 
 rule! {
     "portability/service-count", Warning, Device(check);
-    summary: "there are too many objects for a service of a stack",
-    checks: "Whether no more objects belong to a service than CANopenNode has room for, which it tells by their indexes or count labels (`CO_countLabel`): one of most, 64 SRDOs, 128 SDOs of a kind, 255 PDOs of a kind. 1016h has 1 to 127 elements.",
-    why: "CANopenNode stops the compiler; PDOs beyond 255 are not there, for it counts them in a byte.",
+    summary: "a stack does not support this number of objects",
+    checks: "Whether the number of objects per service is within the limits of CANopenNode, which counts objects by index or count label (`CO_countLabel`): one for most services, 64 SRDOs, 128 SDO servers and 128 SDO clients, 255 RPDOs and 255 TPDOs. 1016h has 1 to 127 elements.",
+    why: "CANopenNode does not compile; PDOs above 255 are ignored because the count is a byte.",
     example: "1016h with 128 elements",
-    remedy: "Describe fewer of them, or leave the count label to one object.",
+    remedy: "Describe fewer objects, or use the count label for one object only.",
     source: "CANopen.c of CANopenNode 4",
 }
 

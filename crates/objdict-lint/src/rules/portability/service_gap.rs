@@ -5,11 +5,11 @@ use crate::{rule, stack};
 
 rule! {
     "portability/service-gap", Warning, Device(check);
-    summary: "the objects of a service do not follow each other",
+    summary: "the objects of a service are not consecutive",
     checks: "Whether SDO servers and clients, RPDOs and TPDOs are numbered from the first one without a gap, and each PDO has its mapping.",
-    why: "CANopenNode takes as many objects of its list as there are, one after the other, from the first. Behind a gap it takes other objects for them; without the first one it does not compile.",
+    why: "CANopenNode takes consecutive entries of its object list, starting at the first. After a gap it uses the wrong objects; without the first one it does not compile.",
     example: "1800h and 1802h without 1801h",
-    remedy: "Number the PDOs without a gap. One that is not used has bit 31 of its COB-ID set.",
+    remedy: "Number the PDOs without a gap. Set bit 31 of the COB-ID of unused PDOs (not valid).",
     source: "CANopen.c of CANopenNode 4",
 }
 

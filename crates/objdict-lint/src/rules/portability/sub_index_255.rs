@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "portability/sub-index-255", Warning, Device(check);
-    summary: "an object describes its structure in sub-index FFh",
-    checks: "Whether an object has sub-index FFh, which CiA 301 gives to the object type and data type of the object.",
-    why: "dcf-tools takes 254 for the last sub-index and refuses the file.",
+    summary: "an object has sub-index FFh",
+    checks: "Whether an object has sub-index FFh, the structure of the object in CiA 301.",
+    why: "The highest sub-index that dcf-tools allows is 254; it refuses the file.",
     example: "`[2000subFF]`",
-    remedy: "Remove the sub-index where the device need not have it; else give the tool a copy without it.",
+    remedy: "Remove the sub-index if the device does not need it; otherwise use a copy without it for the tool.",
     source: "dcf-tools 2.4.2",
 }
 
@@ -17,7 +17,7 @@ fn check(device: &Device, findings: &mut Findings) {
         if object.subs.get(0xFF).is_some() && !object.orphan {
             let message = say!("{:04X}h has sub-index FFh", index);
             let finding = Diagnostic::new(&RULE.info, Place::entry(index, 0xFF), message);
-            findings.push(finding.help("give the tool a copy without it"));
+            findings.push(finding.help("use a copy without this sub-index for the tool"));
         }
     }
 }

@@ -5,18 +5,18 @@ use crate::{rule, stated, with_others};
 rule! {
     "portability/time-value", Warning, Device(check);
     summary: "a time of day or a duration has a value",
-    checks: "Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown, others are named.",
-    why: "python-canopen knows no such type and reads an integer: the blank between days and milliseconds is removed, and `1 2` is 12.",
+    checks: "Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown with the others.",
+    why: "python-canopen does not know these types and reads an integer: the space between days and milliseconds is removed, and `1 2` becomes 12.",
     example: "`DefaultValue=1 0x36EE80` of a TIME_OF_DAY",
-    remedy: "Remove the value where 0 does.",
+    remedy: "Remove the value if 0 is acceptable.",
     source: "python-canopen 2.4.1",
 }
 
 fn check(device: &Device, findings: &mut Findings) {
     let mut places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(field_of(entry)?)));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&RULE.info, first, "a time is no number to all tools")
-        .help("remove the value where 0 does");
+    let finding = Diagnostic::new(&RULE.info, first, "not all tools read times")
+        .help("remove the value if 0 is acceptable");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 

@@ -4,11 +4,11 @@ use crate::rule;
 
 rule! {
     "portability/tool-list", Warning, Device(check);
-    summary: "`[Tools]` is unknown to a tool",
+    summary: "a tool does not know `[Tools]`",
     checks: "Whether the file has a section `[Tools]`.",
-    why: "dcf-tools refuses a file with a section that it does not know; python-canopen and CANopenEditor write files without it.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the sections.",
     example: "`[Tools]` and `[Tool1]`",
-    remedy: "Give the tool a copy without the sections, for no device needs them.",
+    remedy: "Use a copy without the sections for the tool. No device needs them.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
@@ -17,8 +17,8 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding = Diagnostic::new(
             &RULE.info,
             Place::of(Part::Tools),
-            say!("`{[Tools]}` lists programs for the device"),
+            say!("some tools do not know `{[Tools]}`"),
         );
-        findings.push(finding.help(say!("give the tool a copy without the {sections}")));
+        findings.push(finding.help(say!("use a copy without the {sections} for the tool")));
     }
 }

@@ -83,7 +83,7 @@ impl<'a> Enumeration<'a> {
                 let text = stated
                     .map_or_else(|| number.map(|number| number.to_string()), |text| Some(text.to_owned()));
                 let text = text.unwrap_or_default();
-                self.defects.push(format!("`{text}` of `{name}` is no value of {}", self.data_type));
+                self.defects.push(format!("`{text}` of `{name}` is not a valid {}", self.data_type));
             }
         }
     }
@@ -123,9 +123,9 @@ mod tests {
         assert_eq!(
             found.defects,
             [
-                "`128` of `c` is no value of INTEGER8",
-                "`?` of `d` is no value of INTEGER8",
-                "`` of `e` is no value of INTEGER8"
+                "`128` of `c` is not a valid INTEGER8",
+                "`?` of `d` is not a valid INTEGER8",
+                "`` of `e` is not a valid INTEGER8"
             ]
         );
     }
