@@ -4,7 +4,7 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/command-without-flag", Note, Object(check), fix Unsafe;
-    summary: "ObjFlags does not stop tools from writing a command",
+    summary: "`ObjFlags` does not stop tools from writing a command",
     checks: "Whether the writable entries of command objects (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, in the entry or in the object. Few real files set the flag: nearly half of them describe 1010h or 1011h, none with the flag. The finding is a note because tools that check the signature (`save`, `load`) before they write are safe without the flag.",
     why: "A tool that downloads a configuration writes every entry that has a value. The flag excludes entries that would store, restore or erase something.",
     example: "`[1010sub1]` without `ObjFlags=0x1`",

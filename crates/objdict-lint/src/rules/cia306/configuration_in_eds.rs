@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, counted, say};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, Part, Place};
 use crate::rule;
 
@@ -41,7 +41,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let others = others + places.len() - 1;
     let message = match others {
         0 => say!("{} belongs in {a DCF}", what),
-        _ => say!("{} and {} similar items belong in {a DCF}", what, others),
+        _ => say!("{} and {} belong in {a DCF}", what, counted(others, "similar item", "similar items")),
     };
     let finding = Diagnostic::new(&RULE.info, first.clone(), message);
     findings.push(finding.help(say!(

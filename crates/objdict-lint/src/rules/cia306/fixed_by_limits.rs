@@ -7,7 +7,7 @@ use crate::{EntryAt, rule, stated};
 rule! {
     "cia306/fixed-by-limits", Note, Entry(check);
     summary: "the limits of an entry allow only one value",
-    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that ObjFlags excludes from downloads are commands and may have a single value.",
+    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value.",
     why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
     remedy: "Correct the limits, or remove them.",

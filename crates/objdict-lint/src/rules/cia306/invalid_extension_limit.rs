@@ -26,7 +26,7 @@ fn check(device: &Device, findings: &mut Findings) {
                 Diagnostic::new(&RULE.info, place(Field::ObjExtend), message)
             } else if count > limit {
                 let message = say!(
-                    "each module {} adds {} sub-indexes to {:04X}h, but `{ObjExtend}` is {}",
+                    "module {} adds {} sub-indexes per instance to {:04X}h, but `{ObjExtend}` is {}",
                     number,
                     count,
                     index,

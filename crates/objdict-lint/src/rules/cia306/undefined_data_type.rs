@@ -17,7 +17,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let why = match data_type.kind() {
         TypeKind::Reserved => "is not the index of a data type",
         TypeKind::Defined if !is_defined(at.device, data_type) => {
-            "is a data type, but the file does not define it"
+            "is a custom data type, but the file does not define it"
         }
         _ => return,
     };

@@ -4,7 +4,7 @@ use crate::{EntryAt, rule};
 
 rule! {
     "cia306/value-of-refused-entry", Warning, Entry(check), fix Unsafe;
-    summary: "a DCF configures an entry that ObjFlags excludes from downloads",
+    summary: "a DCF configures an entry that `ObjFlags` excludes from downloads",
     checks: "Whether a writable entry with bit 0 of `ObjFlags` (no download) has a `ParameterValue` other than its default.",
     why: "Tools skip such entries in a download, so the value never reaches the node; a tool that does not know the flag stores, restores or erases something.",
     example: "`ObjFlags=0x1` and `ParameterValue=0x65766173` in `[1010sub1]`",
