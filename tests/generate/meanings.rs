@@ -461,14 +461,14 @@ fn what_has_no_meaning_in_code_is_noted() {
     assert_eq!(
         notes,
         [
-            "0x2002sub0: `2` of `maybe` is no value of BOOLEAN",
-            "0x2004sub0: `0x1000000` of `too much` is no value of INTEGER24",
-            "0x2006sub0: `256` of `too much` is no value of UNSIGNED8",
-            "0x2006sub0: `-1` of `below` is no value of UNSIGNED8",
-            "0x2006sub0: `one` of `no number` is no value of UNSIGNED8",
-            "0x2008sub0: values of REAL32 are no numbers that could have names",
+            "0x2002sub0: `2` of `maybe` is not a valid BOOLEAN",
+            "0x2004sub0: `0x1000000` of `too much` is not a valid INTEGER24",
+            "0x2006sub0: `256` of `too much` is not a valid UNSIGNED8",
+            "0x2006sub0: `-1` of `below` is not a valid UNSIGNED8",
+            "0x2006sub0: `one` of `no number` is not a valid UNSIGNED8",
+            "0x2008sub0: values of REAL32 are not numbers and cannot have names",
             "0x2100sub0: the member `too long` ends at bit 26, a value of INTEGER24 at bit 23",
-            "0x2105sub0: the member `no bits` is no part of a word: `0` is no number of bits",
+            "0x2105sub0: the member `no bits` is not part of a word: `0` is not a number of bits",
         ]
     );
 }

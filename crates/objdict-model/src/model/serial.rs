@@ -73,7 +73,7 @@ impl<'de, T: Hex> Deserialize<'de> for HexText<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let number = Self::parse(&text).map(Self);
-        number.ok_or_else(|| D::Error::custom(format!("`{text}` is no {}", T::WHAT)))
+        number.ok_or_else(|| D::Error::custom(format!("`{text}` is not a valid {}", T::WHAT)))
     }
 }
 
@@ -280,7 +280,7 @@ pub(crate) mod real_text {
     /// Reads what [`serialize`] wrote.
     pub(crate) fn deserialize<'de, T: Real, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
         let text = String::deserialize(deserializer)?;
-        T::from_text(&text).ok_or_else(|| D::Error::custom(format!("`{text}` is no REAL number")))
+        T::from_text(&text).ok_or_else(|| D::Error::custom(format!("`{text}` is not a REAL number")))
     }
 
     /// A REAL type that goes through text without a change of its bits.
@@ -348,7 +348,7 @@ mod tests {
         assert_eq!(read_index("\"0xa0\""), Ok(0xA0));
         for text in ["\"1018\"", "\"0x\"", "\"0x+10\"", "\"0x10000\"", "\"0x \"", "\"-0x1\""] {
             let error = read_index(text).unwrap_err();
-            assert!(error.starts_with(&text.replace('"', "`")) && error.contains("is no index"), "{error}");
+            assert!(error.starts_with(&text.replace('"', "`")) && error.contains("is not a valid index"), "{error}");
         }
     }
 

@@ -85,7 +85,7 @@ impl<'de> Deserialize<'de> for Date {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let date = Self::from_iso(&text);
-        date.ok_or_else(|| D::Error::custom(format!("`{text}` is no date such as `2024-03-04`")))
+        date.ok_or_else(|| D::Error::custom(format!("`{text}` is not a date such as `2024-03-04`")))
     }
 }
 
@@ -100,7 +100,7 @@ impl<'de> Deserialize<'de> for ClockTime {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let time = Self::from_iso(&text);
-        time.ok_or_else(|| D::Error::custom(format!("`{text}` is no time such as `14:40`")))
+        time.ok_or_else(|| D::Error::custom(format!("`{text}` is not a time such as `14:40`")))
     }
 }
 
@@ -114,7 +114,7 @@ pub(super) mod compact_count {
             return Ok(count);
         }
         Err(D::Error::custom(format!(
-            "`{count}` is no count of compactly stored entries: there are 1 to 254"
+            "`{count}` is not a valid number of compactly stored entries: 1 to 254 are allowed"
         )))
     }
 }

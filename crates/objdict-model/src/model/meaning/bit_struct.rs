@@ -82,7 +82,7 @@ impl<'a> BitStruct<'a> {
                     found.defects.push(format!("it is not said at which bit the member `{name}` begins"));
                 }
                 (_, Err(why)) => {
-                    found.defects.push(format!("the member `{name}` is no part of a word: {why}"));
+                    found.defects.push(format!("the member `{name}` is not part of a word: {why}"));
                 }
             }
         }
@@ -119,7 +119,7 @@ impl<'a> Meanings<'a> {
             Some(DataTypeRef::Simple(simple)) => Some(*simple),
             Some(reference) => match self.simple(reference) {
                 Some(simple) => Some(simple),
-                None => return Err("its type is no simple one".to_owned()),
+                None => return Err("its type is not a simple type".to_owned()),
             },
             None => None,
         };
@@ -127,7 +127,7 @@ impl<'a> Meanings<'a> {
             None => 1,
             Some(text) => number(text)
                 .filter(|size| (1..=64).contains(size))
-                .ok_or_else(|| format!("`{text}` is no number of bits"))?,
+                .ok_or_else(|| format!("`{text}` is not a number of bits"))?,
         };
         let is_signed = member.signed == Some(true);
         let (bits, of_type) = match simple {
@@ -141,7 +141,7 @@ impl<'a> Meanings<'a> {
             Some(SimpleType::Dword | SimpleType::Udint) => (32, is_signed),
             Some(SimpleType::Lint) => (64, true),
             Some(SimpleType::Lword | SimpleType::Ulint) => (64, is_signed),
-            Some(simple) => return Err(format!("values of {} are no bits", simple.name())),
+            Some(simple) => return Err(format!("values of {} are not bits", simple.name())),
         };
         if bits > 1 && size > 1 {
             return Err("it is an array".to_owned());
@@ -240,7 +240,7 @@ mod tests {
         assert_eq!(
             found.defects,
             [
-                "the member `text` is no part of a word: values of STRING are no bits",
+                "the member `text` is not part of a word: values of STRING are not bits",
                 "it is not said at which bit the member `lost` begins",
                 "the member `long` ends at bit 19, a value of UNSIGNED16 at bit 15",
             ]

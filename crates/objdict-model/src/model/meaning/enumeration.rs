@@ -63,7 +63,7 @@ impl<'a> Enumeration<'a> {
     fn empty(data_type: DataType) -> Self {
         let defects = match data_type.integer_range() {
             Some(_) => Vec::new(),
-            None => vec![format!("values of {data_type} are no numbers that could have names")],
+            None => vec![format!("values of {data_type} are not numbers and cannot have names")],
         };
         Self { definition: None, data_type, values: Vec::new(), defects }
     }
