@@ -46,7 +46,7 @@ mod tests {
         let text = "[2000]\nParameterName=x\nObjectType=7\nDataType=5\nDefaultValue=300\u{1B}\n";
         let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
         let text = listed((&description).into(), &crate::check(&description)).unwrap();
-        let line = "a.eds:5:14: error cia306/invalid-value: `300\u{FFFD}` is no number";
+        let line = "a.eds:5:14: error cia306/invalid-value: `300\u{FFFD}` is not a number";
         assert!(text.contains(line), "{text}");
         assert!(text.contains("\n  help: "), "{text}");
     }

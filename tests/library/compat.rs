@@ -100,7 +100,7 @@ fn what_a_tool_does_may_depend_on_the_text() {
         let findings = check(&support::fixtures().join("torture").join(file), &[Tool::CanOpenEditor]);
         findings.iter().next().and_then(|finding| finding.help.clone()).unwrap_or_default().to_string()
     };
-    assert!(help("02_latin1.eds").ends_with("canopeneditor: each such letter becomes U+FFFD"));
+    assert!(help("02_latin1.eds").ends_with("canopeneditor: each such character becomes U+FFFD"));
     assert!(!help("03_bom.eds").contains("canopeneditor"));
 }
 

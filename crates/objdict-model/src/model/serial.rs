@@ -348,7 +348,10 @@ mod tests {
         assert_eq!(read_index("\"0xa0\""), Ok(0xA0));
         for text in ["\"1018\"", "\"0x\"", "\"0x+10\"", "\"0x10000\"", "\"0x \"", "\"-0x1\""] {
             let error = read_index(text).unwrap_err();
-            assert!(error.starts_with(&text.replace('"', "`")) && error.contains("is not a valid index"), "{error}");
+            assert!(
+                error.starts_with(&text.replace('"', "`")) && error.contains("is not a valid index"),
+                "{error}"
+            );
         }
     }
 

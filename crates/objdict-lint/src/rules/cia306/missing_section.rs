@@ -32,12 +32,12 @@ fn check(device: &Device, findings: &mut Findings) {
         let help = "write `Dummy0005=1` for each type that may fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
-        let fix = Fix::safe("add the section without dummies").with(Change::Add(Part::DummyUsage, none));
+        let fix = Fix::safe(say!("add the {section} without dummies")).with(Change::Add(Part::DummyUsage, none));
         findings.push(report(&Part::DummyUsage, light, help).fix(fix));
     }
     if device.comments.is_none() {
         let none = vec![(Field::Lines, "0".to_owned())];
-        let fix = Fix::safe("add the section without comments").with(Change::Add(Part::Comments, none));
+        let fix = Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
         findings.push(report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` in the {section}")).fix(fix));
     }
     check_lists(device, light, findings);

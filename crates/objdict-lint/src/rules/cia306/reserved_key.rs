@@ -19,6 +19,6 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = keys.first() else { return };
     let message = say!("readers ignore {} of EDS version 3.0", listing(&keys));
     let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
-    let fix = keys.iter().fold(Fix::safe("remove the keys"), |fix, key| fix.remove(place(key)));
-    findings.push(Diagnostic::new(&RULE.info, place(first), message).help("remove the keys").fix(fix));
+    let fix = keys.iter().fold(Fix::safe(say!("remove {the keys}")), |fix, key| fix.remove(place(key)));
+    findings.push(Diagnostic::new(&RULE.info, place(first), message).help(say!("remove {the keys}")).fix(fix));
 }
