@@ -75,7 +75,7 @@ mod tests {
         report.file((&description).into(), &description.text_findings()).unwrap();
         report.finish().unwrap();
         let shown = String::from_utf8(out).unwrap();
-        let line = "a.eds:2:1: error cia306/junk-line: `j\u{FFFD}unk` is no section, key or comment\n";
+        let line = "a.eds:2:1: error cia306/junk-line: `j\u{FFFD}unk` is not a section, key or comment\n";
         assert!(shown.contains(line), "{shown}");
         assert!(shown.ends_with("in 1 file\n"), "{shown}");
     }
