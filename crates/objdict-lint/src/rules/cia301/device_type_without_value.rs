@@ -17,8 +17,8 @@ fn check(device: &Device, findings: &mut Findings) {
     if is_unstated(object, 0) {
         let place = device.value_place(0x1000, 0);
         let finding = Diagnostic::new(&RULE.info, place, "the device type 1000h has no value");
-        findings.push(
-            finding.help(say!("add `{DefaultValue}` with the value of the device; `0x00000000` if it follows no profile")),
-        );
+        findings.push(finding.help(say!(
+            "add `{DefaultValue}` with the value of the device; `0x00000000` if it follows no profile"
+        )));
     }
 }

@@ -26,5 +26,7 @@ fn check(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let message =
         say!("{:04X}h has sub-index {} but no sub-index {}", index, sub_index(slot.sub), sub_index(missing));
     let finding = Diagnostic::new(&RULE.info, Place::entry(index, slot.sub), message);
-    findings.push(finding.help(say!("add `{}`, or remove the sub-indexes after it", Part::Entry(index, missing))));
+    findings.push(
+        finding.help(say!("add `{}`, or remove the sub-indexes after it", Part::Entry(index, missing))),
+    );
 }

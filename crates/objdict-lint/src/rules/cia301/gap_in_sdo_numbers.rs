@@ -16,8 +16,12 @@ fn check(device: &Device, findings: &mut Findings) {
     for (first, last, what) in [(0x1201_u16, 0x127F, "SDO server"), (0x1280, 0x12FF, "SDO client")] {
         for (&index, _) in device.objects.range(first + 1..=last) {
             if !stated::is_there(device, index - 1) {
-                let message =
-                    say!("{:04X}h is described, but the previous {}, {:04X}h, is missing", index, what, index - 1);
+                let message = say!(
+                    "{:04X}h is described, but the previous {}, {:04X}h, is missing",
+                    index,
+                    what,
+                    index - 1
+                );
                 let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
                 findings.push(finding.help("use the next free index, or describe the missing channels"));
                 break;

@@ -30,7 +30,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
             let message =
                 say!("`{}` means a changeable PDO mapping, but no mapping is writable", granularity);
-            (message, say!("write `{Granularity=0}` for a fixed mapping"), (pdo, "this mapping is not writable"))
+            (
+                message,
+                say!("write `{Granularity=0}` for a fixed mapping"),
+                (pdo, "this mapping is not writable"),
+            )
         }
     };
     let place = Place::of(Part::DeviceInfo).field(Field::Granularity);

@@ -16,7 +16,8 @@ fn check(device: &Device, findings: &mut Findings) {
     let names = [(0x100C, "guard time"), (0x100D, "life time factor")];
     for ((index, name), (other, other_name)) in [(names[0], names[1]), (names[1], names[0])] {
         if device.objects.contains_key(&index) && !stated::is_there(device, other) {
-            let message = say!("{:04X}h ({}) is described without {:04X}h ({})", index, name, other, other_name);
+            let message =
+                say!("{:04X}h ({}) is described without {:04X}h ({})", index, name, other, other_name);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);
             findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", other, index)));
         }

@@ -31,5 +31,6 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, 3), message)
         .label(facts.device.value_place(index, 5), "the event timer");
-    findings.push(finding.help("shorten the inhibit time (unit 100 µs), or extend the event timer (unit 1 ms)"));
+    findings
+        .push(finding.help("shorten the inhibit time (unit 100 µs), or extend the event timer (unit 1 ms)"));
 }

@@ -23,8 +23,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let message = say!("`{}` ms since midnight is more than a day ({} ms)", time, DAY);
         Diagnostic::new(&RULE.info, place(2), message).help("write the milliseconds since midnight")
     } else if is_type && (date, time) != (0, 0) {
-        let message = say!("the default configuration date is day `{}`, but a new device is not configured", date);
-        Diagnostic::new(&RULE.info, place(if date == 0 { 2 } else { 1 }), message).help("write 0 to sub-indexes 1 and 2")
+        let message =
+            say!("the default configuration date is day `{}`, but a new device is not configured", date);
+        Diagnostic::new(&RULE.info, place(if date == 0 { 2 } else { 1 }), message)
+            .help("write 0 to sub-indexes 1 and 2")
     } else if date == 0 && time != 0 {
         let message = "the configuration time is set without a date";
         Diagnostic::new(&RULE.info, place(1), message).help("write the days since 1984-01-01")

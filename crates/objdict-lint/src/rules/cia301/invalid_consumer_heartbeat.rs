@@ -31,13 +31,20 @@ fn check(device: &Device, findings: &mut Findings) {
             let message = say!("`0x{:08X}` in 1016h sub-index {} has bits above the node-ID set", value, sub);
             findings.push(finding(message, say!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
         } else if node == 0 || node > 127 {
-            let message =
-                say!("1016h sub-index {} has a time of {} ms, but `{}` is not a valid node-ID", sub, time, node);
+            let message = say!(
+                "1016h sub-index {} has a time of {} ms, but `{}` is not a valid node-ID",
+                sub,
+                time,
+                node
+            );
             let help = say!("write a node-ID from 1 to 127 to bits 16 to 23: `0x00nn{:04X}`", time);
             findings.push(finding(message, help));
         } else if device.node_id().is_some_and(|own| u32::from(own) == node) {
             let message = say!("1016h sub-index {} makes node {} monitor itself", sub, node);
-            findings.push(finding(message, "write the node-ID of another node, or 0 to disable the entry".into()));
+            findings.push(finding(
+                message,
+                "write the node-ID of another node, or 0 to disable the entry".into(),
+            ));
         } else if let Some(&first) = watched.get(&node) {
             let message = say!("1016h sub-indexes {} and {} both monitor node {}", first, sub, node);
             let twice = finding(message, "write 0 to one of them".into());

@@ -17,7 +17,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if profile != 0 || additional == 0 {
         return;
     }
-    let message = say!("`0x{:08X}` has no profile number, but additional information `0x{:04X}`", device_type, additional);
+    let message = say!(
+        "`0x{:08X}` has no profile number, but additional information `0x{:04X}`",
+        device_type,
+        additional
+    );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
     findings.push(finding.help("write the profile number to the low word, or write 0"));
 }

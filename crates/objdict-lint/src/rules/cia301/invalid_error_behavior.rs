@@ -17,8 +17,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for sub in 1..=254 {
         let value = object.value(sub).and_then(|value| value.as_integer());
         let Some(value) = value.filter(|value| (3..128).contains(value)) else { continue };
-        let message =
-            say!("error behavior `{}` in sub-index {} of 1029h is reserved", value, sub_index(sub));
+        let message = say!("error behavior `{}` in sub-index {} of 1029h is reserved", value, sub_index(sub));
         let finding = Diagnostic::new(&RULE.info, device.value_place(0x1029, sub), message);
         findings.push(finding.help("write 0 for pre-operational, 1 for no change or 2 for stopped"));
         if object.compact.is_some() {

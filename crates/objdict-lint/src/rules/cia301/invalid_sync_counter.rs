@@ -31,8 +31,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if overflow == 0 || broken.peek().is_none() {
         return;
     }
-    let message =
-        say!("the SYNC counter overflows at `{}`, which is not a multiple of every transmission type", overflow);
+    let message = say!(
+        "the SYNC counter overflows at `{}`, which is not a multiple of every transmission type",
+        overflow
+    );
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
     let others = broken.map(|(pdo, every)| {

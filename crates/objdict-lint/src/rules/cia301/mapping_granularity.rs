@@ -21,7 +21,12 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         _ => matches!(mapped.target, Target::Dummy),
     });
     let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
-    let message = say!("{} maps {}, which is not a multiple of the granularity of `{}` bits", pdo.pdo, first.object, granularity);
+    let message = say!(
+        "{} maps {}, which is not a multiple of the granularity of `{}` bits",
+        pdo.pdo,
+        first.object,
+        granularity
+    );
     let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");

@@ -22,9 +22,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
             Some(&first) => {
                 let message = say!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
                 let finding = Diagnostic::new(&RULE.info, place(mapped.slot), message);
-                findings.push(
-                    finding.label(place(first), "first mapped here").help("map the intended object"),
-                );
+                findings
+                    .push(finding.label(place(first), "first mapped here").help("map the intended object"));
             }
             None => {
                 seen.insert((object.index, object.sub), mapped.slot);

@@ -17,8 +17,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?)));
     let Some((first, _)) = with.clone().next() else { return };
     let place = |index| Place::entry(index, 4);
-    let message =
-        say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
+    let message = say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
     let finding = Diagnostic::new(&RULE.info, place(first.communication_index()), message);
     let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
     let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));

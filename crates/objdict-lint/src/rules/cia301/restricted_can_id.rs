@@ -45,8 +45,9 @@ fn finding(
     );
     let place = facts.device.value_place(cob_id.index, cob_id.sub);
     let finding = Diagnostic::new(&RULE.info, place, message);
-    let finding =
-        finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh, or set bit 31 to mark the service as not valid");
+    let finding = finding.help(
+        "use a CAN-ID from 181h to 57Fh or 680h to 6DFh, or set bit 31 to mark the service as not valid",
+    );
     let is_likely = everywhere || first == *facts.node_ids().start();
     if is_likely { finding } else { finding.severity(Severity::Warning) }
 }

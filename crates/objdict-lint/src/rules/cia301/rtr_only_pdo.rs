@@ -19,8 +19,11 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     if pdo.kind != PdoKind::Tpdo || !allows_rtr {
         return;
     }
-    let message =
-        say!("{} has transmission type `{}` and is sent only in response to remote frames", pdo, transmission_type);
+    let message = say!(
+        "{} has transmission type `{}` and is sent only in response to remote frames",
+        pdo,
+        transmission_type
+    );
     let place = facts.device.value_place(pdo.communication_index(), 2);
     let finding = Diagnostic::new(&RULE.info, place, message);
     findings.push(finding.help("use 254 or 255 with an event timer, or a synchronous type"));

@@ -31,6 +31,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let fix = Fix::risky("clear bit 30")
             .set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
         let finding = finding.fix(fix);
-        findings.push(finding.help(say!("use another transmission type, or clear bit 30: `{}0x{:X}`", flags, number)));
+        findings.push(finding.help(say!(
+            "use another transmission type, or clear bit 30: `{}0x{:X}`",
+            flags,
+            number
+        )));
     }
 }

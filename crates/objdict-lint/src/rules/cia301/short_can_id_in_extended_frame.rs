@@ -16,8 +16,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         if cob_id.cob_id.can_id(127) > 0x7FF || cob_id.wrong_bits() != 0 {
             continue;
         }
-        let message =
-            say!("`{}` of {} is marked as a 29-bit identifier, but has only 11 bits", cob_id.cob_id, cob_id.service);
+        let message = say!(
+            "`{}` of {} is marked as a 29-bit identifier, but has only 11 bits",
+            cob_id.cob_id,
+            cob_id.service
+        );
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("clear bit 29, or set bit 31 if the service is not valid"));

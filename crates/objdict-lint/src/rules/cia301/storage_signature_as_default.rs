@@ -26,15 +26,23 @@ fn check(device: &Device, findings: &mut Findings) {
             sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::DefaultValue);
         let which = sub.map_or_else(Text::default, |sub| say!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
-            let message =
-                say!("`0x{:08X}` is the signature that is written to {:04X}h{}, not the value that is read", value, index, which);
+            let message = say!(
+                "`0x{:08X}` is the signature that is written to {:04X}h{}, not the value that is read",
+                value,
+                index,
+                which
+            );
             Diagnostic::new(&RULE.info, place.clone(), message)
         } else {
             let message = say!("`0x{:08X}` of {:04X}h{} has reserved bits set", value, index, which);
             Diagnostic::new(&RULE.info, place.clone(), message)
         };
         let fix = Fix::risky("write `1`, the value for storing or restoring on command").set(place, "1");
-        findings.push(finding.help("write the value that the device returns: 1 if it stores or restores on command").fix(fix));
+        findings.push(
+            finding
+                .help("write the value that the device returns: 1 if it stores or restores on command")
+                .fix(fix),
+        );
     }
 }
 

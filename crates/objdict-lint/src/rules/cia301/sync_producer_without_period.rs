@@ -16,8 +16,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let is_there = stated::is_there(device, 0x1006);
     let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
     let Some(sync) = sync.filter(|sync| sync.is_sent() && !is_there) else { return };
-    let message = say!("`{}` makes the device a SYNC producer, but 1006h (communication cycle period) is missing", sync.cob_id);
+    let message = say!(
+        "`{}` makes the device a SYNC producer, but 1006h (communication cycle period) is missing",
+        sync.cob_id
+    );
     let finding = Diagnostic::new(&RULE.info, device.value_place(0x1005, 0), message);
-    findings
-        .push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
+    findings.push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
 }

@@ -16,7 +16,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     if period == 0 || window <= period {
         return;
     }
-    let message = say!("the synchronous window of {} µs is longer than the SYNC period of {} µs", window, period);
+    let message =
+        say!("the synchronous window of {} µs is longer than the SYNC period of {} µs", window, period);
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1007, 0), message)
         .label(facts.device.value_place(0x1006, 0), "the SYNC period");
     findings.push(finding.help("shorten the window, or extend the period"));

@@ -23,11 +23,13 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         .filter(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true));
     let Some(first) = synchronous.next() else { return };
     let transmission_type = first.transmission_type.unwrap_or_default();
-    let message =
-        say!("{} has the synchronous transmission type `{}`, but 1005h (COB-ID SYNC) is missing", first, transmission_type);
+    let message = say!(
+        "{} has the synchronous transmission type `{}`, but 1005h (COB-ID SYNC) is missing",
+        first,
+        transmission_type
+    );
     let finding = Diagnostic::new(&RULE.info, device.value_place(first.communication_index(), 2), message);
-    let finding = finding
-        .help("add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255");
+    let finding = finding.help("add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255");
     let place = |index| device.value_place(index, 2);
     let others = synchronous.map(|pdo| (place(pdo.communication_index()), say!("{} too", pdo)));
     findings.push(with_others(finding, others));

@@ -20,7 +20,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let mut start = 0u32;
     for mapped in &pdo.mapped {
         if mapped.object.bits >= 8 && !start.is_multiple_of(8) {
-            let message = say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
+            let message =
+                say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(finding.help("map the single bits last, or fill the byte before"));

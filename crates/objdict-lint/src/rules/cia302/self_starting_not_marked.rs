@@ -18,9 +18,7 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let starts = value.and_then(|value| value.as_integer()).is_some_and(|value| value & 0b101 == 0);
     let marked = at.device.device_info.as_ref().and_then(|info| info.simple_boot_up_slave);
     if starts && marked == Some(false) {
-        let message = say!(
-            "1F80h makes the device enter operational by itself, but `{SimpleBootUpSlave=0}`"
-        );
+        let message = say!("1F80h makes the device enter operational by itself, but `{SimpleBootUpSlave=0}`");
         let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpSlave);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(at.device.value_place(at.index, 0), "bit 2 is clear");

@@ -23,15 +23,22 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let place = |sub| facts.device.value_place(index, sub);
         let is_plain = (0x101..=0x17F).contains(&plain) && plain % 2 == 1;
         let finding = if !is_plain {
-            let message = say!("COB-ID 1 of {} is `{:X}h`, which is not an odd CAN-ID from 101h to 17Fh", srdo, plain);
+            let message =
+                say!("COB-ID 1 of {} is `{:X}h`, which is not an odd CAN-ID from 101h to 17Fh", srdo, plain);
             Diagnostic::new(&RULE.info, place(5), message)
         } else if inverted != plain + 1 {
-            let message =
-                say!("COB-ID 2 of {} is `{:X}h`, which does not follow COB-ID 1 `{:X}h`", srdo, inverted, plain);
+            let message = say!(
+                "COB-ID 2 of {} is `{:X}h`, which does not follow COB-ID 1 `{:X}h`",
+                srdo,
+                inverted,
+                plain
+            );
             Diagnostic::new(&RULE.info, place(6), message).label(place(5), "COB-ID 1")
         } else {
             continue;
         };
-        findings.push(finding.help("write an odd CAN-ID from 101h to 17Fh as COB-ID 1 and the next one as COB-ID 2"));
+        findings.push(
+            finding.help("write an odd CAN-ID from 101h to 17Fh as COB-ID 1 and the next one as COB-ID 2"),
+        );
     }
 }

@@ -22,13 +22,20 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 Diagnostic::new(&RULE.info, place(3), say!("the validation time of {} is 0 ms", srdo))
             }
             (Some(cycle), Some(validation)) if validation > cycle => {
-                let message =
-                    say!("the validation time of {} is {} ms, longer than its {} of {} ms", srdo, validation, name, cycle);
+                let message = say!(
+                    "the validation time of {} is {} ms, longer than its {} of {} ms",
+                    srdo,
+                    validation,
+                    name,
+                    cycle
+                );
                 let finding = Diagnostic::new(&RULE.info, place(3), message).severity(Severity::Warning);
                 finding.label(place(2), say!("the {}", name))
             }
             _ => continue,
         };
-        findings.push(finding.help("write times in milliseconds, with a validation time not longer than the refresh time or SCT"));
+        findings.push(finding.help(
+            "write times in milliseconds, with a validation time not longer than the refresh time or SCT",
+        ));
     }
 }

@@ -22,13 +22,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
                 continue;
             }
-            let message =
-                say!("{} maps {:04X}h:{:02X}, which is not mappable to SRDOs", srdo, mapped.index, mapped.sub);
+            let message = say!(
+                "{} maps {:04X}h:{:02X}, which is not mappable to SRDOs",
+                srdo,
+                mapped.index,
+                mapped.sub
+            );
             let place = facts.device.value_place(srdo.mapping_index(), sub);
             let finding = Diagnostic::new(&RULE.info, place, message);
-            findings.push(
-                finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")),
-            );
+            findings.push(finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")));
         }
     }
 }

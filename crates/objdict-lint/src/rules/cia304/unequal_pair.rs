@@ -15,7 +15,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for srdo in &facts.srdos {
         for (plain, inverted) in srdo.pairs().filter(|(plain, inverted)| plain.1.bits != inverted.1.bits) {
             let place = |sub| facts.device.value_place(srdo.mapping_index(), sub);
-            let message = say!("{} maps {} with the inverted object {} of another length", srdo, plain.1, inverted.1);
+            let message =
+                say!("{} maps {} with the inverted object {} of another length", srdo, plain.1, inverted.1);
             let finding = Diagnostic::new(&RULE.info, place(inverted.0), message)
                 .label(place(plain.0), "the plain object");
             findings.push(finding.help("map the matching inverted object"));

@@ -21,7 +21,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         };
         if stated != i128::from(right) {
-            let message = say!("the checksum of {} is `0x{:04X}`, but its parameters yield 0x{:04X}", srdo, stated, right);
+            let message = say!(
+                "the checksum of {} is `0x{:04X}`, but its parameters yield 0x{:04X}",
+                srdo,
+                stated,
+                right
+            );
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x13FF, sub), message)
                 .label(facts.device.value_place(0x13FE, 0), "the configuration is marked valid");
             findings.push(finding.help("verify the configuration and write its checksum"));

@@ -21,5 +21,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = Diagnostic::new(&RULE.info, place, message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is not supported");
-    findings.push(finding.help(say!("remove the number, or write `{LSS_Supported=1}` if the device supports LSS")));
+    findings.push(
+        finding.help(say!("remove the number, or write `{LSS_Supported=1}` if the device supports LSS")),
+    );
 }

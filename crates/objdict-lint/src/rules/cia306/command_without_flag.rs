@@ -29,7 +29,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     }
     let places = unguarded(index, object);
     let Some((place, _)) = places.first().cloned() else { return };
-    let message = say!("writing {:04X}h {}, but `{ObjFlags}` does not stop tools from writing it", index, command);
+    let message =
+        say!("writing {:04X}h {}, but `{ObjFlags}` does not stop tools from writing it", index, command);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let fix = Fix::risky(say!("write `{ObjFlags=0x1}` in its writable entries"));
     let fix = places

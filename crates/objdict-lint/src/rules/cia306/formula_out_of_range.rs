@@ -38,8 +38,14 @@ fn check_formula(
     let Some((_, highest)) = data_type.integer_range() else { return };
     let [_, node_id] = stated::node_ids(at.device);
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
-    let message =
-        say!("`{}` is {} on node {}, but the maximum of {} is {}", value, result, node_id, data_type, highest);
+    let message = say!(
+        "`{}` is {} on node {}, but the maximum of {} is {}",
+        value,
+        result,
+        node_id,
+        data_type,
+        highest
+    );
     let finding = Diagnostic::new(&RULE.info, at.field(field.clone()), message)
         .label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));

@@ -21,7 +21,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(mut last) = subs.next() else { return };
     for sub in subs {
         if sub != last + 1 {
-            let message = say!("{:04X}h has sub-index {} directly after {}", index, sub_index(sub), sub_index(last));
+            let message =
+                say!("{:04X}h has sub-index {} directly after {}", index, sub_index(sub), sub_index(last));
             let finding = Diagnostic::new(&RULE.info, Place::entry(index, sub), message);
             findings.push(finding.help("describe the missing elements, or change the object to a RECORD"));
             return;

@@ -28,7 +28,8 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             finding.label(device.value_place(pdo.mapping_index(), 0), "multiplexed by this value")
         }
         (false, None, Some((&index, _))) => {
-            let message = say!("{:04X}h is for multiplexed PDOs, but `{GroupMessaging}` is {GroupMessaging:0}", index);
+            let message =
+                say!("{:04X}h is for multiplexed PDOs, but `{GroupMessaging}` is {GroupMessaging:0}", index);
             Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the list")
         }
         (true, None, None) if !can_be_made(facts) => Diagnostic::new(

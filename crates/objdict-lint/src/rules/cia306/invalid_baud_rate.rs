@@ -43,5 +43,6 @@ fn check(device: &Device, findings: &mut Findings) {
     let message = say!("`{Baudrate}` is {}, which the device does not support", rate);
     let label = Place { field, ..Place::of(Part::DeviceInfo) };
     let finding = Diagnostic::new(&RULE.info, place, message).label(label, "not supported");
-    findings.push(finding.help(say!("write a bit rate that the device supports: {} kbit/s", series(supported))));
+    findings
+        .push(finding.help(say!("write a bit rate that the device supports: {} kbit/s", series(supported))));
 }

@@ -46,7 +46,9 @@ fn message(misfit: &Misfit, data_type: Option<DataType>) -> Text {
             say!("`{}` is not a number: a leading zero means octal, which has no digits 8 and 9", text)
         }
         Reason::NotReal => say!("`{}` is not a valid number for {}", text, what),
-        Reason::NotHexBytes => say!("`{}` is not a sequence of hex digit pairs, but {} needs one", text, what),
+        Reason::NotHexBytes => {
+            say!("`{}` is not a sequence of hex digit pairs, but {} needs one", text, what)
+        }
         Reason::NotATime => say!("`{}` is not a time, but {} needs one", text, what),
         Reason::NotAFormula => say!("`{}` is not a formula of the form `$NODEID+number`", text),
         Reason::FormulaForType => say!("`{}` is a formula, but {} is not an integer", text, what),

@@ -19,7 +19,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
     let (message, field, label) = match (unmappable, entry.access) {
-        (Some(data_type), _) => (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type"),
+        (Some(data_type), _) => {
+            (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type")
+        }
         (None, Some(Access::Const)) => {
             (Text::from("a constant never changes"), Field::AccessType, "a constant")
         }

@@ -30,15 +30,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
             say!("remove {the key} and write `{ParameterValue}`"),
         )
     } else if configured.upload_file.is_some() && configured.download_file.is_some() {
-        (
-            say!("the entry has both `{UploadFile}` and `{DownloadFile}`"),
-            "remove one of the two".into(),
-        )
+        (say!("the entry has both `{UploadFile}` and `{DownloadFile}`"), "remove one of the two".into())
     } else if field == Field::UploadFile && access == Some(Access::Wo) {
-        (
-            say!("`{UploadFile}` is for readable data, but the entry is `wo`"),
-            say!("write `{DownloadFile}`"),
-        )
+        (say!("`{UploadFile}` is for readable data, but the entry is `wo`"), say!("write `{DownloadFile}`"))
     } else if field == Field::DownloadFile && access.is_some_and(|access| !access.is_writable()) {
         (
             say!("`{DownloadFile}` is for writable data, but the entry is not writable"),

@@ -28,7 +28,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "the constant has no value")
         .label(at.field(Field::AccessType), "a constant");
-    findings.push(finding.help(say!(
-        "write `{DefaultValue}`, or `{AccessType=ro}` if the value differs between devices"
-    )));
+    findings.push(
+        finding
+            .help(say!("write `{DefaultValue}`, or `{AccessType=ro}` if the value differs between devices")),
+    );
 }

@@ -54,7 +54,9 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     findings.push(finding.help(match missing.as_slice() {
         [Field::DataType] => say!("add `{DataType}` with the type of the value"),
         [Field::AccessType] => say!("add `{AccessType}`, such as `{AccessType=rw}`"),
-        _ => say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`"),
+        _ => {
+            say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`")
+        }
     }));
 }
 
@@ -81,7 +83,8 @@ fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     if !in_doubt || at.entry.object_type.is_some() || !at.entry.misfits.is_empty() {
         return;
     }
-    let message = say!("an object with sub-indexes needs `{ObjectType}`; without `{ObjectType}` the object is a VAR");
+    let message =
+        say!("an object with sub-indexes needs `{ObjectType}`; without `{ObjectType}` the object is a VAR");
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjectType), message);
     let fix = Fix::risky(say!("add `{ObjectType=0x9}`")).set(at.field(Field::ObjectType), "0x9");
     findings.push(

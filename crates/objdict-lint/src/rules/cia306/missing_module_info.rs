@@ -18,7 +18,11 @@ fn check(device: &Device, findings: &mut Findings) {
         let missing = missing(module);
         let Some(first) = missing.first() else { continue };
         let message = if missing.len() == 4 {
-            say!("module {} has no `{}`, or the {section} is empty", number, Part::Module(number, ModulePart::Info))
+            say!(
+                "module {} has no `{}`, or the {section} is empty",
+                number,
+                Part::Module(number, ModulePart::Info)
+            )
         } else {
             say!("`{}` has no {}", Part::Module(number, ModulePart::Info), listing(&missing))
         };

@@ -27,8 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
             others => say!(" and {} more", others),
         };
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
-        let message =
-            say!("module {} defines {:04X}h{}, missing in the {DCF}", number, first, more);
+        let message = say!("module {} defines {:04X}h{}, missing in the {DCF}", number, first, more);
         let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("describe the objects as defined by the modules"));

@@ -26,19 +26,27 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
-        findings.push(report(&Part::DeviceInfo, severity, "write vendor, product and features of the device"));
+        findings.push(report(
+            &Part::DeviceInfo,
+            severity,
+            "write vendor, product and features of the device",
+        ));
     }
     if device.dummy_usage.is_none() {
         let help = "write `Dummy0005=1` for each type that may fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
-        let fix = Fix::safe(say!("add the {section} without dummies")).with(Change::Add(Part::DummyUsage, none));
+        let fix =
+            Fix::safe(say!("add the {section} without dummies")).with(Change::Add(Part::DummyUsage, none));
         findings.push(report(&Part::DummyUsage, light, help).fix(fix));
     }
     if device.comments.is_none() {
         let none = vec![(Field::Lines, "0".to_owned())];
-        let fix = Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
-        findings.push(report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` in the {section}")).fix(fix));
+        let fix =
+            Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
+        findings.push(
+            report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` in the {section}")).fix(fix),
+        );
     }
     check_lists(device, light, findings);
 }
@@ -56,7 +64,8 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         if objects == 0 {
             // missing mandatory objects have their own finding
             if list != ObjectList::Mandatory {
-                let finding = report(&Part::List(list), light, say!("write `{SupportedObjects=0}` in the {section}"));
+                let finding =
+                    report(&Part::List(list), light, say!("write `{SupportedObjects=0}` in the {section}"));
                 findings.push(finding.fix(fix));
             }
             continue;
@@ -64,8 +73,9 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         let objects_belong = counted(objects, "object belongs", "objects belong");
         let message = say!("{section} `{}` is missing, but {} in it", list, objects_belong);
         let finding = Diagnostic::new(&RULE.info, Place::device(), message);
-        findings
-            .push(finding.help(say!("add the list of these objects: `{SupportedObjects=1}`, `1=0x1000`")).fix(fix));
+        findings.push(
+            finding.help(say!("add the list of these objects: `{SupportedObjects=1}`, `1=0x1000`")).fix(fix),
+        );
     }
 }
 

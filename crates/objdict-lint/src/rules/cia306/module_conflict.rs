@@ -75,8 +75,7 @@ fn report(
         return;
     }
     let place = |number| Place::of(Part::Module(number, part));
-    let message =
-        say!("{:04X}h of modules {} and {} differs in {}", index, first, second, listing(fields));
+    let message = say!("{:04X}h of modules {} and {} differs in {}", index, first, second, listing(fields));
     let finding =
         Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the other description");
     findings.push(finding.help("use the same description in all modules"));

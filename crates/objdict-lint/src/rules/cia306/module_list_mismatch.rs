@@ -32,8 +32,10 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
         let section = Part::Module(number, ModulePart::Fixed(index));
         if let Some((sub, _)) = object.subs.iter().next().filter(|_| object.orphan) {
             let place = Place::of(Part::Module(number, ModulePart::FixedEntry(index, sub)));
-            let message =
-                say!("sub-indexes of the fixed object {:04X}h are described, but the object is missing", index);
+            let message = say!(
+                "sub-indexes of the fixed object {:04X}h are described, but the object is missing",
+                index
+            );
             let finding = Diagnostic::new(&RULE.info, place, message);
             findings.push(
                 finding.help(say!("add {a section} `{}`", Part::Module(number, ModulePart::Fixed(index)))),

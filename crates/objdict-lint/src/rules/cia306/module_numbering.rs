@@ -23,7 +23,8 @@ fn check(device: &Device, findings: &mut Findings) {
     match modules.declared {
         None if described == 0 => {}
         None => {
-            let message = say!("{} modules are described, but `{[SupportedModules]}` has no count", described);
+            let message =
+                say!("{} modules are described, but `{[SupportedModules]}` has no count", described);
             let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)))
                 .set(count, described.to_string());
             let finding = Diagnostic::new(&RULE.info, first_module(modules), message).fix(fix);

@@ -26,6 +26,5 @@ fn check(device: &Device, findings: &mut Findings) {
         None => (Place::of(Part::DeviceInfo), say!("`{[DeviceInfo]}` has no `{BaudRate_x}`")),
     };
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings
-        .push(finding.help(say!("add a key such as `{BaudRate_125=1}` for each supported bit rate")));
+    findings.push(finding.help(say!("add a key such as `{BaudRate_125=1}` for each supported bit rate")));
 }

@@ -35,7 +35,8 @@ fn check(device: &Device, findings: &mut Findings) {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
-            let mut finding = finding.label(place(other, at), "first here").help("remove one of the two entries");
+            let mut finding =
+                finding.label(place(other, at), "first here").help("remove one of the two entries");
             finding.fix = fixes.next(device.lists.get(list), || match other == list {
                 true => once(device, list),
                 false => elsewhere(device, list, other, index),

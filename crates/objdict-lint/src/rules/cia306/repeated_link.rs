@@ -24,8 +24,9 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         let message = say!("{:04X}h has two links to {:04X}h", index, link);
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let place = Place::of(Part::Links(index)).field(Field::Item(item));
-        findings
-            .push(Diagnostic::new(&RULE.info, place, message).help("remove the link and decrease the count by one"));
+        findings.push(
+            Diagnostic::new(&RULE.info, place, message).help("remove the link and decrease the count by one"),
+        );
         return;
     }
 }

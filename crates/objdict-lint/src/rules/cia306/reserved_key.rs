@@ -20,5 +20,6 @@ fn check(device: &Device, findings: &mut Findings) {
     let message = say!("readers ignore {} of EDS version 3.0", listing(&keys));
     let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
     let fix = keys.iter().fold(Fix::safe(say!("remove {the keys}")), |fix, key| fix.remove(place(key)));
-    findings.push(Diagnostic::new(&RULE.info, place(first), message).help(say!("remove {the keys}")).fix(fix));
+    findings
+        .push(Diagnostic::new(&RULE.info, place(first), message).help(say!("remove {the keys}")).fix(fix));
 }

@@ -38,8 +38,12 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
             .label(Place::entry(index, highest), "the highest sub-index")
             .help(say!("write `{}`", Argument::setting(&field, highest)))
     } else {
-        let message =
-            say!("sub-index 0 of {:04X}h is {}, but the highest described sub-index is {}", index, value, highest);
+        let message = say!(
+            "sub-index 0 of {:04X}h is {}, but the highest described sub-index is {}",
+            index,
+            value,
+            highest
+        );
         Diagnostic::new(&RULE.info, place, message)
             .severity(Severity::Warning)
             .help(say!("describe the missing sub-indexes, or write `{}`", Argument::setting(&field, highest)))

@@ -40,12 +40,7 @@ fn check(device: &Device, findings: &mut Findings) {
 }
 
 /// Moves all misplaced objects from one list to another.
-fn moved(
-    device: &Device,
-    from: ObjectList,
-    to: ObjectList,
-    is_in: &impl Fn(u16, ObjectList) -> bool,
-) -> Fix {
+fn moved(device: &Device, from: ObjectList, to: ObjectList, is_in: &impl Fn(u16, ObjectList) -> bool) -> Fix {
     let belongs = |index: &u16| right_list(*index, from) == to && !is_in(*index, to);
     let (wrong, right): (Vec<u16>, Vec<u16>) =
         device.lists.get(from).iter().partition(|index| belongs(index));

@@ -51,7 +51,11 @@ fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, f
         .set(place.clone(), described.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(if stated > described {
-        finding.help(say!("write `{}`, or describe the missing {}s", Argument::setting(field, described), name))
+        finding.help(say!(
+            "write `{}`, or describe the missing {}s",
+            Argument::setting(field, described),
+            name
+        ))
     } else {
         finding.help(say!("write `{}`", Argument::setting(field, described)))
     });

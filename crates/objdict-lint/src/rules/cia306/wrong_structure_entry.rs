@@ -29,8 +29,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let place = |field| Place::entry(index, 0xFF).field(field);
     let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32)
     {
-        let message =
-            say!("sub-index FFh of {:04X}h is {}, but must be UNSIGNED32", index, other);
+        let message = say!("sub-index FFh of {:04X}h is {}, but must be UNSIGNED32", index, other);
         Diagnostic::new(&RULE.info, place(Field::DataType), message)
     } else if let Some(code) = stated_code(entry).filter(|&code| code != i128::from(object_type.code())) {
         let message = say!(

@@ -23,7 +23,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let is_shorter = right.starts_with(&found);
         let differs = found.iter().zip(&right).position(|(found, right)| found != right);
         let pair = differs.and_then(|at| Some((found.get(at)?, right.get(at)?)));
-        let message = match pair.filter(|(found, right)| (found.index, found.sub) == (right.index, right.sub)) {
+        let message = match pair.filter(|(found, right)| (found.index, found.sub) == (right.index, right.sub))
+        {
             Some((found, right)) => say!(
                 "{} maps {} bits of {:04X}h:{:02X}, CiA 401 maps {}",
                 pdo.pdo,

@@ -20,7 +20,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let is_readable = entry.misfits.get(&Field::PdoMapping).is_none();
         if drive.supports(bit) == Some(true) && is_readable && !entry.is_mappable() {
             let name = drive.name(index);
-            let message = say!("{} is not mappable, but cyclic synchronous {} mode needs it in a PDO", name, mode);
+            let message =
+                say!("{} is not mappable, but cyclic synchronous {} mode needs it in a PDO", name, mode);
             let finding = Diagnostic::new(rule, drive.place(index).field(Field::PdoMapping), message);
             let finding = finding.label(drive.value_place(0x6502, 0), say!("bit {} states the mode", bit));
             findings.push(finding.help(say!("write `{PDOMapping=1}`")));

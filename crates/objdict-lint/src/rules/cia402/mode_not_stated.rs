@@ -30,8 +30,13 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let [first, second] = objects.map(|index| drive.name(index));
-        let message =
-            say!("`0x{:08X}` does not state {} mode, but {} and {} are described", modes, mode, first, second);
+        let message = say!(
+            "`0x{:08X}` does not state {} mode, but {} and {} are described",
+            modes,
+            mode,
+            first,
+            second
+        );
         let finding = Diagnostic::new(rule, drive.value_place(0x6502, 0), message);
         let finding = finding.label(drive.place(objects[0]), "an object of the mode");
         let help = say!("set bit {} or remove the objects", bits.trailing_zeros());

@@ -21,8 +21,14 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
             continue;
         }
         let (name, modes) = (drive.name(index), drive.name(0x6502));
-        let message =
-            say!("{} is `{}` ({}), but {} does not have bit {} set", name, number, mode.name, modes, mode.bit);
+        let message = say!(
+            "{} is `{}` ({}), but {} does not have bit {} set",
+            name,
+            number,
+            mode.name,
+            modes,
+            mode.bit
+        );
         let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
         let finding = finding.label(drive.value_place(0x6502, 0), "the supported drive modes");
         findings.push(finding.help("correct the mode or set the bit"));

@@ -17,7 +17,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let value = |index: u16, sub: u8| device.object(index)?.value(sub)?.as_integer();
     let (Some(cyclic), Some(event)) = (value(0x6200, 0), value(0x1800, 5)) else { return };
     if cyclic != event && applied.block == 0 {
-        let message = say!("the cyclic timer is `{}` ms, but the event timer of TPDO 1 is {} ms", cyclic, event);
+        let message =
+            say!("the cyclic timer is `{}` ms, but the event timer of TPDO 1 is {} ms", cyclic, event);
         let finding = Diagnostic::new(rule, device.value_place(0x6200, 0), message);
         let finding = finding.label(device.value_place(0x1800, 5), "the same timer");
         findings.push(finding.help("write the same time to both"));

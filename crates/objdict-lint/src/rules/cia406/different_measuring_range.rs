@@ -24,8 +24,13 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let right = steps * turned;
     let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
-        let message =
-            say!("the measuring range is `{}`, but {} steps times {} revolutions are {}", stated, steps, turned, right);
+        let message = say!(
+            "the measuring range is `{}`, but {} steps times {} revolutions are {}",
+            stated,
+            steps,
+            turned,
+            right
+        );
         let place = device.value_place(range, 0);
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(device.value_place(resolution, 0), "steps per revolution");

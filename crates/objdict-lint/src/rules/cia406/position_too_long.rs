@@ -24,9 +24,11 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let is_longer = device.objects.contains_key(&index_in(block, 0x6008));
     let (Some(steps), Some(turned)) = (value(resolution), value(revolutions)) else { return };
     if turns && !is_longer && steps * turned > POSITIONS {
-        let message = say!("{} steps times {} revolutions do not fit into a position of 32 bits", steps, turned);
+        let message =
+            say!("{} steps times {} revolutions do not fit into a position of 32 bits", steps, turned);
         let finding = Diagnostic::new(rule, device.value_place(revolutions, 0), message);
         let finding = finding.label(device.value_place(resolution, 0), "steps per revolution");
-        findings.push(finding.help("correct resolution or revolutions, or add 6008h (high precision position)"));
+        findings
+            .push(finding.help("correct resolution or revolutions, or add 6008h (high precision position)"));
     }
 }

@@ -26,7 +26,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         name(second)
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
-    let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the previous element");
+    let finding =
+        Diagnostic::new(&RULE.info, place(second), message).label(place(first), "the previous element");
     findings.push(finding.help("number the names in the order of the sub-indexes"));
 }
 

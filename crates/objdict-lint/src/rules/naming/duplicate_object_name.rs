@@ -30,7 +30,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let place = |index| Place::object(index).field(Field::ParameterName);
     let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
     let finding = Diagnostic::new(&RULE.info, place(second), message).label(place(first), "first here");
-    let others =
-        repeated.map(|(first, index, _)| (place(index), say!("and {:04X}h the same as {:04X}h", index, first)));
+    let others = repeated
+        .map(|(first, index, _)| (place(index), say!("and {:04X}h the same as {:04X}h", index, first)));
     findings.push(with_others(finding, others).help("add a number or a word to the names"));
 }

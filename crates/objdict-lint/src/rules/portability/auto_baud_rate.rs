@@ -15,7 +15,8 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let Some(auto) = device.device_info.as_ref().and_then(|info| info.baud_rates.auto) else { return };
     let place = Place::of(Part::DeviceInfo).field(Field::BaudRateAuto);
-    let finding = Diagnostic::new(&RULE.info, place, say!("`{BaudRate_auto}` is {a key} of later editions of CiA 306"));
+    let finding =
+        Diagnostic::new(&RULE.info, place, say!("`{BaudRate_auto}` is {a key} of later editions of CiA 306"));
     findings.push(finding.help(if auto {
         say!("use a copy without {the key} for the tool")
     } else {

@@ -19,9 +19,8 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactNames(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&RULE.info, first, "not all tools read the names of a compact object")
-            .help("describe the sub-indexes individually");
+    let finding = Diagnostic::new(&RULE.info, first, "not all tools read the names of a compact object")
+        .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 

@@ -18,8 +18,7 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactValues(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&RULE.info, first, "not all tools read the values of a compact object")
-            .help("describe the sub-indexes individually");
+    let finding = Diagnostic::new(&RULE.info, first, "not all tools read the values of a compact object")
+        .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -14,12 +14,8 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if device.modules.is_some() {
-        let finding = Diagnostic::new(
-            &RULE.info,
-            Place::of(Part::SupportedModules),
-            "the file describes modules",
-        );
-        findings
-            .push(finding.help("use a file of the device with its connected modules for the tool"));
+        let finding =
+            Diagnostic::new(&RULE.info, Place::of(Part::SupportedModules), "the file describes modules");
+        findings.push(finding.help("use a file of the device with its connected modules for the tool"));
     }
 }

@@ -14,11 +14,8 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     if !device.tools.is_empty() {
-        let finding = Diagnostic::new(
-            &RULE.info,
-            Place::of(Part::Tools),
-            say!("some tools do not know `{[Tools]}`"),
-        );
+        let finding =
+            Diagnostic::new(&RULE.info, Place::of(Part::Tools), say!("some tools do not know `{[Tools]}`"));
         findings.push(finding.help(say!("use a copy without the {sections} for the tool")));
     }
 }

@@ -18,8 +18,7 @@ fn check(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&RULE.info, first, "some tools do not know data types defined in the file")
-            .help("use standard types, and remove the definition");
+    let finding = Diagnostic::new(&RULE.info, first, "some tools do not know data types defined in the file")
+        .help("use standard types, and remove the definition");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
