@@ -73,9 +73,7 @@ impl Found<'_> {
             return false;
         }
         if let (false, Some(value)) = (is_decoded, self.device.value(index, sub)) {
-            let text = format!(
-                "there is no constant for `{value}`, which is no number of this object on every node"
-            );
+            let text = format!("no constant for `{value}`, which is not valid for this object on every node");
             self.notes.push(Note::new(Place::entry(index, sub), text));
         }
         is_decoded
@@ -173,7 +171,7 @@ impl Found<'_> {
             .map(|consumer| (consumer.node_id, consumer.time))
             .collect();
         if !consumers.is_empty() {
-            let meaning = "The nodes whose heartbeat is waited for, and how long in milliseconds";
+            let meaning = "The monitored nodes and their heartbeat times in milliseconds";
             self.put((0x1016, 0), "heartbeat_consumers", meaning, ConstantValue::Consumers(consumers));
         }
     }

@@ -64,7 +64,7 @@ impl<'a> Dictionary<'a> {
         if modular && device.node_id().is_none() {
             let text = "objects that modules bring are no part of the table";
             let note = Note::new(Part::SupportedModules, text);
-            notes.push(note.help("generate from the DCF of a node, where they stand as ordinary objects"));
+            notes.push(note.help("generate from the DCF of a node, which has them as ordinary objects"));
         }
         let is_there = |&&Address { index, sub }: &&Address| {
             let object = device.objects.get(&index);
@@ -72,7 +72,7 @@ impl<'a> Dictionary<'a> {
         };
         for &Address { index, sub } in options.renamed.keys().filter(|at| !is_there(at)) {
             let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
-            notes.push(Note::new(place, "there is nothing to rename"));
+            notes.push(Note::new(place, "no entry to rename"));
         }
         if !errors.is_empty() {
             return Err(GenerateError::Inexpressible(in_order(errors)));
@@ -108,7 +108,7 @@ fn resolve<'a>(
         }
     }
     if described == 0 {
-        let note = Note::new(Place::object(index), "an object without entries is left out");
+        let note = Note::new(Place::object(index), "an object without entries is omitted");
         resolver.notes.push(note);
     }
     (!entries.is_empty()).then_some(ResolvedObject {
@@ -125,7 +125,7 @@ fn compact_misfits(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
     let data_type = object.main.data_type.unwrap_or(crate::model::DataType(0));
     resolver.misfits(&Place::object(index), &object.main, data_type);
     for misfit in compact.misfits.iter() {
-        let text = format!("`{}` is no value of {data_type}; the default is used", misfit.text);
+        let text = format!("`{}` is not a valid {data_type}; the default is used", misfit.text);
         let place = Place::of(Part::CompactValues(index)).field(misfit.field.clone());
         resolver.notes.push(Note::new(place, text));
     }

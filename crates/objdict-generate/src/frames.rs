@@ -77,12 +77,12 @@ pub(crate) fn frames(device: &Device, table: &Table, notes: &mut Vec<Note>) -> V
 fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
     let place = Place::object(pdo.mapping_index());
     if pdo.is_multiplexed() {
-        notes.push(Note::new(place, format!("{pdo} is multiplexed and has no struct")));
+        notes.push(Note::new(place, format!("{pdo} is multiplexed, so it has no struct")));
         return None;
     }
     let bits = pdo.bit_length();
     if bits > MAX_BITS {
-        let text = format!("{pdo} carries {bits} bits, a frame has 64; it has no struct");
+        let text = format!("{pdo} maps {bits} bits, but a frame has 64; it has no struct");
         notes.push(Note::new(place, text));
         return None;
     }
@@ -95,7 +95,7 @@ fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
             let place = Place::entry(pdo.mapping_index(), slot.sub);
             match field(object, first, table, &mut scope) {
                 Ok(field) => fields.push(field),
-                Err(why) => notes.push(Note::new(place, format!("{object} is no field of {pdo}: {why}"))),
+                Err(why) => notes.push(Note::new(place, format!("{object} is not a field of {pdo}: {why}"))),
             }
         }
         first += u32::from(object.bits);
@@ -121,7 +121,7 @@ fn field(
 ) -> Result<FrameField, &'static str> {
     let key = (object.index, object.sub);
     let row = table.rows.binary_search_by_key(&key, |row| (row.index, row.sub));
-    let row = row.map_err(|_| "there is no such entry")?;
+    let row = row.map_err(|_| "the entry does not exist")?;
     let (carried, bits) = carried(&table.rows[row].resolved, u32::from(object.bits))?;
     let name = name_of(table, &table.rows[row]);
     let name = scope.claim(&words(&name), format_args!("{:04x}_{:02x}", object.index, object.sub));
@@ -137,7 +137,7 @@ fn carried(resolved: &Resolved, bits: u32) -> Result<(Carried, u32), &'static st
             let is_whole =
                 !matches!(data_type.kind(), TypeKind::Boolean | TypeKind::Signed(_) | TypeKind::Unsigned(_));
             if is_whole && bits < size {
-                return Err("a part of such a value means nothing");
+                return Err("a part of such a value has no meaning");
             }
             let own = if data_type.kind() == TypeKind::Boolean { 1 } else { size };
             Ok((Carried::Number(data_type), bits.min(own)))
@@ -234,14 +234,14 @@ mod tests {
         assert_eq!(
             notes,
             [
-                "0x1A00sub2: 2002h:00, 16 bits is no field of TPDO 1: a part of such a value means nothing",
-                "0x1A00sub3: 2009h:00, 8 bits is no field of TPDO 1: there is no such entry",
-                "0x1A00sub4: 2003h:00, 4 bits is no field of TPDO 1: it ends within a byte",
+                "0x1A00sub2: 2002h:00, 16 bits is not a field of TPDO 1: a part of such a value has no meaning",
+                "0x1A00sub3: 2009h:00, 8 bits is not a field of TPDO 1: the entry does not exist",
+                "0x1A00sub4: 2003h:00, 4 bits is not a field of TPDO 1: it ends within a byte",
             ]
         );
         let (frames, notes) = frames_of(&[0x2003_0040, 0x2001_0010]);
         assert!(frames.is_empty());
-        assert_eq!(notes[0].message, "TPDO 1 carries 80 bits, a frame has 64; it has no struct");
+        assert_eq!(notes[0].message, "TPDO 1 maps 80 bits, but a frame has 64; it has no struct");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::model::{Address, Device, Place};
 /// More bytes than one expects on a stack.
 const LONG: usize = 256;
 
-/// Marks the rows that somebody asked for; notes what is not there, and what a hook cannot change.
+/// Marks the requested rows; notes missing entries, and values that a hook cannot change.
 pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
     if options.hooks.is_empty() {
         return;
@@ -28,9 +28,9 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
             device.objects.get(&index).is_some_and(|object| sub.is_none_or(|sub| object.has(sub)));
         let text = match (rows, is_described) {
             (0, true) => "the table has nothing here that a hook could be called for",
-            (0, false) => "there is nothing that a hook could be called for",
+            (0, false) => "no entry to call a hook for",
             _ if rows == constants => {
-                "the value is in flash: a hook is called before it is read, and cannot change it"
+                "the value is in flash: the hook is called before a read, but cannot change it"
             }
             _ => continue,
         };
@@ -39,7 +39,7 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
     let long = table.rows.iter().filter(|row| row.hooked && element_size(row.resolved.shape) > LONG);
     let long = long.filter(|row| row.slot.is_some() && row.access().is_writable()).map(|row| {
         let text = format!(
-            "{} bytes on the stack keep the old value while a hook looks at the new one",
+            "{} bytes on the stack hold the old value while a hook checks the new one",
             element_size(row.resolved.shape)
         );
         Note::new(Place::entry(row.index, row.sub), text)

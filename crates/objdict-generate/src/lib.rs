@@ -186,7 +186,7 @@ impl fmt::Debug for Target {
 pub struct OutputFile {
     /// The path below the output folder, with `/` between folders.
     pub path: String,
-    /// What stands in it.
+    /// Its content.
     pub contents: Vec<u8>,
 }
 
@@ -202,7 +202,7 @@ pub struct Generated {
 /// Something of the description that a target cannot express.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
     /// What happened to it: lower case, offending text in backticks, no full stop.
     pub message: String,
@@ -210,7 +210,7 @@ pub struct Note {
     pub help: Option<Cow<'static, str>>,
     /// The other places that it holds for, in ascending order; the message counts them.
     pub also: Vec<Place>,
-    /// How grave it is: a warning says that the files do not work as they are, a note what is not in them.
+    /// Its severity: a warning means that the files do not work as they are, a note that something is omitted.
     pub severity: Severity,
 }
 
@@ -255,23 +255,23 @@ impl fmt::Display for Note {
 #[non_exhaustive]
 pub enum GenerateError {
     /// No target has this name.
-    #[error("`{name}` is no target; known are {}", known_targets())]
+    #[error("unknown target `{name}`; the targets are {}", known_targets())]
     UnknownTarget {
         /// The name.
         name: String,
     },
-    /// The node-ID is none.
-    #[error("`{node_id}` is no node-ID; node-IDs are 1 to 127")]
+    /// The node-ID is not valid.
+    #[error("`{node_id}` is not a node-ID from 1 to 127")]
     NodeId {
         /// The number.
         node_id: u8,
     },
-    /// What stands before identifiers is none.
+    /// The prefix is not a valid identifier.
     #[error(
-        "`{text}` is no identifier of at most 16 letters for `{option}`: write letters, digits and single `_`"
+        "`{text}` is not an identifier of at most 16 characters for `{option}`: use letters, digits and single `_`"
     )]
     Identifier {
-        /// The option, as the command line has it behind `--`.
+        /// The option, as after `--` on the command line.
         option: &'static str,
         /// The text.
         text: String,
@@ -396,7 +396,7 @@ mod tests {
             assert_eq!(names.iter().filter(|other| *other == name).count(), 1, "{name}");
         }
         let error = Target::named("cobol").map(Target::name).map_err(|error| error.to_string());
-        let expected = "`cobol` is no target; known are `rust`, `c`";
+        let expected = "unknown target `cobol`; the targets are `rust`, `c`";
         assert!(error.is_err_and(|error| error.starts_with(expected)));
     }
 }

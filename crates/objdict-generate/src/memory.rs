@@ -1,4 +1,4 @@
-//! What C makes of types and variables on the processor that sizes are worked out for, and the sum of it by object.
+//! What C makes of types and variables on the processor that sizes are computed for, and the sum of it by object.
 //!
 //! The processor is one of 32 bits, as a Cortex-M with the compiler arm-none-eabi-gcc: pointers have 4 bytes, numbers are
 //! aligned to their size (8 bytes at most), an enumeration is as short as its numbers allow. A variable that begins with

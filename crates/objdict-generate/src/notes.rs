@@ -33,7 +33,7 @@ pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
     let counted = kept.into_iter().map(|(mut note, more)| {
         if !more.is_empty() {
             let entries = counted(more.len(), "more entry", "more entries");
-            note.message = format!("{}; so for {entries} of the object", note.message);
+            note.message = format!("{}; also for {entries} of the object", note.message);
             note.also.extend(more);
         }
         note
@@ -63,7 +63,7 @@ pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
         let indexes: Vec<u16> = note.also.iter().filter_map(index_of).collect();
         let same = indexes.iter().all(|&index| index_of(&note.place) == Some(index));
         let of = if same { "of the object".to_owned() } else { format!("({})", ranges(&indexes)) };
-        note.message = format!("{}; so for {entries} {of}", note.message);
+        note.message = format!("{}; also for {entries} {of}", note.message);
     }
     kept
 }
@@ -106,14 +106,14 @@ mod tests {
         assert_eq!(per_object.len(), 3);
         assert_eq!(
             per_object[0].to_string(),
-            "0x1400sub1: the stack has no room; so for 1 more entry of the object"
+            "0x1400sub1: the stack has no room; also for 1 more entry of the object"
         );
         assert_eq!(per_object[0].also, [Place::entry(0x1400, 2)]);
         let per_device = once_per_device(notes);
         assert_eq!(per_device.len(), 1);
         assert_eq!(
             per_device[0].message,
-            "the stack has no room; so for 3 more entries (1400h to 1401h, 1A00h)"
+            "the stack has no room; also for 3 more entries (1400h to 1401h, 1A00h)"
         );
         assert_eq!(per_device[0].places().count(), 4);
         let many: Vec<Note> = (0..20).map(|number| at(0x2000 + 2 * number, 0)).collect();

@@ -13,7 +13,7 @@ use crate::model::{Address, Device};
 ///
 /// * Its first paragraph is what `--help` shows; the others are only for the documentation of the library.
 /// * The name of its [`Choice`], and the one that stands behind `--`.
-/// * `field`: where [`Options`] keep it, the type, and what it is when nobody says anything.
+/// * `field`: where [`Options`] keep it, the type, and its default.
 /// * `argument`: the type of what the command line gives, which [`OptionField::put`] takes value by value (a `bool` turns the
 ///   field over), and what clap has to know.
 /// * `method`: that of the builder, with the value that [`OptionField::put`] takes.
@@ -159,7 +159,7 @@ macro_rules! declare {
             $(needs: $feature:tt,)?
         }
     )+) => {
-        /// What the user may decide. Not every target has a use for every choice; [`super::generate`] tells of each that has none.
+        /// The choices of the user. [`super::generate`] reports each choice that the target ignores.
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub struct Options {
             $(

@@ -41,15 +41,15 @@ pub fn renames(text: &str) -> Result<BTreeMap<Address, String>, ChoiceError> {
     for (key, name) in table {
         let on_line = |error: ChoiceError| ChoiceError { line: line_of(key.span().start), ..error };
         let no_address = |error: NoAddress| {
-            on_line(ChoiceError::new(format!("`{}` is no object; {error}", key.get_ref())))
+            on_line(ChoiceError::new(format!("`{}` is not an object; {error}", key.get_ref())))
         };
         let at: Address = key.get_ref().parse().map_err(no_address)?;
         if name.bytes().all(|byte| !byte.is_ascii_alphanumeric()) {
-            let message = format!("`{name}` has no letter or digit that an identifier could be made of");
+            let message = format!("`{name}` has no letter or digit for an identifier");
             return Err(on_line(ChoiceError::new(message)));
         }
         if names.insert(at, name).is_some() {
-            return Err(on_line(ChoiceError::new(format!("`{}` is named twice", key.get_ref()))));
+            return Err(on_line(ChoiceError::new(format!("`{}` is defined twice", key.get_ref()))));
         }
     }
     Ok(names)
@@ -60,7 +60,7 @@ impl FromStr for StorageGroup {
     type Err = ChoiceError;
 
     fn from_str(text: &str) -> Result<Self, ChoiceError> {
-        let no_group = || ChoiceError::new(format!("`{text}` is no group; write it as `2000-2FFF=NAME`"));
+        let no_group = || ChoiceError::new(format!("`{text}` is not a group; write it as `2000-2FFF=NAME`"));
         let (objects, name) = text.split_once('=').ok_or_else(no_group)?;
         let (first, last) = objects.split_once('-').unwrap_or((objects, objects));
         let index = |text: &str| match text.parse() {
@@ -81,11 +81,11 @@ impl StorageGroup {
         let is_word = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         if objects.is_empty() {
             let (first, last) = (objects.start(), objects.end());
-            return Err(ChoiceError::new(format!("there is no index from {first:X}h to {last:X}h")));
+            return Err(ChoiceError::new(format!("no index is in {first:X}h to {last:X}h")));
         }
         if !is_word || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
             let message =
-                format!("`{name}` is no name of a group: write a letter, then letters, digits and `_`");
+                format!("`{name}` is not a group name: write a letter, then letters, digits and `_`");
             return Err(ChoiceError::new(message));
         }
         Ok(Self { objects, name: name.to_owned() })

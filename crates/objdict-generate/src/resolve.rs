@@ -74,7 +74,7 @@ impl<'a> Resolver<'a> {
         let place = Place::entry(index, sub);
         let object_type = entry.object_type.unwrap_or(ObjectType::Var);
         if object_type == ObjectType::Null {
-            self.notes.push(Note::new(place, "an object of type NULL has no data and is left out"));
+            self.notes.push(Note::new(place, "an object of type NULL has no data and is omitted"));
             return None;
         }
         let data_type = self.data_type(object, &place, sub, entry)?;
@@ -87,8 +87,8 @@ impl<'a> Resolver<'a> {
                 let capacity = self.capacity(data_type, access, bytes.len(), entry);
                 if capacity == 0 && kind == TypeKind::Domain {
                     self.notes.push(
-                        Note::new(place.clone(), "a DOMAIN without default has no room in the table")
-                            .help("let the application transfer the data, or set a capacity for DOMAINs"),
+                        Note::new(place.clone(), "a DOMAIN without a default has no memory in the table")
+                            .help("transfer the data in the application, or set a capacity for DOMAINs"),
                     );
                 }
                 (Shape::Bytes(data_type, capacity), Datum::Bytes(bytes))
@@ -122,9 +122,9 @@ impl<'a> Resolver<'a> {
             let place = place.clone().field(Field::DataType);
             self.notes.push(match entry.misfits.get(&Field::DataType) {
                 Some(misfit) => {
-                    Note::new(place, format!("`{}` is no data type; the entry is left out", misfit.text))
+                    Note::new(place, format!("`{}` is not a data type; the entry is omitted", misfit.text))
                 }
-                None => Note::new(place, "an entry without data type is left out"),
+                None => Note::new(place, "an entry without a data type is omitted"),
             });
         }
         data_type
@@ -142,8 +142,10 @@ impl<'a> Resolver<'a> {
         }
         let place = place.clone().field(Field::AccessType);
         self.notes.push(match entry.misfits.get(&Field::AccessType) {
-            Some(misfit) => Note::new(place, format!("`{}` is no access type; `ro` is assumed", misfit.text)),
-            None => Note::new(place, "an entry without access type is assumed to be `ro`"),
+            Some(misfit) => {
+                Note::new(place, format!("`{}` is not an access type; `ro` is assumed", misfit.text))
+            }
+            None => Note::new(place, "an entry without an access type is assumed to be `ro`"),
         });
         Access::Ro
     }
@@ -151,14 +153,14 @@ impl<'a> Resolver<'a> {
     /// Notes the texts that stand where values should.
     pub(crate) fn misfits(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
         for (field, instead) in [
-            (Field::ParameterValue, "the default is used, zero or empty where there is none"),
+            (Field::ParameterValue, "the default is used, or zero or empty without one"),
             (Field::DefaultValue, "zero or empty is used"),
             (Field::LowLimit, "the limit is not enforced"),
             (Field::HighLimit, "the limit is not enforced"),
         ] {
             let ignored = field == Field::DefaultValue && entry.configured_value().is_some();
             if let (Some(misfit), false) = (entry.misfits.get(&field), ignored) {
-                let text = format!("`{}` is no value of {data_type}; {instead}", misfit.text);
+                let text = format!("`{}` is not a valid {data_type}; {instead}", misfit.text);
                 self.notes.push(Note::new(place.clone().field(field), text));
             }
         }
@@ -177,7 +179,7 @@ impl<'a> Resolver<'a> {
         }
         let word = word(value, data_type);
         if word.is_none() {
-            self.errors.push(Note::new(place, format!("`{value}` is no value of {data_type}")));
+            self.errors.push(Note::new(place, format!("`{value}` is not a valid {data_type}")));
         }
         word.map(Datum::Word)
     }
@@ -191,10 +193,13 @@ impl<'a> Resolver<'a> {
         match value.to_bytes(data_type) {
             Some(bytes) if bytes.len() <= LONGEST_VALUE => return bytes,
             Some(bytes) => {
-                let text = format!("a value of {} bytes; a table holds {LONGEST_VALUE} at most", bytes.len());
+                let text = format!(
+                    "the value has {} bytes, but a table supports at most {LONGEST_VALUE}",
+                    bytes.len()
+                );
                 self.errors.push(Note::new(place, text));
             }
-            None => self.errors.push(Note::new(place, format!("`{value}` is no value of {data_type}"))),
+            None => self.errors.push(Note::new(place, format!("`{value}` is not a valid {data_type}"))),
         }
         Vec::new()
     }
@@ -224,8 +229,7 @@ impl<'a> Resolver<'a> {
         let bits = definition.and_then(|object| object.entry(0)?.value()?.as_integer());
         let length = bits.and_then(|bits| u16::try_from((bits + 7) / 8).ok()).filter(|&length| length > 0);
         if length.is_none() {
-            let text =
-                format!("the length of the data type `{data_type}` is not known; the entry is left out");
+            let text = format!("the length of the data type `{data_type}` is unknown; the entry is omitted");
             let note = Note::new(place.clone().field(Field::DataType), text);
             self.notes.push(note.help("describe the type as a DEFTYPE whose value is its length in bits"));
         }
@@ -242,7 +246,7 @@ impl<'a> Resolver<'a> {
         let bytes =
             number.map(u128::to_le_bytes).filter(|bytes| bytes.iter().skip(length).all(|&byte| byte == 0));
         if let (None, Some(value)) = (bytes, entry.value()) {
-            let text = format!("`{value}` cannot be turned into {length} bytes; zeros are used");
+            let text = format!("`{value}` cannot be converted to {length} bytes; zeros are used");
             self.notes.push(Note::new(place.clone().field(value_field(entry)), text));
         }
         let mut block: Vec<u8> = bytes.into_iter().flatten().take(length).collect();
@@ -261,7 +265,7 @@ impl<'a> Resolver<'a> {
             let value = value?;
             let place = place.clone().field(field);
             if !data_type.is_numeric() {
-                let text = format!("values of {data_type} have no order; the limit is not enforced");
+                let text = format!("values of {data_type} are not ordered; the limit is not enforced");
                 self.notes.push(Note::new(place, text));
                 return None;
             }

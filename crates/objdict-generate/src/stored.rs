@@ -1,6 +1,6 @@
 //! Storage groups of the flat table: values that are kept together, in a struct of their own and with an image of it.
 //!
-//! Only groups that the description states or that somebody asked for count; what is in none stays in the struct of values.
+//! Only groups that the description states or that the user requested count; what is in none stays in the struct of values.
 //! An image is the layout (a hash, four bytes), the values and a CRC-16, all little-endian; docs/generate.md describes it.
 
 use std::collections::BTreeMap;
@@ -65,7 +65,7 @@ impl Members {
         }
         for group in &options.groups {
             if !dictionary.objects.iter().any(|object| group.objects.contains(&object.index)) {
-                let text = format!("there is no object in the group `{}` from here on", group.name);
+                let text = format!("the group `{}` contains no object from here on", group.name);
                 members.notes.push(Note::new(Place::object(*group.objects.start()), text));
             }
         }
@@ -172,9 +172,10 @@ fn is_fact(row: &Row) -> bool {
 }
 
 fn of_the_firmware(index: u16, group: &str) -> Note {
-    let text =
-        format!("facts about the firmware are saved with `{group}`: an older image brings older ones back");
-    Note::new(Place::object(index), text).help("make them `const`, so that they stay in flash")
+    let text = format!(
+        "the firmware version is saved with `{group}`: loading an older image restores the older one"
+    );
+    Note::new(Place::object(index), text).help("make these entries `const` to keep them in flash")
 }
 
 #[cfg(test)]

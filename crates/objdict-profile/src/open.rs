@@ -1,4 +1,4 @@
-//! A profile that somebody names: by its number, or by the path of a file.
+//! Opens a profile by its number or by the path of its file.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::{Profile, ProfileError, named, standard};
 use crate::source::{SourceError, SourceFile, SourceOptions};
 
-/// Why there is no profile of a name.
+/// Why a profile cannot be opened.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OpenError {
-    /// It is no document that comes with the program, and no file.
-    #[error("there is no profile `{name}`")]
+    /// Neither a built-in profile nor a file.
+    #[error("unknown profile `{name}`")]
     Unknown {
         /// The name.
         name: String,
@@ -19,8 +19,8 @@ pub enum OpenError {
     /// The file cannot be opened.
     #[error(transparent)]
     Source(#[from] SourceError),
-    /// The file is no profile.
-    #[error("`{}` is no profile: {error}", source_file.name())]
+    /// The file is not a valid profile.
+    #[error("`{}` is not a valid profile: {error}", source_file.name())]
     Invalid {
         /// The file.
         source_file: Box<SourceFile>,
@@ -34,7 +34,7 @@ impl OpenError {
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Unknown { .. } => Some(format!(
-                "it is one of {}, or the file of a profile such as `our-drives.toml`",
+                "write one of {}, or the path of a profile such as `our-drives.toml`",
                 numbers()
             )),
             Self::Source(_) => None,
@@ -58,7 +58,7 @@ impl Profile {
 /// The profile of a number such as `401` or `CiA 401`, or that of a file with a path from `folder` on.
 ///
 /// # Errors
-/// When there is none of this name, or the file cannot be read or is no profile.
+/// If there is no profile of this name, or the file cannot be read or is not a valid profile.
 pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
     if let Some(profile) = named(name) {
         return Ok(Arc::new(profile.clone()));

@@ -12,7 +12,7 @@ const PDOS: u16 = 4;
 /// Entries that a PDO may map (`MAX_PDO_MAPPING`).
 const MAPPED: u64 = 8;
 
-/// Takes out what the crate has no value for; tells of that, and of what is not as it is described.
+/// Removes values that the crate does not support, and reports them and every deviation from the description.
 pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
     let mut notes = Vec::new();
     for object in &mut dictionary.objects {
@@ -25,7 +25,7 @@ pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
     dictionary.objects.retain(|object| !object.entries.is_empty());
     let mapping = |index: &u16| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
     if dictionary.objects.iter().any(|object| mapping(&object.index)) {
-        let text = "PDOs may map every entry of the table: the crate does not know `PDOMapping`";
+        let text = "PDOs may map every entry of the table: the crate ignores `PDOMapping`";
         notes.push(Note::new(Place::device(), text));
     }
     for object in &dictionary.objects {
@@ -43,7 +43,7 @@ fn fits(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) -> bool {
     if length <= usize::from(ROOM) {
         return true;
     }
-    let text = format!("a value of {length} bytes is left out: the crate holds {ROOM} at most");
+    let text = format!("a value of {length} bytes is omitted: the crate supports at most {ROOM}");
     notes.push(Note::new(Place::entry(index, entry.sub), text));
     false
 }
@@ -59,11 +59,13 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     if let Shape::Bytes(_, room) = resolved.shape
         && room > ROOM
     {
-        notes
-            .push(Note::new(place(), format!("room for {ROOM} bytes where the description asks for {room}")));
+        notes.push(Note::new(
+            place(),
+            format!("the capacity is {ROOM} bytes, but the description requires {room}"),
+        ));
     }
     if resolved.low.is_some() || resolved.high.is_some() {
-        notes.push(Note::new(place(), "limits are not enforced: the crate has none"));
+        notes.push(Note::new(place(), "limits are not enforced: the crate does not support them"));
     }
 }
 
@@ -71,14 +73,14 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
 fn held_as_octets(shape: Shape) -> Option<String> {
     match shape {
         Shape::Word(data_type) if !is_modelled(data_type) => {
-            Some(format!("{data_type} is held as an octet string of {}", bytes(shape.size())))
+            Some(format!("{data_type} is stored as an octet string of {}", bytes(shape.size())))
         }
         Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
             Some("UNICODE_STRING is held as an octet string".to_owned())
         }
         Shape::Block(length) => {
             let length = bytes(length.into());
-            Some(format!("a type of the device's own is held as an octet string of {length}"))
+            Some(format!("a device-specific type is stored as an octet string of {length}"))
         }
         Shape::Word(_) | Shape::Bytes(..) => None,
     }
@@ -106,7 +108,7 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
         _ => return,
     };
     if number >= PDOS {
-        let text = format!("the crate's node serves PDO 1 to {PDOS} only");
+        let text = format!("the node of the crate serves only PDO 1 to {PDOS}");
         notes.push(Note::new(Place::object(index), text));
         return;
     }
@@ -117,13 +119,13 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     if is_mapping {
         let count = object.entries.iter().find(|entry| entry.sub == 0).and_then(word).unwrap_or(0);
         if count > MAPPED {
-            let text = format!("the crate's node maps {MAPPED} entries to a PDO at most, not {count}");
+            let text = format!("the node of the crate maps at most {MAPPED} entries to a PDO, not {count}");
             notes.push(Note::new(Place::entry(index, 0), text));
         }
         let mapped = object.entries.iter().filter(|entry| entry.sub > 0 && u64::from(entry.sub) <= count);
         for entry in mapped {
             if let Some(bits) = word(entry).map(|word| word & 0xFF).filter(|bits| !bits.is_multiple_of(8)) {
-                let text = format!("the crate's node packs whole bytes only, not {bits} bits");
+                let text = format!("the node of the crate packs only whole bytes, not {bits} bits");
                 notes.push(Note::new(Place::entry(index, entry.sub), text));
             }
         }
@@ -132,11 +134,11 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     for entry in &object.entries {
         let text = match (entry.sub, &entry.resolved.default) {
             (1, Datum::Word(cob_id) | Datum::Formula(cob_id)) if cob_id & 0x2000_0000 != 0 => {
-                "the crate's node knows CAN-IDs of 11 bits only"
+                "the node of the crate supports only 11-bit CAN-IDs"
             }
-            (3, Datum::Word(time)) if *time != 0 => "the crate's node keeps no inhibit time",
-            (5, Datum::Word(time)) if *time != 0 => "the crate's node keeps no event timer",
-            (6, Datum::Word(start)) if *start != 0 => "the crate's node knows no SYNC start value",
+            (3, Datum::Word(time)) if *time != 0 => "the node of the crate ignores the inhibit time",
+            (5, Datum::Word(time)) if *time != 0 => "the node of the crate ignores the event timer",
+            (6, Datum::Word(start)) if *start != 0 => "the node of the crate ignores the SYNC start value",
             _ => continue,
         };
         notes.push(Note::new(Place::entry(index, entry.sub), text));

@@ -89,7 +89,7 @@ impl Od {
     }
 }
 
-/// The crate does not tell by the access whether an RPDO or a TPDO may carry the entry.
+/// The crate does not derive from the access whether an RPDO or a TPDO may carry the entry.
 fn access(access: Access) -> &'static str {
     match access {
         Access::Ro => "Ro",

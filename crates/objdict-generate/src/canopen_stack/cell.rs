@@ -71,8 +71,7 @@ impl Planner<'_> {
     fn object(&mut self, object: &ResolvedObject<'_>) -> Vec<Planned> {
         let whole = object_fits(object);
         if !whole {
-            let text =
-                "not all entries are as the stack wants them; plain numbers, which the stack does not act on";
+            let text = "not all entries have the form that the stack expects; they are plain numbers, which the stack ignores";
             self.notes.push(Note::new(Place::object(object.index), text));
         }
         object.entries.iter().map(|entry| self.entry(object, entry, whole)).collect()
@@ -87,7 +86,7 @@ impl Planner<'_> {
             if fits(special, resolved) {
                 return self.special(object, entry, special);
             }
-            let text = format!("the stack wants {} here; it does not act on the entry", special.wants);
+            let text = format!("the stack expects {} here and ignores the entry", special.wants);
             self.notes.push(Note::new(place.clone(), text));
         }
         let type_ = match resolved.shape {
@@ -116,7 +115,7 @@ impl Planner<'_> {
         match special.data {
             Data::Consumer | Data::Group => {
                 if matches!(entry.resolved.default, Datum::Formula(_)) {
-                    let text = "the stack does not add the node-ID here; it is left out";
+                    let text = "the stack does not add the node-ID here; it is omitted";
                     self.notes.push(Note::new(place.clone(), text));
                 }
                 if special.data == Data::Group {
@@ -125,7 +124,7 @@ impl Planner<'_> {
                 }
                 let [low, high, node_id, rest, ..] = word.to_le_bytes();
                 if rest != 0 {
-                    let text = format!("`{word:#010X}`: the stack does not keep bits 24 to 31");
+                    let text = format!("`{word:#010X}`: the stack drops bits 24 to 31");
                     self.notes.push(Note::new(place, text));
                 }
                 let cell = Cell::Consumer { time: u16::from_le_bytes([low, high]), node_id };
@@ -162,7 +161,8 @@ impl Planner<'_> {
         let (c_type, value) = match (exact_type(data_type), number(word, data_type)) {
             (Some(c_type), Some(value)) => (c_type, value),
             _ => {
-                let text = "C cannot write a default that is no finite number; the variable holds its bits";
+                let text =
+                    "C has no literal for a default that is not finite; the variable contains its bits";
                 self.notes.push(Note::new(place.clone(), text));
                 ("uint32_t", format!("0x{pattern:08X}u"))
             }
@@ -198,10 +198,10 @@ impl Planner<'_> {
         let size = resolved.shape.size().min(LONGEST_VALUE);
         if let Datum::Formula(_) = resolved.default {
             let added = match self.node_id {
-                Some(node_id) => format!("{node_id} is added once and for all"),
+                Some(node_id) => format!("the constant node-ID {node_id} is added"),
                 None => "nothing is added".to_owned(),
             };
-            let text = format!("the stack adds the node-ID to values of 8, 16 and 32 bits only; {added}");
+            let text = format!("the stack adds the node-ID only to values of 8, 16 and 32 bits; {added}");
             self.notes.push(Note::new(place.clone(), text));
         }
         let word = match resolved.default {

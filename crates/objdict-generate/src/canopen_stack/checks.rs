@@ -34,27 +34,27 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
         _ => None,
     };
     if let (Some(field), true) = (limit, resolved.access.is_writable()) {
-        notes.push(Note::new(place().field(field), "the stack does not keep limits"));
+        notes.push(Note::new(place().field(field), "the stack does not enforce limits"));
     }
     let both = resolved.access.is_readable() && resolved.access.is_writable();
     if both && resolved.tpdo != resolved.rpdo {
         let kind = if resolved.tpdo { PdoKind::Rpdo } else { PdoKind::Tpdo };
         let text =
-            format!("the stack lets {kind}s carry the entry too: its row has one flag for both directions");
+            format!("the stack also allows the entry in {kind}s: its row has one flag for both directions");
         notes.push(Note::new(place(), text));
     }
     if (resolved.tpdo || resolved.rpdo) && !matches!(resolved.shape.size(), 1 | 2 | 4) {
-        let text = "PDOs of the stack carry values of 1, 2 and 4 bytes; of others only what the application does in `COTpdoReadData` and `CORpdoWriteData`";
+        let text = "PDOs of the stack carry values of 1, 2 and 4 bytes; the application transfers others in `COTpdoReadData` and `CORpdoWriteData`";
         notes.push(Note::new(place(), text));
     }
     if index == 0x1003 && entry.sub > 0 && resolved.default != Datum::Word(0) {
-        notes.push(Note::new(place(), "the error history is empty when the stack begins"));
+        notes.push(Note::new(place(), "the error history is empty when the stack starts"));
     }
     if (0x1800..=0x19FF).contains(&index) && entry.sub == 6 {
-        notes.push(Note::new(place(), "the stack does not act on the SYNC start value"));
+        notes.push(Note::new(place(), "the stack ignores the SYNC start value"));
     }
     if resolved.access == Access::Wo && index == 0x1003 {
-        notes.push(Note::new(place(), "the stack reads the entry although it can only be written"));
+        notes.push(Note::new(place(), "an SDO can read the entry although it is write-only"));
     }
 }
 
@@ -70,19 +70,19 @@ fn communication(pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
     match pdo.cob_id {
         Some(id) if id.is_valid() => {
             if id.is_extended() {
-                say(1, "the stack has no PDOs with 29 bits of CAN-ID", None);
+                say(1, "the stack does not support 29-bit CAN-IDs for PDOs", None);
             }
             if pdo.kind == PdoKind::Tpdo && !id.bit_30() {
                 let text = "the stack does not transmit a TPDO whose COB-ID has bit 30 clear (RTR allowed)";
-                let help = "write `$NODEID+0x40000180` and the like";
+                let help = "set bit 30, as in `$NODEID+0x40000180`";
                 say(1, text, Some(help));
             }
         }
         Some(_) => {}
-        None => say(1, "without a COB-ID the stack does not run the PDO", None),
+        None => say(1, "the stack ignores a PDO without a COB-ID", None),
     }
     match pdo.transmission_type {
-        None => say(2, "without a transmission type the stack does not run the PDO", None),
+        None => say(2, "the stack ignores a PDO without a transmission type", None),
         Some(252 | 253) => say(2, "the stack does not answer RTR frames", None),
         Some(_) => {}
     }
@@ -91,12 +91,12 @@ fn communication(pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
 fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
     let index = pdo.mapping_index();
     if pdo.mapping.is_none() {
-        let text = "without its mapping the stack does not run the PDO";
+        let text = "the stack ignores a PDO without a mapping";
         notes.push(Note::new(Place::object(pdo.communication_index()), text));
         return;
     }
     if pdo.is_multiplexed() || pdo.mapped_count.is_some_and(|count| count > 8) {
-        let text = "the stack maps 8 objects at most, and no multiplexed PDOs";
+        let text = "the stack maps at most 8 objects and does not support multiplexed PDOs";
         notes.push(Note::new(Place::entry(index, 0), text));
     }
     for slot in pdo.used_slots() {
@@ -106,9 +106,9 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
         } else if mapped.is_dummy() && pdo.kind == PdoKind::Rpdo && (2..=7).contains(&mapped.index) {
             continue;
         } else if mapped.is_dummy() {
-            "the stack has no such dummy"
+            "the stack does not support this dummy entry"
         } else if !has(dictionary, mapped.index, mapped.sub) {
-            "the stack does not run a PDO whose mapping names an entry that there is not"
+            "the stack ignores a PDO that maps a missing entry"
         } else {
             continue;
         };
@@ -125,7 +125,7 @@ fn has(dictionary: &Dictionary<'_>, index: u16, sub: u8) -> bool {
 fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let device = |text: &str| Note::new(Part::Device, text.to_owned());
     if !has(dictionary, 0x1001, 0) {
-        notes.push(device("without 1001h the stack reports an error when it begins, and sends no EMCY"));
+        notes.push(device("without 1001h the stack reports an error when it starts, and sends no EMCY"));
     }
     if !has(dictionary, 0x1014, 0) {
         notes.push(device("without 1014h the stack sends no EMCY"));
@@ -135,17 +135,17 @@ fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
         notes.push(note.help("describe 1200h, `ro`, with `$NODEID+0x600` and `$NODEID+0x580`"));
     }
     if rows > MOST_ROWS {
-        notes.push(device(&format!("{rows} rows; the stack counts {MOST_ROWS} at most")));
+        notes.push(device(&format!("{rows} rows, but the stack supports at most {MOST_ROWS}")));
     }
     // the stack does not initialise the first row, which does not matter for plain values
     let first = dictionary.objects.first().map(|object| object.index);
     let special = |index: &u16| *index >= 0x1003 && super::special::special(*index, 0, false).is_some();
     if let Some(first) = first.filter(special) {
-        let text =
-            "the stack does not initialise the first object of a dictionary; 1000h must come before it";
+        let text = "the stack does not initialise the first object of a dictionary; 1000h must precede it";
         notes.push(Note::new(Place::object(first), text));
     }
     if has(dictionary, 0, 0) {
-        notes.push(Note::new(Place::entry(0, 0), "the stack takes index 0 for the end of the dictionary"));
+        notes
+            .push(Note::new(Place::entry(0, 0), "the stack interprets index 0 as the end of the dictionary"));
     }
 }

@@ -116,7 +116,7 @@ fn groups(
     let names: BTreeSet<&String> = groups.iter().flatten().collect();
     if subs.is_some_and(|subs| subs.count() == 1) && names.len() > 1 {
         let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
-        let text = format!("there is only sub-index 1, so the groups {} are stored as one", names.join(", "));
+        let text = format!("only sub-index 1 exists, so the groups {} are stored as one", names.join(", "));
         notes.push(Note::new(Place::object(STORE), text));
         groups.iter_mut().flatten().for_each(|group| *group = "stored".to_owned());
     }
@@ -188,7 +188,7 @@ impl Layout {
         let last = variable.array.then(|| object.entries[variable.entries.end - 1].sub);
         let stored = group.filter(|_| variable.kind.stored);
         if group.is_some() && !variable.kind.stored && variable.kind.base == "CO_HBCONS" {
-            let text = "heartbeat consumers are objects of the stack and no part of a storage group";
+            let text = "heartbeat consumers are objects of the stack and not part of a storage group";
             notes.push(Note::new(Place::object(object.index), text));
         }
         let group = stored.and_then(|name| self.groups.iter_mut().find(|group| group.name == name));

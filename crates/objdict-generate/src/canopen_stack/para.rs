@@ -37,8 +37,8 @@ impl Parameters {
         if store.is_empty() {
             missing(&layout.groups, notes);
         } else if layout.groups.is_empty() {
-            let note = Note::new(Place::object(STORE), "there is no storage group, so nothing is stored");
-            notes.push(note.help("name one with `--group 2000-2FFF=NAME`"));
+            let note = Note::new(Place::object(STORE), "without a storage group nothing is stored");
+            notes.push(note.help("define one with `--group 2000-2FFF=NAME`"));
         }
         let mut parameters = Self::default();
         for (rows, index) in [(&store, STORE), (&restore, RESTORE)] {
@@ -141,7 +141,8 @@ fn assign(groups: &[ParaGroup], count: u8, notes: &mut Vec<Note>) -> Vec<Option<
             }
         };
         if sub > count {
-            let text = format!("no sub-index is left for the group `{}`, so no SDO stores it", group.name);
+            let text =
+                format!("no sub-index is free for the group `{}`, so SDOs cannot store it", group.name);
             notes.push(Note::new(Place::object(STORE), text));
         }
         subs.push((sub <= count).then_some(sub));
@@ -151,7 +152,7 @@ fn assign(groups: &[ParaGroup], count: u8, notes: &mut Vec<Note>) -> Vec<Option<
 
 fn missing(groups: &[ParaGroup], notes: &mut Vec<Note>) {
     for group in groups {
-        let text = format!("there is no 1010h, so no SDO stores the group `{}`", group.name);
+        let text = format!("without 1010h SDOs cannot store the group `{}`", group.name);
         notes.push(Note::new(Place::object(group.first), text));
     }
 }
@@ -162,11 +163,12 @@ fn note_value(groups: &[ParaGroup], group: Option<usize>, row: &GroupRow, index:
     match group {
         Some(at) if row.value & 1 == 0 => {
             let what = if index == STORE { "stores" } else { "restores" };
-            let text = format!("its value has no bit 0, so no SDO {what} the group `{}`", groups[at].name);
+            let text =
+                format!("bit 0 of its value is clear, so no SDO {what} the group `{}`", groups[at].name);
             notes.push(Note::new(place, text));
         }
         _ if index == RESTORE && row.value > 1 => {
-            notes.push(Note::new(place, "the stack answers 1 or 0 and nothing else"));
+            notes.push(Note::new(place, "the stack answers only 1 or 0"));
         }
         _ => {}
     }

@@ -9,7 +9,7 @@ use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
 /// What is counted.
-const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code, the node specification and what is in the stack";
+const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code, the node specification and stack internals";
 
 /// Key, type and data of a row: `CO_OBJ`.
 fn row() -> Extent {

@@ -11,7 +11,7 @@ enum Holds {
     Elements(u16, usize),
     /// An object.
     Entry(u16),
-    /// What no object dictionary tells.
+    /// Facts that an object dictionary does not contain.
     Zero,
 }
 

@@ -19,7 +19,7 @@ pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
     name.map_or_else(|| by_index(object.index).to_owned(), identifier)
 }
 
-/// Communication parameters are stored; commands, states and what the application keeps are not, unless somebody says so.
+/// Communication parameters are stored by default; commands, states and application values are not.
 fn by_index(index: u16) -> &'static str {
     match index {
         0x1001..=0x1003 | 0x1010 | 0x1011 | 0x1020..=0x1027 | 0x1200 => "RAM",

@@ -37,7 +37,7 @@ pub(super) struct Limited {
     pub(super) real: bool,
 }
 
-/// The limits of an object, if they can be enforced; else notes tell of them.
+/// The limits of an object, if they can be enforced; otherwise notes report them.
 pub(super) fn limited(
     object: &Planned<'_>,
     position: usize,
@@ -61,13 +61,13 @@ pub(super) fn limited(
         let more = members.count();
         let more = match more {
             0 => String::new(),
-            more => format!("; so for {} of the object", counted(more, "more entry", "more entries")),
+            more => format!("; also for {} of the object", counted(more, "more entry", "more entries")),
         };
         notes.push(if of_stack {
-            Note::new(place, format!("the stack writes the object itself and keeps no limits{more}"))
+            Note::new(place, format!("the stack writes the object itself and does not enforce limits{more}"))
         } else {
-            Note::new(place, format!("the stack keeps no limits{more}"))
-                .help("use `--limits`, or let the application refuse the value")
+            Note::new(place, format!("the stack does not enforce limits{more}"))
+                .help("use `--limits`, or reject the value in the application")
         });
     }
     Vec::new()

@@ -20,8 +20,9 @@ pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
     for pdo in device.pdos() {
         let is_valid = pdo.cob_id.is_some_and(CobId::is_valid);
         if is_valid && pdo.mapping.is_some() && pdo.used_slots().next().is_none() {
-            let text =
-                format!("{pdo} maps nothing: the stack reports an error when it starts, and switches it off");
+            let text = format!(
+                "{pdo} maps nothing: the stack reports an error when it starts, and marks it not valid"
+            );
             let note = Note::new(Place::entry(pdo.communication_index(), 1), text);
             notes.push(note.help("set bit 31 of the COB-ID of a PDO that is not in use"));
         }
@@ -40,7 +41,7 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
         let stack = member.entry.entry.stack.as_deref();
         if stack.is_some_and(|stack| stack.detects_change == Some(true)) {
             let note = Note::new(place.clone(), "the tables have no room for `CO_flagsPDO`");
-            notes.push(note.help("let the application attach an extension and call `OD_requestTPDO`"));
+            notes.push(note.help("attach an extension in the application and call `OD_requestTPDO`"));
         }
     }
 }
@@ -66,9 +67,9 @@ fn text(member: &Member<'_>) -> Option<Note> {
     let note = |text: &str| Some(Note::new(Place::device(), text));
     match data_type {
         DataType::UNICODE_STRING => note(
-            "the SDO server of the stack ends a UNICODE_STRING at its first zero byte, which each character below U+0100 has",
+            "the SDO server of the stack truncates a UNICODE_STRING at its first zero byte, which each character below U+0100 has",
         ),
-        _ if bytes.contains(&0) => note("the SDO server of the stack ends a text at its first zero"),
+        _ if bytes.contains(&0) => note("the SDO server of the stack truncates a text at its first zero"),
         _ => None,
     }
 }
@@ -79,15 +80,15 @@ fn octets(member: &Member<'_>) -> Option<Note> {
     let access = member.entry.resolved.access;
     match member.storage.type_ {
         None if data_type != DataType::DOMAIN => Some(
-            Note::new(Place::device(), format!("a {data_type} without default has no room in the tables"))
-                .help("let the application attach an extension to the entry"),
+            Note::new(
+                Place::device(),
+                format!("a {data_type} without a default has no memory in the tables"),
+            )
+            .help("attach an extension to the entry in the application"),
         ),
         Some(_) if access.is_writable() && !is_text(data_type) => Some(Note::new(
             Place::device(),
-            format!(
-                "a {data_type} of the stack has always the same length, here {} bytes",
-                member.storage.length
-            ),
+            format!("a {data_type} of the stack has a fixed length, here {} bytes", member.storage.length),
         )),
         _ => None,
     }

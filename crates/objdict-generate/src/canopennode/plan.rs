@@ -85,8 +85,7 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     let place = Place::object(object.index);
     let mut entries: &[ResolvedEntry<'_>] = &object.entries;
     if let Some((last, others)) = entries.split_last().filter(|(_, others)| others.len() >= MOST_ENTRIES) {
-        let text =
-            format!("an object of the stack has {MOST_ENTRIES} entries at most; the entry is left out");
+        let text = format!("an object of the stack has at most {MOST_ENTRIES} entries; the entry is omitted");
         notes.push(Note::new(Place::entry(object.index, last.sub), text));
         entries = others;
     }
@@ -104,8 +103,8 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
                 None => Layout::Array(first, rest),
                 Some(why) => {
                     let note =
-                        Note::new(place, format!("the ARRAY becomes a record of the stack, for {why}"));
-                    notes.push(note.help("applications name its elements as members, not by a subscript"));
+                        Note::new(place, format!("the ARRAY becomes a record of the stack because {why}"));
+                    notes.push(note.help("access its elements as members, not by a subscript"));
                     Layout::Record(std::iter::once(first).chain(rest).collect())
                 }
             }
@@ -129,7 +128,7 @@ fn misfit(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
         return Some("it has no sub-index 0");
     }
     if sub0.entry.resolved.shape != Shape::Word(DataType::UNSIGNED8) {
-        return Some("its sub-index 0 is no UNSIGNED8");
+        return Some("its sub-index 0 is not UNSIGNED8");
     }
     let Some(first) = elements.first() else {
         return Some("it has no elements");

@@ -8,7 +8,7 @@ use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
 /// What is counted.
-const COUNTED: &str = "`OD.c` on a processor of 32 bits; without code and what is in the stack";
+const COUNTED: &str = "`OD.c` on a processor of 32 bits; without code and stack internals";
 
 /// Pointer, sub-index, attribute and length of an entry: `OD_obj_record_t`; `OD_obj_var_t` is as long.
 fn entry() -> Extent {

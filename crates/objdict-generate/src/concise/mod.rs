@@ -34,7 +34,7 @@ impl Backend for Concise {
     }
 
     fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("a concise DCF is no table of the firmware, but data for a manager"))
+        Ok(Sizes::Unknown("a concise DCF is not part of the firmware, but data for a manager"))
     }
 }
 
@@ -63,7 +63,7 @@ fn notes(plan: &Plan) -> Vec<Note> {
     if plan.steps.is_empty() {
         let note = Note::new(
             Place::device(),
-            "nothing is configured to another value than its default: the stream is empty",
+            "no entry is configured to a value other than its default: the stream is empty",
         );
         notes.push(note.help("set values in a DCF (`ParameterValue`)"));
     }

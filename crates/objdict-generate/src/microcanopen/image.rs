@@ -64,7 +64,7 @@ impl Image {
                     continue;
                 }
                 if resolved.low.is_some() || resolved.high.is_some() {
-                    notes.push(Note::new(place.clone(), "the stack does not keep limits"));
+                    notes.push(Note::new(place.clone(), "the stack does not enforce limits"));
                 }
                 if matches!(resolved.default, Datum::Formula(_)) {
                     let text = "the node-ID is added once, when the image is initialised, as `OD_NODE_ID`";

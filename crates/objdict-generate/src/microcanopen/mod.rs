@@ -46,7 +46,7 @@ impl Backend for MicroCanopen {
         let replies = replies::replies(&dictionary, &prefix, &mut notes);
         for (rows, what) in [(replies.len(), "SDO replies"), (image.entries.len(), "process data entries")] {
             if rows > MOST_ROWS {
-                let text = format!("{rows} {what}; the stack searches {MOST_ROWS} rows at most");
+                let text = format!("{rows} {what}, but the stack searches at most {MOST_ROWS} rows");
                 notes.push(Note::new(Part::Device, text));
             }
         }
@@ -80,7 +80,7 @@ fn image(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> (I
 
 /// What is counted.
 const COUNTED: &str =
-    "the tables with offsets of 16 bits, and the process image; without code and what is in the stack";
+    "the tables with offsets of 16 bits, and the process image; without code and stack internals";
 
 /// Bytes of an SDO reply.
 const REPLY: usize = 8;

@@ -42,31 +42,31 @@ pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image, notes: &mut 
 fn call(pdo: &Pdo<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Result<Option<Call>, (Place, String)> {
     let index = pdo.communication_index();
     let Some(id) = pdo.cob_id else {
-        return Err((Place::entry(index, 1), "there is no COB-ID".to_owned()));
+        return Err((Place::entry(index, 1), "the COB-ID is missing".to_owned()));
     };
     if !id.is_valid() {
         return Ok(None);
     }
     if pdo.number > MOST {
-        return Err((Place::object(index), format!("the stack has {MOST} PDOs of each direction")));
+        return Err((Place::object(index), format!("the stack supports {MOST} PDOs per direction")));
     }
     if id.is_extended() {
-        return Err((Place::entry(index, 1), "the stack has no CAN-IDs of 29 bits".to_owned()));
+        return Err((Place::entry(index, 1), "the stack does not support 29-bit CAN-IDs".to_owned()));
     }
     let mut say = |sub: u8, text: &str| notes.push(Note::new(Place::entry(index, sub), text));
     if pdo.transmission_type.is_some_and(|number| number < 254) {
-        say(2, "the stack knows neither SYNC nor RTR: it transmits by time and on change");
+        say(2, "the stack supports neither SYNC nor RTR: it transmits periodically and on change");
     }
     let (event, tenths) = (pdo.event_timer.unwrap_or(0), pdo.inhibit_time.unwrap_or(0));
     if tenths % 10 != 0 {
-        say(3, "the stack counts in milliseconds; the inhibit time is made longer");
+        say(3, "the stack counts in milliseconds; the inhibit time is rounded up");
     }
     let inhibit = tenths.div_ceil(10);
     if pdo.kind == PdoKind::Tpdo && event == 0 && inhibit == 0 {
         say(5, "without an event timer and an inhibit time the stack never transmits the PDO");
     }
     if pdo.kind == PdoKind::Rpdo && (event != 0 || inhibit != 0) {
-        say(5, "the stack has no times for RPDOs");
+        say(5, "the stack does not support times for RPDOs");
     }
     let (offset, length) = place(pdo, image)?;
     let base = id.number() & 0x7FF;
@@ -126,7 +126,7 @@ fn place(pdo: &Pdo<'_>, image: &mut Image) -> Result<(usize, usize), (Place, Str
         Some(offset) => Ok((offset, length)),
         None => {
             let text =
-                "another PDO carries the entry too, and in the process image it has one place".to_owned();
+                "another PDO also maps the entry, but it has only one place in the process image".to_owned();
             Err((at(sub), text))
         }
     }

@@ -33,7 +33,7 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
     let sub = entry.sub;
     let mut say = |text: &str| notes.push(Note::new(Place::entry(index, sub), text));
     if is_of_the_stack(index, sub) {
-        say("the stack serves the entry by itself");
+        say("the stack serves the entry itself");
         return None;
     }
     let length = match &resolved.default {
@@ -41,8 +41,9 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
         _ => resolved.shape.size(),
     };
     if !(1..=LONGEST).contains(&length) {
-        let text =
-            format!("a value of {length} bytes; the stack has 1 to {LONGEST}, so the entry is left out");
+        let text = format!(
+            "the value has {length} bytes, but the stack supports 1 to {LONGEST}; the entry is omitted"
+        );
         say(&text);
         return None;
     }
@@ -51,11 +52,11 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
         return None; // in the process image
     }
     if !resolved.access.is_readable() {
-        say("outside of the process image nothing can be written, so the entry is left out");
+        say("entries outside of the process image cannot be written; the entry is omitted");
         return None;
     }
     if resolved.access.is_writable() {
-        say("outside of the process image nothing can be written; an SDO reads the default");
+        say("entries outside of the process image cannot be written; an SDO reads the default");
     }
     let address = format!("0x{index:04X}, 0x{sub:02X}, {length}");
     Some(match &resolved.default {

@@ -54,7 +54,7 @@ fn entries(pdo: &Pdo<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<Strin
             Some(row) => row.address.clone(),
             None if mapped.is_dummy() => "NULL".to_owned(),
             None => {
-                let text = format!("`{mapped}` is no entry of the dictionary; its address is NULL");
+                let text = format!("`{mapped}` is not in the dictionary; its address is NULL");
                 notes.push(Note::new(place, text));
                 "NULL".to_owned()
             }
@@ -62,7 +62,7 @@ fn entries(pdo: &Pdo<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<Strin
         entries.push(format!("MAP_ENTRY(0x{object:04X}, 0x{sub:02X}, {bits}, {address})"));
     }
     if pdo.is_multiplexed() {
-        notes.push(Note::new(Place::entry(index, 0), "multiplexed PDOs are not mapped this way"));
+        notes.push(Note::new(Place::entry(index, 0), "multiplexed PDOs are not supported"));
     }
     entries
 }

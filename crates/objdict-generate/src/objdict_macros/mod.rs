@@ -262,21 +262,23 @@ fn check(place: &Place, entry: &ResolvedEntry<'_>, node_id: Option<u8>, notes: &
     let resolved = &entry.resolved;
     let mut say = |text: String| notes.push(Note::new(place.clone(), text));
     if resolved.low.is_some() || resolved.high.is_some() {
-        say("a row has no limits".to_owned());
+        say("a row does not support limits".to_owned());
     }
     if let Datum::Formula(_) = resolved.default {
         say(match node_id {
-            Some(node_id) => format!("a row does not add the node-ID; {node_id} is added once and for all"),
+            Some(node_id) => {
+                format!("a row does not add the node-ID; the constant node-ID {node_id} is added")
+            }
             None => "a row does not add the node-ID; nothing is added".to_owned(),
         });
     }
     if resolved.tpdo && resolved.rpdo && resolved.access.is_readable() && resolved.access.is_writable() {
-        say("a row is mapped in one direction only; RPDOs are chosen".to_owned());
+        say("a row is mapped in one direction only; RPDO is used".to_owned());
     }
     if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
         && value.len() < usize::from(room)
     {
-        say(format!("a row has one length; the value always has {room} bytes, the rest are 0"));
+        say(format!("a row has a fixed length; the value always has {room} bytes, padded with 0"));
     }
     if length(entry) == 0 {
         say("a row without data: its length is 0".to_owned());

@@ -80,7 +80,7 @@ fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: 
         let (is, shall_be) = (shown(&answer.held), shown(&described));
         let note = Note::new(place.clone(), format!("the value is {is} in zencan, not {shall_be}"));
         notes.push(match described {
-            Held::Formula(_) => note.help("generate with `--node-id`, or let the application set the value"),
+            Held::Formula(_) => note.help("generate with `--node-id`, or set the value in the application"),
             _ => note,
         });
     }
@@ -95,7 +95,7 @@ fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: 
         }
     }
     if (answer.tpdo, answer.rpdo) != (resolved.tpdo, resolved.rpdo) {
-        notes.push(Note::new(place.clone(), "in zencan it is not for PDOs"));
+        notes.push(Note::new(place.clone(), "zencan does not allow the entry in PDOs"));
     }
 }
 

@@ -1,6 +1,6 @@
 //! The target `zencan`: the device configuration in TOML of which the crate zencan-build 0.0.5 makes a node.
 //!
-//! zencan makes some objects itself and has its own idea of sub-index 0, so what it answers is worked out beside what is
+//! zencan makes some objects itself and has its own idea of sub-index 0, so what it answers is computed together with what is
 //! written (`answers`), and compared with the description at the end: whatever differs is a note.
 
 mod answers;
@@ -47,7 +47,7 @@ impl Backend for Zencan {
     }
 
     fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("the crate zencan-build makes the tables of the file"))
+        Ok(Sizes::Unknown("the crate zencan-build generates the tables from the file"))
     }
 }
 
@@ -75,11 +75,11 @@ impl<'a> Maker<'a> {
                 continue;
             }
             if fixed::is_reserved(object.index) {
-                self.note(Place::object(object.index), "zencan keeps the index for itself: left out");
+                self.note(Place::object(object.index), "zencan reserves the index; the object is omitted");
                 continue;
             }
             if (0x1000..=0x1FFF).contains(&object.index) {
-                let text = "a plain value: zencan has no service behind the object";
+                let text = "a plain value: zencan does not support the service of the object";
                 self.note(Place::object(object.index), text);
             }
             written.push(self.object(object));
@@ -97,8 +97,8 @@ impl<'a> Maker<'a> {
     /// What is stored is mostly assumed.
     fn persistence(&mut self) {
         if self.stores && self.options.groups.is_empty() {
-            let text = "entries that an SDO can write and no PDO can carry are taken for stored (`persist`), where the description states no storage group";
-            let help = "name what is stored with `--group`; the group `RAM` is not";
+            let text = "entries that SDOs can write and PDOs cannot map are stored (`persist`), unless the description states a storage group";
+            let help = "select the stored objects with `--group`; the group `RAM` is not stored";
             self.notes.push(Note::new(Place::object(fixed::STORE), text).help(help));
         }
     }

@@ -1,4 +1,4 @@
-//! Objects that zencan is told of, and what it answers for them.
+//! Objects in the zencan configuration, and their SDO answers.
 
 use super::Maker;
 use super::answers::{Answer, Held};
@@ -51,11 +51,11 @@ impl Maker<'_> {
             self.note(place.clone(), loss);
         }
         if resolved.low.is_some() || resolved.high.is_some() {
-            self.note(place.clone(), "limits are not enforced: zencan has none");
+            self.note(place.clone(), "limits are not enforced: zencan does not support them");
         }
         let mut held = kept.held;
         if let (Datum::Formula(offset), Some(node_id)) = (&resolved.default, self.dictionary.node_id) {
-            self.note(place, format!("`$NODEID+{offset:#X}` is worked out for node-ID {node_id}"));
+            self.note(place, format!("`$NODEID+{offset:#X}` is evaluated for node-ID {node_id}"));
             held = Held::Formula(*offset);
         }
         let answer = Answer {
@@ -95,7 +95,7 @@ impl Maker<'_> {
     }
 }
 
-/// zencan does not tell by the access whether an RPDO or a TPDO may carry the entry; `pdo_mapping` does.
+/// zencan does not derive from the access whether an RPDO or a TPDO may carry the entry; `pdo_mapping` does.
 fn access(access: Access) -> &'static str {
     match access {
         Access::Ro => "ro",

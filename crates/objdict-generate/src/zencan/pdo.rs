@@ -111,9 +111,9 @@ impl Maker<'_> {
     /// What the PDO carries; `None`, with a note, where zencan cannot carry all of it.
     fn mappings(&mut self, index: u16) -> Option<Vec<Mapping>> {
         let count = self.described(index, 0, 0xFF);
-        let off = "the PDO is switched off";
+        let off = "the PDO is not valid";
         if count > MAPPED {
-            let text = format!("zencan maps {MAPPED} entries to a PDO at most, not {count}; {off}");
+            let text = format!("zencan maps at most {MAPPED} entries to a PDO, not {count}; {off}");
             self.note(Place::entry(index, 0), text);
             return None;
         }
@@ -126,7 +126,7 @@ impl Maker<'_> {
             let mapped = Mapping { index: (word >> 16) as u16, sub: (word >> 8) as u8, bits: word as u8 };
             let size = self.answers.size(mapped.index, mapped.sub);
             let why = match size {
-                None => "zencan has no entry there",
+                None => "zencan has no such entry",
                 Some(_) if !mapped.bits.is_multiple_of(8) => "zencan maps whole bytes only",
                 Some(size) if size < usize::from(mapped.bits / 8) => "the entry is shorter",
                 Some(_) => {

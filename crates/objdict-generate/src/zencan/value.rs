@@ -44,16 +44,14 @@ impl Kept {
                     let mut kept = Self::octets(bytes, room.into(), resolved.access);
                     let becomes =
                         is_unicode.then(|| format!("UNICODE_STRING becomes `{}` in zencan", kept.data_type));
-                    let fixed =
-                        writable.then(|| "a string of octets always has all its bytes in zencan".to_owned());
+                    let fixed = writable.then(|| "an octet string has a fixed length in zencan".to_owned());
                     kept.loss = becomes.or(fixed);
                     kept
                 }
             },
             (Shape::Block(length), Datum::Bytes(bytes)) => {
                 let mut kept = Self::octets(bytes, length.into(), Access::Const);
-                kept.loss =
-                    Some(format!("a type of the device's own becomes `{}` in zencan", kept.data_type));
+                kept.loss = Some(format!("a device-specific type becomes `{}` in zencan", kept.data_type));
                 kept
             }
             (shape, _) => Self::octets(&[], shape.size(), resolved.access), // only words have numbers

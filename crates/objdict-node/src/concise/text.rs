@@ -184,11 +184,11 @@ fn download(statement: &str, node_id: Option<u8>) -> Result<Download, Wrong> {
     let (at, rest) = word(statement);
     let address: Option<Address> = at.parse().ok();
     let Some(Address { index, sub: Some(sub) }) = address else {
-        return Err((format!("`{at}` is no entry"), "write index and sub-index in hex, as in `1800:01`"));
+        return Err((format!("`{at}` is not an entry"), "write index and sub-index in hex, as in `1800:01`"));
     };
     let (type_, value) = word(rest);
     if type_.is_empty() {
-        return Err(("there is no data type and no value".to_owned(), "write `1017:00 UNSIGNED16 250`"));
+        return Err(("the data type and the value are missing".to_owned(), "write `1017:00 UNSIGNED16 250`"));
     }
     if type_.eq_ignore_ascii_case(BYTES) {
         return Ok(Download::new(index, sub, hex(value)?));
@@ -196,7 +196,7 @@ fn download(statement: &str, node_id: Option<u8>) -> Result<Download, Wrong> {
     let known = DataType::from_name(&type_.to_ascii_uppercase());
     let Some(data_type) = known.filter(|data_type| DataType::STATIC.contains(data_type)) else {
         let help = "write a data type of CiA 301 such as `UNSIGNED16`, or `BYTES`";
-        return Err((format!("`{type_}` is no data type"), help));
+        return Err((format!("`{type_}` is not a data type"), help));
     };
     bytes_of(value, data_type, node_id).map(|bytes| Download::new(index, sub, bytes))
 }
@@ -217,7 +217,7 @@ fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<
     };
     let resolved = match (&value, node_id) {
         (Value::NodeId(_), None) => {
-            return Err((format!("`{text}` has no value without the node-ID"), "say it with `--node-id`"));
+            return Err((format!("`{text}` needs the node-ID"), "state it with `--node-id`"));
         }
         (Value::NodeId(_), Some(node_id)) => value.resolve(data_type, node_id),
         _ => Some(value),
@@ -227,21 +227,21 @@ fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<
 
 fn no_value(text: &str, data_type: DataType) -> Wrong {
     (
-        format!("`{text}` is no value of {data_type}"),
+        format!("`{text}` is not a valid {data_type}"),
         "write a number of the type, or the type `BYTES` and hex digits",
     )
 }
 
 fn number(text: &str, data_type: DataType) -> Result<Value, Wrong> {
     if text.is_empty() {
-        return Err((format!("there is no value of {data_type}"), "write `1017:00 UNSIGNED16 250`"));
+        return Err((format!("the value of type {data_type} is missing"), "write `1017:00 UNSIGNED16 250`"));
     }
     let mut quirks = Quirks::default();
     let value = literal::value(text, Some(data_type), &mut quirks).map_err(|_| no_value(text, data_type))?;
     let is_octal = quirks.has(literal::Quirk::Octal) || quirks.has(literal::Quirk::LeadingZero);
     if is_octal {
-        let message = format!("`{text}` starts with a zero, so it may be octal or decimal");
-        return Err((message, "write it without the zero, or in hex with `0x` before it"));
+        let message = format!("`{text}` is ambiguous: with a leading zero it may be octal or decimal");
+        return Err((message, "write it without the leading zero, or in hexadecimal with `0x`"));
     }
     Ok(value)
 }
@@ -249,19 +249,19 @@ fn number(text: &str, data_type: DataType) -> Result<Value, Wrong> {
 /// What stands in the quotes.
 fn unquoted(text: &str) -> Result<String, Wrong> {
     let wrong = |what: &str| {
-        Err((format!("`{text}` {what}"), "write a text in double quotes, and `\\\"` for one of them in it"))
+        Err((format!("`{text}` {what}"), "write the text in double quotes, with `\\\"` for a quote in it"))
     };
     let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) else {
-        return wrong("does not stand in quotes");
+        return wrong("is not in double quotes");
     };
     let mut unquoted = String::with_capacity(inner.len());
     let mut chars = inner.chars();
     while let Some(c) = chars.next() {
         match c {
-            '"' => return wrong("has a quote in it"),
+            '"' => return wrong("contains a quote"),
             '\\' => match chars.next() {
                 Some(escaped @ ('"' | '\\')) => unquoted.push(escaped),
-                _ => return wrong("has a `\\` before something else than `\\` and `\"`"),
+                _ => return wrong("contains a `\\` that does not precede `\\` or `\"`"),
             },
             c => unquoted.push(c),
         }
@@ -275,8 +275,8 @@ fn hex(text: &str) -> Result<Vec<u8>, Wrong> {
     match hex::parse(&digits) {
         Some(bytes) => Ok(bytes.into()),
         None => Err((
-            format!("`{text}` are no pairs of hex digits"),
-            "write two hex digits a byte, as in `00 1F`",
+            format!("`{text}` is not a sequence of hexadecimal bytes"),
+            "write two hexadecimal digits per byte, as in `00 1F`",
         )),
     }
 }
@@ -320,20 +320,20 @@ mod tests {
     }
 
     #[test]
-    fn all_wrong_lines_are_told() {
+    fn all_wrong_lines_are_reported() {
         let text = "# a comment\n1017 UNSIGNED16 1\n1017:00 UNSIGNED9 1\n1017:00 UNSIGNED16 65536\n\n1017:00\n1400:01 UNSIGNED32 $NODEID+0x200\n\
                     2000:00 VISIBLE_STRING a\n2000:00 BYTES 0\n2000:00 UNSIGNED8 010\n";
         let errors = parse(text, None).unwrap_err();
         let told: Vec<String> = errors.0.iter().map(ToString::to_string).collect();
         insta::assert_snapshot!(told.join("\n"), @r#"
-        line 2: `1017` is no entry
-        line 3: `UNSIGNED9` is no data type
-        line 4: `65536` is no value of UNSIGNED16
-        line 6: there is no data type and no value
-        line 7: `$NODEID+0x200` has no value without the node-ID
-        line 8: `a` does not stand in quotes
-        line 9: `0` are no pairs of hex digits
-        line 10: `010` starts with a zero, so it may be octal or decimal
+        line 2: `1017` is not an entry
+        line 3: `UNSIGNED9` is not a data type
+        line 4: `65536` is not a valid UNSIGNED16
+        line 6: the data type and the value are missing
+        line 7: `$NODEID+0x200` needs the node-ID
+        line 8: `a` is not in double quotes
+        line 9: `0` is not a sequence of hexadecimal bytes
+        line 10: `010` is ambiguous: with a leading zero it may be octal or decimal
         "#);
         let formula = parse("1400:01 unsigned32 $NODEID+0x200", Some(5)).unwrap();
         assert_eq!(formula.0[0].data, [5, 2, 0, 0]);

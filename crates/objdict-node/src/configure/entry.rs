@@ -37,17 +37,18 @@ impl<'a> Desk<'a> {
     /// The value of a text, in the type of an entry.
     fn read(&self, index: u16, sub: u8, text: &str) -> Result<Value, Wrong> {
         let Some(data_type) = transferred_type(self.device, index, sub) else {
-            return Err(Wrong::new("the description does not say of which type the entry is"));
+            return Err(Wrong::new("the description does not state the data type of the entry"));
         };
         if text.is_empty() {
-            return Err(Wrong::new("there is no value").help(format!("write a value of {data_type}")));
+            return Err(Wrong::new("the value is missing").help(format!("write a value of {data_type}")));
         }
         let mut quirks = Quirks::default();
         let value = literal::value(text, Some(data_type), &mut quirks)
-            .map_err(|_| Wrong::new(format!("`{text}` is no value of {data_type}")))?;
+            .map_err(|_| Wrong::new(format!("`{text}` is not a valid {data_type}")))?;
         if quirks.has(Quirk::Octal) {
-            let wrong = Wrong::new(format!("`{text}` is octal by CiA 306, and decimal to some tools"));
-            return Err(wrong.help("write it without the zero before it, or in hex with `0x`"));
+            let wrong =
+                Wrong::new(format!("`{text}` is octal by CiA 306, but some tools read it as decimal"));
+            return Err(wrong.help("write it without the leading zero, or in hexadecimal with `0x`"));
         }
         Ok(value)
     }
@@ -64,8 +65,8 @@ impl<'a> Desk<'a> {
             _ => {}
         }
         if entry.flags().refuses_write() || object.main.flags().refuses_write() {
-            let wrong = Wrong::new("its ObjFlags refuse a download, so no configuration may write it");
-            return Err(wrong.help("write it yourself when the node runs"));
+            let wrong = Wrong::new("ObjFlags bit 0 forbids the download");
+            return Err(wrong.help("write it by SDO while the node is running"));
         }
         Ok((sub, entry))
     }
@@ -74,7 +75,7 @@ impl<'a> Desk<'a> {
     pub(super) fn entry(&self, at: Address) -> Result<(&'a Object, u8, Cow<'a, Entry>), Wrong> {
         let device = self.device;
         let Some(object) = device.object(at.index) else {
-            let wrong = Wrong::new(format!("there is no object `{:04X}`", at.index));
+            let wrong = Wrong::new(format!("the device has no object `{:04X}`", at.index));
             let indexes: Vec<String> = device.objects.keys().map(|index| format!("{index:04X}")).collect();
             let wanted = format!("{:04X}", at.index);
             let meant = same_digits(&wanted, &indexes);
@@ -89,7 +90,7 @@ impl<'a> Desk<'a> {
             None if !has_subs => 0,
             None => {
                 let subs = subs(object);
-                let wrong = Wrong::new("the object has sub-indexes, and none is named");
+                let wrong = Wrong::new("the object has sub-indexes, but the setting names none");
                 let example = spelled(Address { sub: Some(1), ..at });
                 return Err(wrong.help(format!("name one of {subs}, as in `{example}`")));
             }

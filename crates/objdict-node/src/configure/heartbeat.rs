@@ -9,10 +9,10 @@ impl Desk<'_> {
     /// Watches a node: in the entry that does so already, else in the first that watches nobody.
     pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
         if node_id == self.node_id {
-            return Err(Wrong::new("a node does not watch itself"));
+            return Err(Wrong::new("a node cannot monitor its own heartbeat"));
         }
         let Some(object) = self.device.object(CONSUMERS) else {
-            return Err(Wrong::new("the device has no 1016h, so it watches no heartbeats"));
+            return Err(Wrong::new("the device has no 1016h, so it cannot monitor heartbeats"));
         };
         let subs: Vec<u8> =
             object.entries().map(|(sub, _)| sub).filter(|sub| (1..=0x7F).contains(sub)).collect();
@@ -24,8 +24,8 @@ impl Desk<'_> {
         let own = subs.iter().copied().find(|sub| watched(sub) == u64::from(node_id));
         let free = subs.iter().copied().find(|sub| watched(sub) == 0);
         let Some(sub) = own.or(free) else {
-            let wrong = Wrong::new(format!("all {} entries of 1016h watch other nodes", subs.len()));
-            return Err(wrong.help("take one of them with `--set 1016:1=0`, before this one"));
+            let wrong = Wrong::new(format!("all {} entries of 1016h monitor other nodes", subs.len()));
+            return Err(wrong.help("free one of them first with `--set 1016:1=0`"));
         };
         let (sub, entry) = self.writable(Address { index: CONSUMERS, sub: Some(sub) })?;
         let consumer = u64::from(node_id) << 16 | u64::from(milliseconds);

@@ -21,7 +21,7 @@ impl Desk<'_> {
             mapped.push(object);
         }
         if bits > FRAME {
-            return Err(Wrong::new(format!("{bits} bits are mapped, but a PDO has {FRAME}")));
+            return Err(Wrong::new(format!("{bits} bits are mapped, but a PDO has at most {FRAME}")));
         }
         for (sub, object) in (1..=u8::MAX).zip(&mapped) {
             self.assign(pdo, index, sub, object.to_number().into())?;
@@ -73,13 +73,13 @@ impl Desk<'_> {
             let bits = data_type.bit_length().filter(|_| kind == PdoKind::Rpdo && data_type.is_dummy());
             let Some(bits) = bits else {
                 return Err(Wrong::new(format!(
-                    "`{name}` is a data type, which only an RPDO maps, as a filler"
+                    "`{name}` is a data type, which only an RPDO can map, as a dummy entry"
                 )));
             };
             let usage = self.device.dummy_usage.as_ref().and_then(|usage| usage.types.get(&data_type));
             if usage == Some(&false) {
                 return Err(Wrong::new(format!(
-                    "the device does not take {data_type} as a filler (DummyUsage)"
+                    "the device does not support {data_type} as a dummy entry (`DummyUsage`)"
                 )));
             }
             return Ok(MappedObject { index: at.index, sub: 0, bits });
@@ -114,7 +114,7 @@ impl Desk<'_> {
             CanId::Off => present.unwrap_or(CobId::new(0)).disabled(),
             CanId::Number(number) => CobId::new(kept | framed(number)),
             CanId::PerNode(number) => CobId::per_node(kept | framed(number))
-                .ok_or_else(|| Wrong::new(format!("`{id}` is more than a CAN-ID has")))?,
+                .ok_or_else(|| Wrong::new(format!("`{id}` is too large for a CAN-ID")))?,
         };
         if id != CanId::Off {
             self.free(pdo, cob_id)?;
@@ -126,10 +126,10 @@ impl Desk<'_> {
     fn free(&self, pdo: PdoName, cob_id: CobId) -> Result<(), Wrong> {
         let can_id = cob_id.can_id(self.node_id);
         if !cob_id.is_extended() && cob_id.stray_bits() != 0 {
-            return Err(Wrong::new(format!("`{cob_id}` is more than the 7FFh of a CAN-ID of 11 bits")));
+            return Err(Wrong::new(format!("`{cob_id}` is above 7FFh, the highest 11-bit CAN-ID")));
         }
         if let Some(owner) = restricted(can_id).filter(|_| !cob_id.is_extended()) {
-            return Err(Wrong::new(format!("the CAN-ID `0x{can_id:X}` is not free: {owner}")));
+            return Err(Wrong::new(format!("the CAN-ID `0x{can_id:X}` is reserved: {owner}")));
         }
         for other in self.device.pdos().filter(|other| (other.kind, other.number) != (pdo.kind, pdo.number)) {
             let present = self.value(other.communication_index(), 1).as_ref().and_then(CobId::from_value);
@@ -138,10 +138,10 @@ impl Desk<'_> {
             };
             if present.is_some_and(|other| other.is_valid() && is_same(other)) {
                 let other = PdoName { kind: other.kind, number: other.number };
-                let wrong = Wrong::new(format!("{other} has the CAN-ID `0x{can_id:X}` already"));
-                return Err(wrong.help(format!(
-                    "switch it off before with `--cob-id {other}=off`, or give it another one"
-                )));
+                let wrong = Wrong::new(format!("{other} already has the CAN-ID `0x{can_id:X}`"));
+                return Err(
+                    wrong.help(format!("disable it first with `--cob-id {other}=off`, or change its CAN-ID"))
+                );
             }
         }
         Ok(())

@@ -61,7 +61,7 @@ pub enum CanId {
 
 /// A text that is no setting.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{text}` is no setting: {expected}")]
+#[error("`{text}` is not a setting: {expected}")]
 pub struct NoSetting {
     /// The text.
     text: String,
@@ -81,7 +81,8 @@ impl Setting {
     /// # Errors
     /// When that is not what the text says.
     pub fn value(text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write an entry and its value, as `1017=250` or `1800:2=0xFE`");
+        let wrong =
+            || NoSetting::new(text, "write an entry and its value, as in `1017=250` or `1800:2=0xFE`");
         let (at, value) = text.split_once('=').ok_or_else(wrong)?;
         let at = at.parse().map_err(|_| wrong())?;
         Ok(Self::Value { at, text: value.trim().to_owned() })
@@ -92,7 +93,7 @@ impl Setting {
     /// # Errors
     /// When that is not what the text says.
     pub fn map(text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write a PDO and what it carries, as `tpdo1=6000:1,6401:2`");
+        let wrong = || NoSetting::new(text, "write a PDO and its mapping, as in `tpdo1=6000:1,6401:2`");
         let (pdo, objects) = text.split_once('=').ok_or_else(wrong)?;
         let pdo = pdo.parse().map_err(|_| wrong())?;
         let objects = objects.split(',').map(str::trim).filter(|object| !object.is_empty());
@@ -105,7 +106,7 @@ impl Setting {
     /// # Errors
     /// When that is not what the text says.
     pub fn cob_id(text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write a PDO and its CAN-ID, as `rpdo2=0x2AA` or `tpdo3=off`");
+        let wrong = || NoSetting::new(text, "write a PDO and its CAN-ID, as in `rpdo2=0x2AA` or `tpdo3=off`");
         let (pdo, id) = text.split_once('=').ok_or_else(wrong)?;
         let pdo = pdo.parse().map_err(|_| wrong())?;
         Ok(Self::CobId { pdo, id: id.parse().map_err(|()| wrong())? })
@@ -116,8 +117,9 @@ impl Setting {
     /// # Errors
     /// When that is not what the text says.
     pub fn heartbeat_consumer(text: &str) -> Result<Self, NoSetting> {
-        let wrong =
-            || NoSetting::new(text, "write a node-ID from 1 to 127 and a time up to 65535 ms, as `7=750ms`");
+        let wrong = || {
+            NoSetting::new(text, "write a node-ID from 1 to 127 and a time up to 65535 ms, as in `7=750ms`")
+        };
         let (node, time) = text.split_once('=').ok_or_else(wrong)?;
         let node_id = number(node).and_then(|number| u8::try_from(number).ok());
         let node_id = node_id.filter(|node_id| (1..=127).contains(node_id)).ok_or_else(wrong)?;

@@ -97,10 +97,10 @@ impl PlanError {
     /// What to do about it.
     pub fn help(&self) -> Option<&'static str> {
         match self {
-            Self::NodeId(_) => Some("a node-ID is a number from 1 to 127"),
+            Self::NodeId(_) => Some("write a node-ID from 1 to 127"),
             Self::Problems(problems) => {
                 let formula = |problem: &Problem| matches!(problem.kind, ProblemKind::NeedsNodeId(_));
-                problems.iter().any(formula).then_some("say which node it is for with `--node-id`")
+                problems.iter().any(formula).then_some("state the node-ID with `--node-id`")
             }
         }
     }
@@ -112,14 +112,14 @@ impl std::error::Error for PlanError {}
 impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let problems = match self {
-            Self::NodeId(node_id) => return write!(f, "`{node_id}` is no node-ID"),
+            Self::NodeId(node_id) => return write!(f, "`{node_id}` is not a node-ID"),
             Self::Problems(problems) => problems,
         };
         let (formulas, others): (Vec<_>, Vec<_>) =
             problems.iter().partition(|problem| matches!(problem.kind, ProblemKind::NeedsNodeId(_)));
         if !formulas.is_empty() {
             let places: Vec<String> = formulas.iter().map(|problem| format!("`{}`", problem.place)).collect();
-            write!(f, "no value without the node-ID: {}", places.join(", "))?;
+            write!(f, "these values need the node-ID: {}", places.join(", "))?;
         }
         for (number, problem) in others.into_iter().enumerate() {
             if number > 0 || !formulas.is_empty() {
@@ -140,7 +140,7 @@ impl fmt::Display for Problem {
 impl fmt::Display for ProblemKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NeedsNodeId(value) => write!(f, "`{value}` has no value without the node-ID"),
+            Self::NeedsNodeId(value) => write!(f, "`{value}` needs the node-ID"),
             Self::NotOfType { value, data_type } => write!(f, "the value `{value}` does not fit {data_type}"),
             Self::BelowLimit { value, limit } => {
                 write!(f, "the value `{value}` is below the low limit `{limit}`")
@@ -148,14 +148,16 @@ impl fmt::Display for ProblemKind {
             Self::AboveLimit { value, limit } => {
                 write!(f, "the value `{value}` is above the high limit `{limit}`")
             }
-            Self::Unreadable(text) => write!(f, "the text `{text}` is no value of its type"),
+            Self::Unreadable(text) => write!(f, "the text `{text}` is not valid for its data type"),
             Self::UnknownType { value, data_type: Some(data_type) } => {
-                write!(f, "the bytes of `{value}` are unknown, for the data type {data_type} is")
+                write!(f, "the bytes of `{value}` are unknown because the data type {data_type} is")
             }
             Self::UnknownType { value, data_type: None } => {
-                write!(f, "the bytes of `{value}` are unknown, for the entry has no data type")
+                write!(f, "the bytes of `{value}` are unknown because the entry has no data type")
             }
-            Self::NoCobId => f.write_str("to be changed it must be switched off, but its COB-ID is unknown"),
+            Self::NoCobId => {
+                f.write_str("a change requires that the PDO is not valid, but its COB-ID is unknown")
+            }
         }
     }
 }
@@ -169,13 +171,13 @@ impl fmt::Display for Skipped {
 impl fmt::Display for SkipReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::NotWritable => "its access type allows no write",
+            Self::NotWritable => "its access type does not allow a write",
             Self::NoAccess => "it has no access type",
-            Self::RefusesWrite => "its ObjFlags refuse a download",
+            Self::RefusesWrite => "ObjFlags bit 0 forbids the download",
             Self::Command => "it is a command",
             Self::ClearsHistory => "a write clears the error history",
             Self::Definition => "it defines a data type",
-            Self::Unused => "no mapped object stands there",
+            Self::Unused => "no object is mapped there",
         })
     }
 }

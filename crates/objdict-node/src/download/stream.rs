@@ -16,7 +16,7 @@ const MAX_TRIED: usize = 1 << 16;
 
 /// A configuration that no stream can carry: a count or a size does not fit its 32 bits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{what} is more than the 4294967295 that a concise DCF can carry")]
+#[error("{what} exceeds the limit of a concise DCF, 4294967295")]
 pub struct EncodeError {
     what: String,
 }
@@ -85,13 +85,13 @@ pub struct DecodeError {
 #[non_exhaustive]
 pub enum DecodeErrorKind {
     /// There is not even a count.
-    #[error("the stream has {length} bytes, but starts with a count of 4")]
+    #[error("the stream has {length} bytes, but its entry count takes 4")]
     NoCount {
         /// Length of the stream.
         length: usize,
     },
     /// The count promises more entries than there are.
-    #[error("the count promises {count} entries, but the stream ends after {found}")]
+    #[error("the stream has {found} of {count} entries")]
     CountTooLarge {
         /// The promised number.
         count: u32,
@@ -277,10 +277,7 @@ mod tests {
     fn errors_tell_the_byte() {
         let message = |hex: &str| ConciseDcf::parse(&bytes(hex)).unwrap_err().to_string();
         assert_eq!(message("010000"), "at byte 0: the stream has 3 bytes, but starts with a count of 4");
-        assert_eq!(
-            message("02000000 1710 00 02000000 FA00"),
-            "at byte 13: the count promises 2 entries, but the stream ends after 1"
-        );
+        assert_eq!(message("02000000 1710 00 02000000 FA00"), "at byte 13: the stream has 1 of 2 entries");
         assert_eq!(
             message("01000000 1710 00 0200"),
             "at byte 4: entry 1 of 1 has 5 of the 7 bytes for index, sub-index and size"

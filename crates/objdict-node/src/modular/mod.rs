@@ -84,26 +84,26 @@ impl fmt::Display for ModuleProblem {
             Self::NotModular => f.write_str("the description has no modules"),
             Self::Unknown { number, known } => {
                 let known: Vec<String> = known.iter().map(u16::to_string).collect();
-                write!(f, "there is no module `{number}`; there are {}", known.join(", "))
+                write!(f, "unknown module `{number}`; the modules are {}", known.join(", "))
             }
             Self::Taken { number, index } => {
-                write!(f, "module {number} brings the object `{index:04X}`, which the coupler has already")
+                write!(f, "module {number} adds the object `{index:04X}`, which the coupler already has")
             }
             Self::Conflict { numbers: (first, second), index } => {
                 write!(f, "the modules {first} and {second} describe the object `{index:04X}` differently")
             }
             Self::NotDescribed { number, index } => {
-                write!(f, "module {number} lists the object `{index:04X}` and does not describe it")
+                write!(f, "module {number} lists the object `{index:04X}` but does not describe it")
             }
             Self::Incomplete { number, index } => {
                 write!(
                     f,
-                    "module {number} does not say what it adds to `{index:04X}`: `Count` or `DataType` is missing"
+                    "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing"
                 )
             }
             Self::NoRoom { number, index, next } => write!(
                 f,
-                "what module {number} adds to `{index:04X}` goes on in `{next:04X}`, which is another object"
+                "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object"
             ),
         }
     }

@@ -168,7 +168,7 @@ impl<'de> Deserialize<'de> for BitRange {
         let bit = |number: &i128| u8::try_from(*number).ok().filter(|bit| *bit < 64);
         match (bit(range.start()), bit(range.end())) {
             (Some(first), Some(last)) => Ok(Self(first..=last)),
-            _ => Err(de::Error::custom("bits are counted from 0 to 63")),
+            _ => Err(de::Error::custom("bits must be from 0 to 63")),
         }
     }
 }
@@ -228,7 +228,7 @@ impl<'de> Deserialize<'de> for Meanings {
                     let (first, last) = key.split_once("..").unwrap_or((&key, &key));
                     match (number(first), number(last)) {
                         (Some(first), Some(last)) => all.push((first..=last, meaning)),
-                        _ => return Err(de::Error::custom(format_args!("`{key}` is no number"))),
+                        _ => return Err(de::Error::custom(format_args!("`{key}` is not a number"))),
                     }
                 }
                 all.sort_by_key(|(range, _)| *range.start());

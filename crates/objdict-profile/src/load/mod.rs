@@ -66,7 +66,7 @@ impl Profile {
         objects.sort_by_key(|(row, _)| row.first);
         let twice = objects.windows(2).find(|pair| pair[0].0.last >= pair[1].0.first);
         if let Some((row, at)) = twice.map(|pair| &pair[1]) {
-            let message = format!("{:04X}h is described twice", row.first);
+            let message = format!("{:04X}h is defined twice", row.first);
             return Err(ProfileError::new(message, Some(*at)));
         }
         Ok(Self {
@@ -186,9 +186,13 @@ impl ObjectTable {
             bits: self.bits,
         };
         let entries = match (self.entries, self.elements) {
-            (Some(_), Some(_)) => return Err("an object has `entries` or `elements`, not both".to_owned()),
+            (Some(_), Some(_)) => {
+                return Err("an object cannot have both `entries` and `elements`".to_owned());
+            }
             (Some(_), None) if has_value => {
-                return Err("an object with `entries` has data type, access and values there".to_owned());
+                return Err(
+                    "an object with `entries` must state data type, access and values in them".to_owned()
+                );
             }
             (Some(entries), None) => {
                 entries.into_iter().map(|entry| entry.row(packer)).collect::<Result<Vec<_>, _>>()?
@@ -209,7 +213,7 @@ impl ObjectTable {
             (None, None) => Vec::new(),
         };
         if let Some(pair) = entries.windows(2).find(|pair| pair[0].last >= pair[1].first) {
-            return Err(format!("sub-index {} comes behind {}", pair[1].first, pair[0].last));
+            return Err(format!("sub-index {} must not follow {}", pair[1].first, pair[0].last));
         }
         Ok(ObjectRow {
             first: self.index,
@@ -266,7 +270,9 @@ fn elements(
 ) -> Result<Vec<EntryRow>, String> {
     let sub = |number: &i128| u8::try_from(*number).ok().filter(|&number| number < 0xFF);
     let (Some(least), Some(most @ 1..)) = (sub(number.start()), sub(number.end())) else {
-        return Err("`elements` is a number from 1 to 254, or the smallest and the largest one".to_owned());
+        return Err(
+            "`elements` must be a number from 1 to 254, or the smallest and the largest number".to_owned()
+        );
     };
     let count = EntryRow {
         first: 0,
@@ -301,7 +307,7 @@ fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, Str
             toml::Value::Float(number) => number.to_string(),
             other => other.type_str().to_owned(),
         };
-        format!("`{figure}` as default is no value of type {of}")
+        format!("the default `{figure}` is not a valid {of}")
     };
     let integer_type = data_type.unwrap_or(match figure {
         toml::Value::Integer(number) if *number >= 0 => DataType::UNSIGNED64,
@@ -399,7 +405,10 @@ entries = [
         assert_eq!(first("127"), (true, 127));
         assert_eq!(first("[0, 4]"), (false, 1));
         let message = array("255").unwrap_err().message;
-        assert_eq!(message, "`elements` is a number from 1 to 254, or the smallest and the largest one");
+        assert_eq!(
+            message,
+            "`elements` must be a number from 1 to 254, or the smallest and the largest number"
+        );
     }
 
     #[test]

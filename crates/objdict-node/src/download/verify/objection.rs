@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
 
-/// What is said against a download of a configuration.
+/// A problem of a download of a configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Objection {
     /// Number of the download, counted from 1.
@@ -17,7 +17,7 @@ pub struct Objection {
     pub sub: u8,
     /// The place, as reports name it.
     pub place: Place,
-    /// What is said.
+    /// The kind of the problem.
     pub kind: ObjectionKind,
 }
 
@@ -25,7 +25,7 @@ pub struct Objection {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct AbortCode(pub u32);
 
-/// What is said against a download.
+/// The kind of a problem of a download.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ObjectionKind {
@@ -46,7 +46,7 @@ pub enum ObjectionKind {
         /// Those of the download.
         found: usize,
     },
-    /// The bytes are no value of the data type.
+    /// The bytes are not valid for the data type.
     NoValue(DataType),
     /// Below `LowLimit`.
     BelowLimit {
@@ -75,10 +75,10 @@ pub enum ObjectionKind {
     InUse {
         /// The COB-ID that the service has.
         present: u32,
-        /// How it is switched off.
+        /// How to mark it not valid.
         how: &'static str,
     },
-    /// The write that switches a service off changes its identifier too: some devices refuse it.
+    /// The write that marks a service not valid also changes its identifier: some devices reject it.
     RenamedWhileSwitchedOff {
         /// The COB-ID that the service has.
         present: u32,
@@ -106,7 +106,7 @@ pub enum ObjectionKind {
         /// The sub-index.
         sub: u8,
     },
-    /// Another entry of 1016h watches the node already.
+    /// Another entry of 1016h already monitors the node.
     WatchedTwice {
         /// The node.
         node_id: u8,
@@ -115,7 +115,7 @@ pub enum ObjectionKind {
     },
     /// An entry of 1016h has a time and no node-ID from 1 to 127, so it is not in use.
     WatchesNobody {
-        /// What stands where the node-ID does.
+        /// The value in place of the node-ID.
         node_id: u8,
         /// The time in milliseconds.
         time: u16,
@@ -127,16 +127,16 @@ pub enum ObjectionKind {
         /// What it takes.
         expected: &'static str,
     },
-    /// Heartbeat and guarding run both.
+    /// Heartbeat and node guarding are both active.
     TwoErrorControls,
-    /// The write comes behind 1010h, so it is not stored.
+    /// The write follows 1010h, so it is not stored.
     NotStored,
     /// The write clears the verify configuration (1020h) that an earlier one wrote.
     ClearsVerification,
 }
 
 impl ObjectionKind {
-    /// Whether a device refuses the download; otherwise it, or some devices, take it, and it is hardly meant.
+    /// Whether devices reject the download; otherwise some or all accept it, but it is probably a mistake.
     pub const fn is_refusal(&self) -> bool {
         !matches!(
             self,
@@ -148,7 +148,7 @@ impl ObjectionKind {
         )
     }
 
-    /// The code that a device answers with; `None` of what it takes, and of what only tools must not do.
+    /// The abort code of the device; `None` for downloads that it accepts, and for rules that bind only tools.
     pub const fn abort(&self) -> Option<AbortCode> {
         Some(AbortCode(match self {
             Self::NoObject => 0x0602_0000,
@@ -178,7 +178,7 @@ impl ObjectionKind {
         let text = match self {
             Self::InUse { how, .. } => return Some(format!("{how} first")),
             Self::RenamedWhileSwitchedOff { present } => {
-                return Some(format!("switch it off with the COB-ID that it has, `0x{present:X}`"));
+                return Some(format!("set bit 31 without changing the identifier of `0x{present:X}`"));
             }
             Self::PdoIsValid(kind, number) => {
                 return Some(format!("set bit 31 of the COB-ID of {kind} {number} first"));
@@ -192,8 +192,8 @@ impl ObjectionKind {
                 return Some(format!("write the node-ID from 1 to 127 before the time: `0x00nn{time:04X}`"));
             }
             Self::NotStored => "write 1010h last",
-            Self::ClearsVerification => "write 1020h behind all that configures",
-            Self::TwoErrorControls => "write 0 to the one that is not wanted first",
+            Self::ClearsVerification => "write 1020h after all other entries",
+            Self::TwoErrorControls => "write 0 first to the one that is not needed",
             _ => return None,
         };
         Some(text.to_owned())
@@ -241,24 +241,24 @@ impl fmt::Display for ObjectionKind {
         match self {
             Self::NoObject => f.write_str("the dictionary has no such object"),
             Self::NoSubIndex => f.write_str("the object has no such sub-index"),
-            Self::NotWritable => f.write_str("its access type allows no write"),
-            Self::RefusesDownload => f.write_str("its ObjFlags refuse a download"),
+            Self::NotWritable => f.write_str("its access type does not allow a write"),
+            Self::RefusesDownload => f.write_str("ObjFlags bit 0 forbids the download"),
             Self::Length { data_type, expected, found } => {
                 write!(f, "{} of data, but {data_type} has {expected}", bytes(*found))
             }
-            Self::NoValue(data_type) => write!(f, "the bytes are no value of {data_type}"),
+            Self::NoValue(data_type) => write!(f, "the bytes are not a valid {data_type}"),
             Self::BelowLimit { value, limit } => write!(f, "`{value}` is below the low limit `{limit}`"),
             Self::AboveLimit { value, limit } => write!(f, "`{value}` is above the high limit `{limit}`"),
             Self::Undefined(what) => f.write_str(what),
             Self::RestrictedCanId { can_id, owner } => {
-                write!(f, "the CAN-ID `0x{can_id:X}` is not free: {owner}")
+                write!(f, "the CAN-ID `0x{can_id:X}` is reserved: {owner}")
             }
             Self::InUse { present, .. } => {
                 write!(f, "the identifier changes while `0x{present:X}` is in use")
             }
             Self::RenamedWhileSwitchedOff { present } => write!(
                 f,
-                "the write that switches `0x{present:X}` off changes its identifier too, which some devices refuse"
+                "the write that marks `0x{present:X}` not valid also changes its identifier, which some devices reject"
             ),
             Self::PdoIsValid(kind, number) => write!(f, "{kind} {number} is valid, so this cannot change"),
             Self::MappingInUse => f.write_str("sub-index 0 of the mapping is not 0, so this cannot change"),
@@ -269,22 +269,25 @@ impl fmt::Display for ObjectionKind {
             Self::PdoTooLong { bits } => write!(f, "{bits} bits are mapped, but a PDO has 64"),
             Self::NothingMapped { sub } => write!(f, "sub-index {sub:X}h maps nothing"),
             Self::WatchedTwice { node_id, sub } => {
-                write!(f, "sub-index {sub:X}h watches node {node_id} already")
+                write!(f, "sub-index {sub:X}h already monitors node {node_id}")
             }
             Self::WatchesNobody { node_id: 0, time } => {
-                write!(f, "there is a time of {time} ms and no node-ID, so it watches nobody")
+                write!(f, "the entry has a time of {time} ms but no node-ID, so it is not in use")
             }
             Self::WatchesNobody { node_id, time } => {
-                write!(f, "there is a time of {time} ms, but `{node_id}` is no node-ID, so it watches nobody")
+                write!(
+                    f,
+                    "the entry has a time of {time} ms, but `{node_id}` is not a node-ID, so it is not in use"
+                )
             }
             Self::PeriodRuns => {
                 f.write_str("the counter overflow cannot change while the period (1006h) is not 0")
             }
-            Self::Signature { expected } => write!(f, "it takes only the signature `{expected}`"),
-            Self::TwoErrorControls => f.write_str("heartbeat and guarding would run together"),
-            Self::NotStored => f.write_str("it comes behind 1010h, so it is not stored"),
+            Self::Signature { expected } => write!(f, "only the signature `{expected}` is valid"),
+            Self::TwoErrorControls => f.write_str("heartbeat and node guarding would both be active"),
+            Self::NotStored => f.write_str("the write follows 1010h, so it is not stored"),
             Self::ClearsVerification => {
-                f.write_str("it clears the verify configuration (1020h) that is written before")
+                f.write_str("the write clears the verify configuration (1020h) written earlier")
             }
         }
     }

@@ -70,7 +70,7 @@ impl Node<'_> {
         let word = u32::try_from(new).unwrap_or(u32::MAX);
         match (index, sub) {
             (0x1003, 0) if new != 0 => {
-                Err(ObjectionKind::Undefined("it takes only 0, which clears the history"))
+                Err(ObjectionKind::Undefined("only 0 is valid, which clears the history"))
             }
             (0x1005, 0) => {
                 let change = CobIdChange { present: self.word((index, sub)), new: word };
