@@ -85,6 +85,6 @@ fn what_a_stream_cannot_carry_is_named() {
     let mut device = device("dcf/io-401-node5.dcf");
     device.commissioning = None;
     let error = generate(&device, Target::named("concise").unwrap(), &Options::default()).unwrap_err();
-    let expected = "0x1400sub1: `$NODEID+0x200` has no value without the node-ID";
+    let expected = "0x1400sub1: `$NODEID+0x200` needs the node-ID";
     assert!(error.to_string().starts_with(expected), "{error}");
 }

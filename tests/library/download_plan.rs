@@ -274,7 +274,7 @@ fn entries_behind_the_last_mapped_object_stay_away_when_they_are_empty() {
     );
     let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     assert_eq!(plan.skipped.len(), 1);
-    assert_eq!(plan.skipped[0].to_string(), "`0x1600sub2` is not written: no mapped object stands there");
+    assert_eq!(plan.skipped[0].to_string(), "`0x1600sub2` is not written: no object is mapped there");
     let expected = [
         download(0x1400, 1, &[5, 2, 0, 0x80]),
         download(0x1600, 0, &[0]),
@@ -421,7 +421,7 @@ fn every_entry_that_needs_the_node_id_is_named() {
         .var(0x2001, entry(U16, Some(Value::NodeId(5)), Some(Value::NodeId(5))));
     node.0.commissioning = None;
     let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
-    assert_eq!(error.to_string(), "no value without the node-ID: `0x1400sub1`, `0x1800sub1`, `0x2000`");
+    assert_eq!(error.to_string(), "these values need the node-ID: `0x1400sub1`, `0x1800sub1`, `0x2000`");
     assert!(error.help().unwrap().contains("--node-id"));
     let with_node = PlanOptions { node_id: Some(3), ..PlanOptions::default() };
     assert_eq!(node.configuration(with_node).0[0], download(0x2000, 0, &[8, 0]));
@@ -471,7 +471,7 @@ fn a_pdo_without_known_identifier_cannot_be_switched_off() {
     let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "`0x1800sub1`: to be changed it must be switched off, but its COB-ID is unknown"
+        "`0x1800sub1`: a change requires that the PDO is not valid, but its COB-ID is unknown"
     );
     // where sub-index 1 cannot be written, there is nothing to switch
     let fixed = Entry { access: Some(Access::Const), ..entry(U32, None, None) };

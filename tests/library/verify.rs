@@ -95,10 +95,10 @@ fn a_consumer_without_node_id_watches_nobody() {
         "1017:00 UNSIGNED16 250\n1016:01 UNSIGNED32 750\n1016:00 UNSIGNED8 1\n1016:02 UNSIGNED32 1500\n1016:00 UNSIGNED8 2\n",
     );
     let expected = [
-        "2: doubt: there is a time of 750 ms and no node-ID, so it watches nobody",
-        "3: its access type allows no write (0601 0002h)",
-        "4: doubt: there is a time of 1500 ms and no node-ID, so it watches nobody",
-        "5: its access type allows no write (0601 0002h)",
+        "2: doubt: the entry has a time of 750 ms but no node-ID, so it is not in use",
+        "3: its access type does not allow a write (0601 0002h)",
+        "4: doubt: the entry has a time of 1500 ms but no node-ID, so it is not in use",
+        "5: its access type does not allow a write (0601 0002h)",
     ];
     assert_eq!(found, expected);
 

@@ -276,7 +276,7 @@ mod tests {
     #[test]
     fn errors_tell_the_byte() {
         let message = |hex: &str| ConciseDcf::parse(&bytes(hex)).unwrap_err().to_string();
-        assert_eq!(message("010000"), "at byte 0: the stream has 3 bytes, but starts with a count of 4");
+        assert_eq!(message("010000"), "at byte 0: the stream has 3 bytes, but its entry count takes 4");
         assert_eq!(message("02000000 1710 00 02000000 FA00"), "at byte 13: the stream has 1 of 2 entries");
         assert_eq!(
             message("01000000 1710 00 0200"),
