@@ -302,7 +302,7 @@ fn what_makes_no_constant_is_noted() {
     let generated = generate(&odd(), Target::RUST, &Options::default()).unwrap();
     let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();
     let none = |value: &str| {
-        format!("there is no constant for `{value}`, which is no number of this object on every node")
+        format!("no constant for `{value}`, which is not valid for this object on every node")
     };
     assert_eq!(
         notes,

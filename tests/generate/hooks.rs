@@ -283,10 +283,10 @@ fn hooks_that_can_do_little_are_told() {
     assert_eq!(
         told(&["2003", "2006", "2009", "2001:4"]),
         [
-            "0x2003: the value is in flash: a hook is called before it is read, and cannot change it",
+            "0x2003: the value is in flash: the hook is called before a read, but cannot change it",
             "0x2006: the table has nothing here that a hook could be called for",
-            "0x2009: there is nothing that a hook could be called for",
-            "0x2001sub4: there is nothing that a hook could be called for",
+            "0x2009: no entry to call a hook for",
+            "0x2001sub4: no entry to call a hook for",
         ]
     );
 }

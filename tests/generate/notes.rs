@@ -72,23 +72,23 @@ fn what_is_left_out_is_named() {
     for (entry, expected) in [
         (
             Entry { data_type: None, ..byte() },
-            "0x2000sub0 / DataType: an entry without data type is left out",
+            "0x2000sub0 / DataType: an entry without a data type is omitted",
         ),
         (
             Entry { data_type: Some(DataType(0x300)), ..byte() },
-            "0x2000sub0 / DataType: the length of the data type `0300h` is not known; the entry is left out",
+            "0x2000sub0 / DataType: the length of the data type `0300h` is unknown; the entry is omitted",
         ),
         (
             Entry { object_type: Some(ObjectType::Null), ..byte() },
-            "0x2000sub0: an object of type NULL has no data and is left out",
+            "0x2000sub0: an object of type NULL has no data and is omitted",
         ),
         (
             Entry { object_type: Some(ObjectType::Record), ..byte() },
-            "0x2000: an object without entries is left out",
+            "0x2000: an object without entries is omitted",
         ),
         (
             Entry { data_type: Some(DataType::DOMAIN), ..byte() },
-            "0x2000sub0: a DOMAIN without default has no room in the table",
+            "0x2000sub0: a DOMAIN without a default has no memory in the table",
         ),
     ] {
         assert_eq!(notes(&with(entry)), [expected]);
@@ -105,23 +105,23 @@ fn what_is_assumed_is_named() {
     for (entry, expected) in [
         (
             Entry { access: None, ..byte() },
-            "0x2000sub0 / AccessType: an entry without access type is assumed to be `ro`",
+            "0x2000sub0 / AccessType: an entry without an access type is assumed to be `ro`",
         ),
         (
             Entry { access: None, ..misfit(Field::AccessType, "rx") },
-            "0x2000sub0 / AccessType: `rx` is no access type; `ro` is assumed",
+            "0x2000sub0 / AccessType: `rx` is not an access type; `ro` is assumed",
         ),
         (
             misfit(Field::DefaultValue, "256"),
-            "0x2000sub0 / DefaultValue: `256` is no value of UNSIGNED8; zero or empty is used",
+            "0x2000sub0 / DefaultValue: `256` is not a valid UNSIGNED8; zero or empty is used",
         ),
         (
             Entry { default: Some(Value::Unsigned(1)), ..misfit(Field::ParameterValue, "x") },
-            "0x2000sub0 / ParameterValue: `x` is no value of UNSIGNED8; the default is used, zero or empty where there is none",
+            "0x2000sub0 / ParameterValue: `x` is not a valid UNSIGNED8; the default is used, or zero or empty without one",
         ),
         (
             misfit(Field::HighLimit, "high"),
-            "0x2000sub0 / HighLimit: `high` is no value of UNSIGNED8; the limit is not enforced",
+            "0x2000sub0 / HighLimit: `high` is not a valid UNSIGNED8; the limit is not enforced",
         ),
         (
             Entry {
@@ -129,7 +129,7 @@ fn what_is_assumed_is_named() {
                 low_limit: Some(Value::Text("a".into())),
                 ..byte()
             },
-            "0x2000sub0 / LowLimit: values of VISIBLE_STRING have no order; the limit is not enforced",
+            "0x2000sub0 / LowLimit: values of VISIBLE_STRING are not ordered; the limit is not enforced",
         ),
         (
             Entry { data_type: Some(DataType::REAL32), high_limit: Some(Value::Real32(f32::NAN)), ..byte() },
@@ -166,7 +166,7 @@ fn what_would_come_out_wrong_is_refused() {
         ),
         (
             Entry { default: Some(Value::Unsigned(256)), ..byte() },
-            "0x2000sub0 / DefaultValue: `256` is no value of UNSIGNED8",
+            "0x2000sub0 / DefaultValue: `256` is not a valid UNSIGNED8",
         ),
         (
             Entry {
@@ -174,7 +174,7 @@ fn what_would_come_out_wrong_is_refused() {
                 data_type: Some(DataType::DOMAIN),
                 ..byte()
             },
-            "0x2000sub0 / DefaultValue: a value of 65536 bytes; a table holds 65535 at most",
+            "0x2000sub0 / DefaultValue: the value has 65536 bytes, but a table supports at most 65535",
         ),
     ] {
         assert_eq!(error(&with(entry)), expected);

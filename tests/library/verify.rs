@@ -90,7 +90,7 @@ fn services_are_switched_off_before_they_are_renamed() {
 
 /// Exercise 2.7.1 with the words as the textbook prints them: the node-IDs are forgotten, and sub-index 0 is const.
 #[test]
-fn a_consumer_without_node_id_watches_nobody() {
+fn a_consumer_without_node_id_is_not_in_use() {
     let found = objections(
         "1017:00 UNSIGNED16 250\n1016:01 UNSIGNED32 750\n1016:00 UNSIGNED8 1\n1016:02 UNSIGNED32 1500\n1016:00 UNSIGNED8 2\n",
     );
@@ -108,7 +108,7 @@ fn a_consumer_without_node_id_watches_nobody() {
     let mut device = device("eds/io-401.eds");
     device.objects.get_mut(&0x1016).unwrap().subs.get_mut(1).unwrap().high_limit = None;
     let found = objections_of(&device, "1016:01 UNSIGNED32 0x008001F4\n");
-    assert_eq!(found, ["1: doubt: there is a time of 500 ms, but `128` is no node-ID, so it watches nobody"]);
+    assert_eq!(found, ["1: doubt: the entry has a time of 500 ms, but `128` is not a node-ID, so it is not in use"]);
 }
 
 #[test]

@@ -102,11 +102,11 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
 }
 
 const OF_CANOPENNODE: &[(Aspect, &str)] = &[
-    (Aspect::Entry, "an object of the stack has 255 entries at most"),
-    (Aspect::Size, "of the stack has always the same length"),
-    (Aspect::Size, "without default has no room in the tables"),
-    (Aspect::Default, "ends a UNICODE_STRING at its first zero byte"),
-    (Aspect::Default, "ends a text at its first zero"),
+    (Aspect::Entry, "an object of the stack has at most 255 entries"),
+    (Aspect::Size, "of the stack has a fixed length"),
+    (Aspect::Size, "without a default has no memory in the tables"),
+    (Aspect::Default, "truncates a UNICODE_STRING at its first zero byte"),
+    (Aspect::Default, "truncates a text at its first zero"),
     (Aspect::Default, "the stack adds the node-ID to"),
     (Aspect::Default, "the stack sets it to"),
     (Aspect::Default, "a NaN comes out as"),
@@ -115,22 +115,22 @@ const OF_CANOPENNODE: &[(Aspect, &str)] = &[
 const OF_CANOPEN_STACK: &[(Aspect, &str)] = &[
     (Aspect::Entry, "without 1200h the stack has no SDO server; it is added"),
     (Aspect::Mapping, "its row has one flag for both directions"),
-    (Aspect::Default, "the error history is empty when the stack begins"),
-    (Aspect::Default, "its value has no bit 0, so no SDO"),
-    (Aspect::Default, "the stack answers 1 or 0 and nothing else"),
+    (Aspect::Default, "the error history is empty when the stack starts"),
+    (Aspect::Default, "bit 0 of its value is clear, so no SDO"),
+    (Aspect::Default, "the stack answers only 1 or 0"),
     (Aspect::Default, "the stack does not add the node-ID here"),
-    (Aspect::Default, "the stack does not keep bits 24 to 31"),
+    (Aspect::Default, "the stack drops bits 24 to 31"),
 ];
 
 const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
-    (Aspect::Entry, "so the entry is left out"),
-    (Aspect::Entry, "the stack serves the entry by itself"),
-    (Aspect::Access, "outside of the process image nothing can be written"),
-    (Aspect::Size, "outside of the process image nothing can be written"),
+    (Aspect::Entry, "the entry is omitted"),
+    (Aspect::Entry, "the stack serves the entry itself"),
+    (Aspect::Access, "entries outside of the process image cannot be written"),
+    (Aspect::Size, "entries outside of the process image cannot be written"),
 ];
 
 const OF_OBJDICT_MACROS: &[(Aspect, &str)] =
-    &[(Aspect::Mapping, "a row is mapped in one direction only"), (Aspect::Default, "a row has one length")];
+    &[(Aspect::Mapping, "a row is mapped in one direction only"), (Aspect::Default, "a row has a fixed length")];
 
 #[test]
 fn every_target_has_what_every_other_has() {

@@ -76,7 +76,7 @@ fn held_as_octets(shape: Shape) -> Option<String> {
             Some(format!("{data_type} is stored as an octet string of {}", bytes(shape.size())))
         }
         Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
-            Some("UNICODE_STRING is held as an octet string".to_owned())
+            Some("UNICODE_STRING is stored as an octet string".to_owned())
         }
         Shape::Block(length) => {
             let length = bytes(length.into());

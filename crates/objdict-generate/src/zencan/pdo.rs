@@ -126,7 +126,7 @@ impl Maker<'_> {
             let mapped = Mapping { index: (word >> 16) as u16, sub: (word >> 8) as u8, bits: word as u8 };
             let size = self.answers.size(mapped.index, mapped.sub);
             let why = match size {
-                None => "zencan has no such entry",
+                None => "zencan does not have the mapped entry",
                 Some(_) if !mapped.bits.is_multiple_of(8) => "zencan maps whole bytes only",
                 Some(size) if size < usize::from(mapped.bits / 8) => "the entry is shorter",
                 Some(_) => {

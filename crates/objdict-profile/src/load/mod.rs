@@ -437,8 +437,8 @@ entries = [
         assert!(message.contains("unknown field `colour`"), "{message}");
         assert_eq!(at, "colour");
         let (message, _) = error("data-type = \"UNSIGNED8\"\ndefault = 300");
-        assert_eq!(message, "`300` as default is no value of type UNSIGNED8");
+        assert_eq!(message, "the default `300` is not a valid UNSIGNED8");
         let (message, _) = error("[[object]]\nindex = 0x2000\nname = \"y\"");
-        assert_eq!(message, "2000h is described twice");
+        assert_eq!(message, "2000h is defined twice");
     }
 }

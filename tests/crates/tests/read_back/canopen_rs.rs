@@ -116,8 +116,8 @@ fn every_entry_is_read_back_or_has_its_note() {
                 "{name}: entries that nobody described"
             );
             assert!(node.refuses_more(), "{name}");
-            assert_eq!(counted(&fates.left_out), noted(&notes, "is left out: the crate holds"), "{name}");
-            assert_eq!(counted(&fates.octets), noted(&notes, "held as an octet string"), "{name}");
+            assert_eq!(counted(&fates.left_out), noted(&notes, "is omitted: the crate supports"), "{name}");
+            assert_eq!(counted(&fates.octets), noted(&notes, "stored as an octet string"), "{name}");
             same += fates.same;
         }
     }

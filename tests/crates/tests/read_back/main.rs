@@ -34,7 +34,7 @@ fn noted(notes: &[Note], text: &str) -> BTreeMap<u16, usize> {
             Part::Entry(index, _) | Part::Object(index) => index,
             _ => panic!("{note}: not about an entry"),
         };
-        let more = note.message.split("; so for ").nth(1).and_then(|rest| rest.split(' ').next());
+        let more = note.message.split("; also for ").nth(1).and_then(|rest| rest.split(' ').next());
         *noted.entry(index).or_default() += 1 + more.map_or(0, |more| more.parse().unwrap());
     }
     noted

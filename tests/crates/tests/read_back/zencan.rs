@@ -51,7 +51,7 @@ const KINDS: [&str; 9] = [
     "in zencan no SDO can read",
     "in zencan an SDO can write",
     "in zencan no SDO can write",
-    "in zencan it is not for PDOs",
+    "zencan does not allow the entry in PDOs",
     " becomes `",
 ];
 
@@ -86,7 +86,7 @@ impl Differences {
         };
         if info.pdo_mapping != mapping {
             assert_eq!(info.pdo_mapping, PdoMappable::None, "{name}: {row}");
-            self.put("in zencan it is not for PDOs", row);
+            self.put("zencan does not allow the entry in PDOs", row);
         }
         let data_type = match row.kind {
             Some(TypeKind::TimeOfDay) => DataType::TimeOfDay,

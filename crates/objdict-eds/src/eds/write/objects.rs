@@ -129,10 +129,11 @@ impl Writer<'_> {
 
     fn entry(&self, sheet: &mut Sheet<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
         let spelling = spelling(sheet, index, entry.data_type);
-        // a key without a value says nothing; an empty string stands in quotes
+        // a key without a value says nothing; an empty string is in quotes
         let value = |value: Option<&Value>| {
             value.map(|value| literal::print(value, spelling)).filter(|text| !text.trim().is_empty())
         };
+        let text = |text: Option<&Box<str>>| text.filter(|text| !text.trim().is_empty()).cloned();
         sheet.open(part);
         sheet.put(&Field::ParameterName, &entry.name);
         sheet.put_some(
@@ -159,10 +160,10 @@ impl Writer<'_> {
         }
         if let Some(configured) = &entry.configured {
             sheet.put_some(&Field::ParameterValue, value(configured.value.as_ref()));
-            sheet.put_some(&Field::Denotation, configured.denotation.as_ref());
-            sheet.put_some(&Field::UploadFile, configured.upload_file.as_ref());
-            sheet.put_some(&Field::DownloadFile, configured.download_file.as_ref());
-            sheet.put_some(&Field::ParamRefd, configured.reference_designator.as_ref());
+            sheet.put_some(&Field::Denotation, text(configured.denotation.as_ref()));
+            sheet.put_some(&Field::UploadFile, text(configured.upload_file.as_ref()));
+            sheet.put_some(&Field::DownloadFile, text(configured.download_file.as_ref()));
+            sheet.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
         sheet.extra(entry.extra.iter());
         sheet.misfits(&entry.misfits);
