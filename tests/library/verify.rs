@@ -108,7 +108,10 @@ fn a_consumer_without_node_id_is_not_in_use() {
     let mut device = device("eds/io-401.eds");
     device.objects.get_mut(&0x1016).unwrap().subs.get_mut(1).unwrap().high_limit = None;
     let found = objections_of(&device, "1016:01 UNSIGNED32 0x008001F4\n");
-    assert_eq!(found, ["1: doubt: the entry has a time of 500 ms, but `128` is not a node-ID, so it is not in use"]);
+    assert_eq!(
+        found,
+        ["1: doubt: the entry has a time of 500 ms, but `128` is not a node-ID, so it is not in use"]
+    );
 }
 
 #[test]

@@ -129,8 +129,10 @@ const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
     (Aspect::Size, "entries outside of the process image cannot be written"),
 ];
 
-const OF_OBJDICT_MACROS: &[(Aspect, &str)] =
-    &[(Aspect::Mapping, "a row is mapped in one direction only"), (Aspect::Default, "a row has a fixed length")];
+const OF_OBJDICT_MACROS: &[(Aspect, &str)] = &[
+    (Aspect::Mapping, "a row is mapped in one direction only"),
+    (Aspect::Default, "a row has a fixed length"),
+];
 
 #[test]
 fn every_target_has_what_every_other_has() {
