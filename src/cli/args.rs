@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use objdict_node::ObjectName;
 
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::dcf::{
@@ -553,14 +554,9 @@ pub(super) fn node_id(text: &str) -> Result<u8, String> {
     number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
 }
 
-/// The name of objects. Digits that are not an address are a typing error, not a name.
+/// The name of objects, which a device resolves.
 fn object(text: &str) -> Result<String, NoAddress> {
-    let is_numeric = text.starts_with(|c: char| c.is_ascii_digit())
-        && text.chars().all(|c| c.is_ascii_hexdigit() || matches!(c, 'x' | 'X' | ':'));
-    if is_numeric {
-        text.parse::<Address>()?;
-    }
-    Ok(text.to_owned())
+    text.parse::<ObjectName>().map(|_| text.to_owned())
 }
 
 /// A severity, as an argument.

@@ -138,6 +138,21 @@ fn all_problems_are_told_at_once() {
     insta::assert_snapshot!(problems.iter().map(told).collect::<Vec<_>>().join("\n"));
 }
 
+#[test]
+fn settings_name_objects() {
+    let device = open("eds/drive-402.eds").into_device();
+    let made = |set: &str, map: &str| {
+        configure(&device, 5, &[Setting::value(set).unwrap(), Setting::map(map).unwrap()])
+    };
+    let by_address = made("1017=250", "tpdo1=6041,6064").unwrap();
+    assert_eq!(made("producer heartbeat time=250", "tpdo1=Statusword,Position actual value"), Ok(by_address));
+    let problems = made("actual value=1", "tpdo1=statuswird").unwrap_err();
+    assert_eq!(problems[0].to_string(), "`actual value=1`: `actual value` is ambiguous");
+    let candidates = problems[0].help.as_deref().unwrap();
+    assert!(candidates.contains("`6064` Position actual value"), "{candidates}");
+    assert_eq!(problems[1].help.as_deref(), Some("did you mean `Statusword`?"));
+}
+
 /// Settings of compactly stored entries go into the section with their values, which may have to be made.
 #[test]
 fn compact_entries_are_configured() {

@@ -7,6 +7,6 @@ pub mod download;
 pub mod modular;
 mod resolve;
 
-pub use resolve::resolve;
+pub use resolve::{ObjectName, candidates, resolve};
 
 use objdict_model::{diagnostic, literal, model};

@@ -1,11 +1,76 @@
 //! Objects by the names that people give them.
 
-use crate::model::{Address, Device, PdoKind};
+use std::fmt;
+use std::str::FromStr;
+
+use crate::model::{Address, Device, NoAddress, PdoKind};
+
+/// An address, or another text that [`resolve`] understands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ObjectName {
+    /// `1018:1`.
+    Address(Address),
+    /// `statusword`.
+    Text(String),
+}
+
+impl FromStr for ObjectName {
+    type Err = NoAddress;
+
+    /// Digits that are not an address are a typing error, not a name.
+    fn from_str(text: &str) -> Result<Self, NoAddress> {
+        let text = text.trim();
+        let is_numeric = text.starts_with(|c: char| c.is_ascii_digit())
+            && text.chars().all(|c| c.is_ascii_hexdigit() || matches!(c, 'x' | 'X' | ':'));
+        match text.parse() {
+            Ok(address) => Ok(Self::Address(address)),
+            Err(error) if is_numeric || plain(text).is_empty() => Err(error),
+            Err(_) => Ok(Self::Text(text.to_owned())),
+        }
+    }
+}
+
+/// As it was written; addresses as `1017` and `1800:2`.
+impl fmt::Display for ObjectName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Address(Address { index, sub: Some(sub) }) => write!(f, "{index:04X}:{sub:X}"),
+            Self::Address(Address { index, sub: None }) => write!(f, "{index:04X}"),
+            Self::Text(text) => f.write_str(text),
+        }
+    }
+}
 
 /// The objects and entries of a device that a text means: an address (`1018:1`), a PDO (`tpdo1`), an area (`communication`,
 /// `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a name. Case, blanks and punctuation of
-/// names do not count. A full name wins over a part of one. An address is returned even if the device does not have it.
+/// names do not count. A full name wins over a part of one, and objects win over entries. An address is returned even if the
+/// device does not have it.
 pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
+    find(device, text, |is_meant| {
+        let found = objects_by(device, |_, name| is_meant(name));
+        if found.is_empty() { entries_by(device, is_meant) } else { found }
+    })
+}
+
+/// Everything that a text may mean where one entry is wanted, in the order of the dictionary: as [`resolve`], but objects do not
+/// win over entries. When an object and its own entries have the name, the entries count.
+pub fn candidates(device: &Device, text: &str) -> Vec<Address> {
+    find(device, text, |is_meant| {
+        let entries = entries_by(device, is_meant);
+        let mut found = objects_by(device, |_, name| is_meant(name));
+        found.retain(|object| entries.iter().all(|entry| entry.index != object.index));
+        found.extend(entries);
+        found.sort_unstable();
+        found
+    })
+}
+
+/// What a text means; `by_name` finds the names that a function accepts.
+fn find(
+    device: &Device,
+    text: &str,
+    by_name: impl Fn(&dyn Fn(&str) -> bool) -> Vec<Address>,
+) -> Vec<Address> {
     if let Ok(address) = text.parse() {
         return vec![address];
     }
@@ -32,10 +97,6 @@ pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
     if wanted.is_empty() {
         return Vec::new();
     }
-    let by_name = |is_meant: &dyn Fn(&str) -> bool| {
-        let found = objects_by(device, |_, name| is_meant(name));
-        if found.is_empty() { entries_by(device, is_meant) } else { found }
-    };
     let exact = by_name(&|name| name == wanted);
     if exact.is_empty() { by_name(&|name| name.contains(&wanted)) } else { exact }
 }
@@ -99,7 +160,7 @@ fn matches(pattern: &[u8], text: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Object;
+    use crate::model::{Entry, Object, ObjectType};
 
     #[test]
     fn names_patterns_and_areas() {
@@ -127,5 +188,29 @@ mod tests {
         assert_eq!(found("communication"), [0x1800, 0x1A00]);
         assert_eq!(found("tpdo9"), [0u16; 0]);
         assert_eq!(found("-"), [0u16; 0]);
+    }
+
+    #[test]
+    fn one_entry_is_wanted() {
+        let mut device = Device::default();
+        let named = |name: &str, subs: &[&str]| {
+            let mut object = Object::default();
+            object.main.name = name.into();
+            for (sub, name) in (1..).zip(subs) {
+                object.main.object_type = Some(ObjectType::Record);
+                object.subs.insert(sub, Entry { name: (*name).into(), ..Entry::default() });
+            }
+            object
+        };
+        device.objects.insert(0x2000, named("Speed", &[]));
+        device.objects.insert(0x2001, named("Motor", &["Speed", "Current"]));
+        device.objects.insert(0x2002, named("Limit", &["Limit"]));
+        let found =
+            |text: &str| candidates(&device, text).iter().map(|at| (at.index, at.sub)).collect::<Vec<_>>();
+        assert_eq!(found("speed"), [(0x2000, None), (0x2001, Some(1))]);
+        assert_eq!(found("current"), [(0x2001, Some(2))]);
+        assert_eq!(found("limit"), [(0x2002, Some(1))]);
+        assert_eq!(found("motor"), [(0x2001, None)]);
+        assert_eq!(resolve(&device, "speed").len(), 1, "an object wins where both can be shown");
     }
 }

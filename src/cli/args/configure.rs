@@ -33,10 +33,10 @@ pub(in crate::cli) struct ConfigureArgs {
     /// The node name
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
-    /// Set the value of an entry: `1017=250`, `1800:2=0xFE`; repeatable
+    /// Set the value of an entry, by index or name: `1017=250`, `1800:2=0xFE`, `Producer heartbeat time=250`; repeatable
     #[arg(long, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub set: Vec<Setting>,
-    /// Map entries into a PDO: `tpdo1=6000:1,6401:2`; repeatable
+    /// Map entries into a PDO, by index or name: `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; repeatable
     #[arg(long, value_name = "PDO=ENTRIES", value_parser = Setting::map)]
     pub map: Vec<Setting>,
     /// Set the CAN-ID of a PDO: `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`; repeatable

@@ -2,14 +2,49 @@
 
 use std::borrow::Cow;
 
-use super::setting::spelled;
 use super::{Desk, Wrong};
-use crate::diagnostic::{listing, nearest, sub_index};
+use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, Address, Entry, Object, ObjectType, Value};
+use crate::resolve::{ObjectName, candidates};
+
+/// So many candidates of an ambiguous name are listed.
+const MAX_CANDIDATES: usize = 8;
 
 impl<'a> Desk<'a> {
+    /// The one object or entry of a name.
+    pub(super) fn address(&self, name: &ObjectName) -> Result<Address, Wrong> {
+        let text = match name {
+            ObjectName::Address(address) => return Ok(*address),
+            ObjectName::Text(text) => text,
+        };
+        match candidates(self.device, text)[..] {
+            [address] => Ok(address),
+            [] => {
+                let wrong = Wrong::new(format!("there is no object or entry `{text}`"));
+                Err(match nearest(text, self.device.objects.values().map(Object::name)) {
+                    Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
+                    None => wrong.help("`objdict show` lists the objects"),
+                })
+            }
+            ref found => {
+                let shown = found.iter().take(MAX_CANDIDATES).map(|&at| self.described(at));
+                let more =
+                    (found.len() > MAX_CANDIDATES).then(|| format!("{} more", found.len() - MAX_CANDIDATES));
+                let candidates = series(shown.chain(more));
+                Err(Wrong::new(format!("`{text}` is ambiguous")).help(format!("it could be {candidates}")))
+            }
+        }
+    }
+
+    /// "`6064` Position actual value", "`1800:2` in TPDO 1 communication parameter".
+    fn described(&self, at: Address) -> String {
+        let name = self.device.object(at.index).map_or("", Object::name);
+        let of = if at.sub.is_some() { "in " } else { "" };
+        format!("`{}` {of}{name}", ObjectName::Address(at))
+    }
+
     /// Gives an entry the value of a text.
     pub(super) fn set(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         let (sub, entry) = self.writable(at)?;
@@ -91,7 +126,7 @@ impl<'a> Desk<'a> {
             None => {
                 let subs = subs(object);
                 let wrong = Wrong::new("the object has sub-indexes, but the setting names none");
-                let example = spelled(Address { sub: Some(1), ..at });
+                let example = ObjectName::Address(Address { sub: Some(1), ..at });
                 return Err(wrong.help(format!("name one of {subs}, as in `{example}`")));
             }
         };

@@ -118,12 +118,20 @@ mod tests {
 
     #[test]
     fn a_file_says_what_the_options_say() {
-        let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n\
+        let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n'Producer heartbeat time' = 5\n\
                     [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n";
         let file = SettingsFile::parse(text).unwrap();
         assert_eq!((file.node_id, file.baud_rate, file.name.as_deref()), (Some(5), Some(250), Some("pump")));
         let settings: Vec<String> = file.settings.iter().map(ToString::to_string).collect();
-        let expected = ["1017=250", "1800:2=0xFE", "2000=1", "tpdo1=6000:1,6401:2", "rpdo2=0x2AA", "7=750ms"];
+        let expected = [
+            "1017=250",
+            "1800:2=0xFE",
+            "2000=1",
+            "Producer heartbeat time=5",
+            "tpdo1=6000:1,6401:2",
+            "rpdo2=0x2AA",
+            "7=750ms",
+        ];
         assert_eq!(settings, expected);
     }
 

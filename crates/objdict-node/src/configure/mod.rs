@@ -107,7 +107,7 @@ struct Desk<'a> {
 impl Desk<'_> {
     fn take(&mut self, setting: &Setting) -> Result<(), Wrong> {
         match setting {
-            Setting::Value { at, text } => self.set(*at, text),
+            Setting::Value { at, text } => self.address(at).and_then(|at| self.set(at, text)),
             Setting::Map { pdo, objects } => self.map(*pdo, objects),
             Setting::CobId { pdo, id } => self.cob_id(*pdo, *id),
             Setting::HeartbeatConsumer { node_id, milliseconds } => self.watch(*node_id, *milliseconds),

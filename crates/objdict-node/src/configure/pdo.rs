@@ -1,22 +1,22 @@
 //! Mappings and CAN-IDs of PDOs.
 
-use super::setting::spelled;
 use super::{CanId, Desk, PdoName, Wrong};
 use crate::diagnostic::listing;
 use crate::download::transferred_type;
 use crate::model::{Address, CobId, DataType, MappedObject, PdoKind, Value, restricted};
+use crate::resolve::ObjectName;
 
 /// The bits of a frame.
 const FRAME: u32 = 64;
 
 impl Desk<'_> {
     /// Maps entries into a PDO. Slots behind the last one keep what they have: the number says that they do not count.
-    pub(super) fn map(&mut self, pdo: PdoName, objects: &[Address]) -> Result<(), Wrong> {
+    pub(super) fn map(&mut self, pdo: PdoName, objects: &[ObjectName]) -> Result<(), Wrong> {
         let index = self.mapping_of(pdo)?;
         let mut bits = 0;
         let mut mapped = Vec::with_capacity(objects.len());
-        for &at in objects {
-            let object = self.mappable(pdo.kind, at)?;
+        for name in objects {
+            let object = self.mappable(pdo.kind, self.address(name)?)?;
             bits += u32::from(object.bits);
             mapped.push(object);
         }
@@ -45,7 +45,7 @@ impl Desk<'_> {
         let (sub, entry) = self.writable(at).map_err(|wrong| {
             Wrong::new(format!(
                 "the mapping of {pdo} cannot be changed: `{}`: {}",
-                spelled(at),
+                ObjectName::Address(at),
                 wrong.message
             ))
         })?;
@@ -67,7 +67,7 @@ impl Desk<'_> {
 
     /// An entry as a mapping names it.
     fn mappable(&self, kind: PdoKind, at: Address) -> Result<MappedObject, Wrong> {
-        let name = spelled(at);
+        let name = ObjectName::Address(at);
         let data_type = DataType(at.index);
         if at.index < 0x20 {
             let bits = data_type.bit_length().filter(|_| kind == PdoKind::Rpdo && data_type.is_dummy());

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::model::{Address, PdoKind};
+use crate::model::PdoKind;
+use crate::resolve::ObjectName;
 
 /// One thing that somebody wants.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,7 +13,7 @@ pub enum Setting {
     /// An entry gets a value, spelled as in a DCF.
     Value {
         /// The entry; the object itself where it is a VAR.
-        at: Address,
+        at: ObjectName,
         /// The value.
         text: String,
     },
@@ -21,7 +22,7 @@ pub enum Setting {
         /// The PDO.
         pdo: PdoName,
         /// The entries; of an RPDO also data types, which fill (`0005`).
-        objects: Vec<Address>,
+        objects: Vec<ObjectName>,
     },
     /// A PDO gets another CAN-ID.
     CobId {
@@ -76,7 +77,7 @@ impl NoSetting {
 }
 
 impl Setting {
-    /// `1017=250`, `1800:2=1`, `2001="a text"`.
+    /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`.
     ///
     /// # Errors
     /// When that is not what the text says.
@@ -88,7 +89,7 @@ impl Setting {
         Ok(Self::Value { at, text: value.trim().to_owned() })
     }
 
-    /// `tpdo1=6000:1,6401:2`; nothing behind the `=` maps nothing.
+    /// `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; nothing behind the `=` maps nothing.
     ///
     /// # Errors
     /// When that is not what the text says.
@@ -213,22 +214,14 @@ impl fmt::Display for CanId {
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Value { at, text } => write!(f, "{}={text}", spelled(*at)),
+            Self::Value { at, text } => write!(f, "{at}={text}"),
             Self::Map { pdo, objects } => {
-                let objects: Vec<String> = objects.iter().map(|&at| spelled(at)).collect();
+                let objects: Vec<String> = objects.iter().map(ToString::to_string).collect();
                 write!(f, "{pdo}={}", objects.join(","))
             }
             Self::CobId { pdo, id } => write!(f, "{pdo}={id}"),
             Self::HeartbeatConsumer { node_id, milliseconds } => write!(f, "{node_id}={milliseconds}ms"),
         }
-    }
-}
-
-/// `1017`, `1800:2`.
-pub(super) fn spelled(at: Address) -> String {
-    match at.sub {
-        Some(sub) => format!("{:04X}:{sub:X}", at.index),
-        None => format!("{:04X}", at.index),
     }
 }
 
@@ -238,10 +231,12 @@ mod tests {
 
     #[test]
     fn settings_are_written_as_they_are_read() {
-        for text in ["1017=250", "1800:2=0xFE", "2001=\"a = b\"", "1F80=$NODEID+0x1"] {
+        for text in
+            ["1017=250", "1800:2=0xFE", "2001=\"a = b\"", "1F80=$NODEID+0x1", "Producer heartbeat time=250"]
+        {
             assert_eq!(Setting::value(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
         }
-        for text in ["tpdo1=6000:1,6401:2", "rpdo512=0005,6200:1", "tpdo3="] {
+        for text in ["tpdo1=6000:1,6401:2", "rpdo512=0005,6200:1", "tpdo3=", "tpdo1=Statusword,6064"] {
             assert_eq!(Setting::map(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
         }
         for text in ["rpdo2=0x2AA", "tpdo1=$NODEID+0x180", "tpdo3=off"] {
@@ -257,10 +252,10 @@ mod tests {
 
     #[test]
     fn what_is_no_setting() {
-        for text in ["1017", "heartbeat=1", "10170=1", "=1"] {
+        for text in ["1017", "-=1", "10170=1", "=1"] {
             assert!(Setting::value(text).is_err(), "{text}");
         }
-        for text in ["tpdo0=6000", "tpdo513=6000", "pdo1=6000", "tpdo1=x"] {
+        for text in ["tpdo0=6000", "tpdo513=6000", "pdo1=6000", "tpdo1=60000"] {
             assert!(Setting::map(text).is_err(), "{text}");
         }
         for text in ["tpdo1=0x1FFFFFFF", "tpdo1=-1", "tpdo1=$NODEID-1", "tpdo1"] {
