@@ -132,6 +132,10 @@ pub static REACTIONS: &[Reaction] = &[
             finding.message.names_part(|part| required.contains(part))
         },
     ),
+    row("cia306/misspelt-key", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/misspelt-key", WRITERS, Dropped, "the key is lost"),
+    row("cia306/misspelt-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/misspelt-section", WRITERS, Dropped, "the section is lost"),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/not-ascii", PYTHON, Refused, "the file is refused").when("not UTF-8", is_of_one_byte),
     row("cia306/not-ascii", EDITOR, Wrong, "each such character becomes U+FFFD")

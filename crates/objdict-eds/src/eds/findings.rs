@@ -9,8 +9,9 @@ use crate::diagnostic::{RuleInfo, text_rule};
 use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub(super) use raise::{
-    Twin, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, quoted_name,
-    section_spelling, stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
+    Twin, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, misspelt_key,
+    misspelt_section, quoted_name, section_spelling, stray_compact_entry, stray_compact_section, unknown_key,
+    unknown_section, wrong_count,
 };
 
 /// Every rule of this module.
@@ -19,6 +20,8 @@ pub static RULES: &[&RuleInfo] = &[
     &DUPLICATE_KEY,
     &UNKNOWN_SECTION,
     &UNKNOWN_KEY,
+    &MISSPELT_SECTION,
+    &MISSPELT_KEY,
     &SECTION_SPELLING,
     &COMMISSIONING_SPELLING,
     &STRAY_COMPACT_SECTION,
@@ -57,19 +60,39 @@ text_rule! {
     UNKNOWN_SECTION = "cia306/unknown-section", Note;
     summary: "the standard does not define a section",
     checks: "Whether each section is defined in CiA 306-1 or CiA 306-3. Unknown sections are kept.",
-    why: "The standard allows unknown sections, dcf-tools refuses them. The name may be misspelt.",
+    why: "The standard allows unknown sections, dcf-tools refuses them.",
     example: "`[ToolInfos]`",
     remedy: "Check the spelling, or remove the section if no tool needs it.",
     source: "CiA 306-1 §4.2",
 }
 
 text_rule! {
-    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Unsafe;
+    UNKNOWN_KEY = "cia306/unknown-key", Note;
     summary: "the standard does not define a key in its section",
     checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
-    why: "The standard allows unknown keys, dcf-tools refuses them. If the name is misspelt, its value has no effect.",
-    example: "`Supported Objects=3`",
+    why: "The standard allows unknown keys, dcf-tools refuses them.",
+    example: "`Unit=ms`",
     remedy: "Check the spelling, or remove the key if no tool needs it.",
+    source: "CiA 306-1 §4.2",
+}
+
+text_rule! {
+    MISSPELT_SECTION = "cia306/misspelt-section", Warning, fix Unsafe;
+    summary: "the name of a section is misspelt",
+    checks: "Whether the name of a section that the standard does not define is almost that of a missing one. The section is read as the missing one, so its absence is not reported. Sections of objects and sub-indexes have the rule `cia306/section-spelling`.",
+    why: "Other tools ignore the section: the objects of a misspelt list are not listed.",
+    example: "`[OptionalObject]`",
+    remedy: "Write `[OptionalObjects]`.",
+    source: "CiA 306-1 §4.2",
+}
+
+text_rule! {
+    MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Unsafe;
+    summary: "the name of a key is misspelt",
+    checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported.",
+    why: "Other tools ignore the key: the value, limit or type has no effect.",
+    example: "`DefualtValue=250`, `Supported Objects=3`",
+    remedy: "Write `DefaultValue=250`, `SupportedObjects=3`.",
     source: "CiA 306-1 §4.2",
 }
 

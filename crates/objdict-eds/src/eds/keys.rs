@@ -90,6 +90,11 @@ impl KeySet {
         *word |= bit;
         is_new
     }
+
+    /// Whether a key is among them.
+    pub(crate) fn contains(&self, Key(number): Key) -> bool {
+        self.0[usize::from(number >> 6) & 1] & (1 << (number & 63)) != 0
+    }
 }
 
 #[cfg(test)]

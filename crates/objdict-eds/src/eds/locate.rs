@@ -5,8 +5,10 @@ use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use super::keys::Key;
+use super::misspelt;
 use super::order::Rank;
-use super::section::SectionName;
+use super::section::{SectionName, Spelling};
 use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
@@ -32,14 +34,18 @@ impl Locator {
     pub fn new(document: &Document) -> Self {
         let state = RandomState::new();
         let mut found = Vec::new();
+        let mut misspelt = Vec::new();
         for line in headers(document.text()) {
             if let LineKind::Section { name } = line.kind {
-                let part = SectionName::parse(name.of(document.text())).part;
-                found.push((number_of(&state, &part), line.span.start));
+                let name = SectionName::parse(name.of(document.text()));
+                let sections = if name.spelling == Spelling::Misspelt { &mut misspelt } else { &mut found };
+                sections.push((number_of(&state, &name.part), line.span.start));
             }
         }
+        // a misspelt section only counts if none has the correct name
+        found.append(&mut misspelt);
         // sections are mostly in their order already
-        found.sort();
+        found.sort_by_key(|(number, _)| *number);
         Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
@@ -60,7 +66,26 @@ impl Locator {
                 return Some(span);
             }
         }
-        header.or_else(|| self.stand_in(document, &place.part))
+        self.misspelt_key(document, place).or(header).or_else(|| self.stand_in(document, &place.part))
+    }
+
+    /// The value of a key whose name is misspelt.
+    fn misspelt_key(&self, document: &Document, place: &Place) -> Option<Span> {
+        let field =
+            place.field.as_ref().filter(|field| !matches!(field, Field::Item(_) | Field::Named(_)))?;
+        let text = document.text();
+        let is_meant = |name: &str| {
+            Key::find(name).is_none()
+                && misspelt::key(&place.part, name).is_some_and(|key| key.field() == field)
+        };
+        let start = self.starts(&place.part).next()?;
+        let lines = Lines::from(text, start).skip(1).take_while(|line| !is_header(line));
+        lines.take(SHORT).find_map(|line| match line.kind {
+            LineKind::Entry { key, value } if is_meant(key.of(text)) => {
+                Some(if value.is_empty() { key } else { value })
+            }
+            _ => None,
+        })
     }
 
     /// The sections in the order of the text: where each would stand, and where its header line starts.

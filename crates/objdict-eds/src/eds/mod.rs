@@ -10,6 +10,7 @@ pub mod findings;
 mod keys;
 mod locate;
 mod mend;
+mod misspelt;
 mod order;
 pub mod portability;
 mod read;

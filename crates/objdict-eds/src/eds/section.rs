@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::misspelt;
 use crate::diagnostic;
 use crate::model::{ModulePart, ObjectList, Part};
 
@@ -26,10 +27,12 @@ pub(crate) enum Spelling {
     LeadingZero,
     /// `[0x1018]` or `[1018 sub1]`: understood, but other tools do not.
     Decorated,
+    /// `[OptionalObject]`: almost a name of the standard.
+    Misspelt,
 }
 
 /// The names with no number in them.
-const FIXED: [(&str, Part); 12] = [
+pub(super) static FIXED: [(&str, Part); 12] = [
     ("FileInfo", Part::FileInfo),
     ("DeviceInfo", Part::DeviceInfo),
     ("DummyUsage", Part::DummyUsage),
@@ -62,7 +65,13 @@ impl SectionName {
         if let Some(part) = tool_part(name) {
             return Self::standard(part);
         }
-        odd_object(name).unwrap_or_else(|| Self::standard(Part::Section(name.to_ascii_lowercase().into())))
+        if let Some(object) = odd_object(name) {
+            return object;
+        }
+        match misspelt::section(name) {
+            Some(part) => Self { part, spelling: Spelling::Misspelt },
+            None => Self::standard(Part::Section(name.to_ascii_lowercase().into())),
+        }
     }
 
     fn standard(part: Part) -> Self {

@@ -2,12 +2,14 @@
 
 use super::{
     COMMISSIONING_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
-    SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
+    MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION,
+    WRONG_COUNT,
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
+use crate::eds::keys::Key;
 use crate::eds::read::Item;
-use crate::eds::section::{SectionName, Spelling};
-use crate::model::{Field, ObjectType, Place};
+use crate::eds::section::{SectionName, Spelling, section_name};
+use crate::model::{Field, ObjectType, Part, Place};
 use crate::source::Span;
 
 /// `item` repeats `first`.
@@ -99,29 +101,35 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
         Some(_) => say!("`{}` does not belong in `[{}]`; the key is kept", item.name, section),
         None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),
     };
-    let finding = Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
-        .help("check the spelling; some tools refuse unknown keys");
-    match meant(item).filter(|_| item.key.is_none()) {
-        Some(name) => finding.fix(Fix::risky(say!("write `{}`", name)).replace(item.name_at, name)),
-        None => finding,
-    }
+    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
+        .help("check the spelling; some tools refuse unknown keys")
 }
 
-/// The standard key that differs only in spaces, punctuation and case.
-fn meant(item: &Item<'_>) -> Option<&'static str> {
-    let mut names = Field::NAMED.iter().map(|(name, _)| *name);
-    names.find(|name| letters(name).eq(letters(item.name)))
+/// Reports a key that is read as another one.
+pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: Key) -> Diagnostic {
+    let meant = meant.field().name();
+    let message = say!("the standard does not define key `{}`: did you mean `{}`?", item.name, &*meant);
+    let fix = Fix::risky(say!("write `{}`", &*meant)).replace(item.name_at, &*meant);
+    Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
+        .help(say!("write `{}`; other tools ignore the misspelt key", &*meant))
+        .fix(fix)
 }
 
-/// The letters and digits of a name in lower case.
-fn letters(name: &str) -> impl Iterator<Item = u8> {
-    name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
+/// Reports a section that is read as another one.
+pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Diagnostic {
+    let meant = section_name(part).unwrap_or_default();
+    let message = say!("the standard does not define section `[{}]`: did you mean `[{}]`?", name, meant);
+    let fix = Fix::risky(say!("write `[{}]`", meant)).replace(at, meant.as_str());
+    Diagnostic::new(&MISSPELT_SECTION, at, message)
+        .help(say!("write `[{}]`; other tools ignore the misspelt section", meant))
+        .fix(fix)
 }
 
 /// Reports the spelling of a section name.
 pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
     let (rule, message) = match parsed.spelling {
-        Spelling::Standard => return None,
+        // a misspelt name is judged when all sections are known
+        Spelling::Standard | Spelling::Misspelt => return None,
         Spelling::CorrectCommissioning => {
             (&COMMISSIONING_SPELLING, say!("the standard spells `[{}]` with one m", name))
         }

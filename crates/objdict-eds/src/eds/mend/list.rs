@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::section::{KeyLine, is_counter};
+use super::section::{KeyLine, is_counter, line_of};
 use super::{Rewriter, counter_of, index_text, list_lines};
 use crate::ini::Section;
 use crate::literal::{self, Quirks};
@@ -74,13 +74,13 @@ impl Rewriter<'_> {
         }
         rewritten.extend(wanted.map(new));
         *lines = rewritten;
-        number(lines, &counter);
+        number(lines, part, &counter);
         Some(())
     }
 }
 
 /// Numbers the items from 1, and counts them.
-fn number(lines: &mut Vec<KeyLine>, counter: &Field) {
+fn number(lines: &mut Vec<KeyLine>, part: &Part, counter: &Field) {
     let mut number = 0;
     for line in lines.iter_mut() {
         let is_new = line.entry.is_none() && line.key.is_empty();
@@ -91,7 +91,7 @@ fn number(lines: &mut Vec<KeyLine>, counter: &Field) {
     }
     let name = counter.name();
     let count = Some(number.to_string());
-    match lines.iter_mut().find(|line| line.key.eq_ignore_ascii_case(&name)) {
+    match line_of(lines, part, &name) {
         Some(line) => line.value = count,
         None => {
             let line = KeyLine { entry: None, key: name.into_owned(), value: count, is_removed: false };

@@ -1,15 +1,18 @@
 //! Edits of the keys of one section.
 
 use super::key_line;
+use crate::eds::keys::Key;
+use crate::eds::misspelt;
 use crate::eds::order::{COUNTERS, key_rank};
 use crate::eds::section::SectionName;
 use crate::ini::{Document, Entry, Section};
-use crate::model::Field;
+use crate::model::{Field, Part};
 use crate::source::{Edits, Span};
 
 /// A section that gets other keys.
 pub(super) struct SectionEdit {
     section: Section,
+    part: Part,
     lines: Vec<KeyLine>,
     /// Whether its items are counted, and the count was right.
     counter: Option<Field>,
@@ -25,6 +28,14 @@ pub(super) struct KeyLine {
     pub is_removed: bool,
 }
 
+impl KeyLine {
+    /// Whether the key of the line is a misspelt `key`.
+    fn is_misspelt(&self, part: &Part, key: &str) -> bool {
+        Key::find(key)
+            .is_some_and(|key| Key::find(&self.key).is_none() && misspelt::key(part, &self.key) == Some(key))
+    }
+}
+
 impl SectionEdit {
     pub(super) fn new(document: &Document, section: Section) -> Self {
         let text = document.text();
@@ -38,19 +49,19 @@ impl SectionEdit {
                 is_removed: false,
             })
             .collect();
-        let part = section.header.map(|header| SectionName::parse(header.name.of(text)).part);
-        let counter = part.as_ref().and_then(super::counter_of).filter(|counter| {
+        let part =
+            section.header.map_or(Part::Device, |header| SectionName::parse(header.name.of(text)).part);
+        let counter = super::counter_of(&part).filter(|counter| {
             let items = lines.iter().filter(|line| Field::item(&line.key).is_some()).count();
             let stated = section.entries.iter().find(|entry| is_key(entry.key.of(text), counter));
             stated.is_some_and(|entry| entry.value.of(text) == items.to_string())
         });
-        Self { section, lines, counter }
+        Self { section, part, lines, counter }
     }
 
     /// Gives a key a value: where it stands, else in a new line behind what comes before it in the canonical order.
     pub(super) fn set(&mut self, key: String, value: String) {
-        let same = |line: &&mut KeyLine| !line.is_removed && line.key.eq_ignore_ascii_case(&key);
-        if let Some(line) = self.lines.iter_mut().find(same) {
+        if let Some(line) = line_of(&mut self.lines, &self.part, &key) {
             line.value = Some(value);
             return;
         }
@@ -61,7 +72,9 @@ impl SectionEdit {
     /// Takes a key away, wherever it stands; false where it does not.
     pub(super) fn remove(&mut self, key: &str) -> bool {
         let mut found = false;
-        for line in self.lines.iter_mut().filter(|line| line.key.eq_ignore_ascii_case(key)) {
+        let is_of =
+            |line: &&mut KeyLine| line.key.eq_ignore_ascii_case(key) || line.is_misspelt(&self.part, key);
+        for line in self.lines.iter_mut().filter(is_of) {
             line.is_removed = true;
             found = true;
         }
@@ -128,6 +141,19 @@ impl SectionEdit {
         }
         Some(())
     }
+}
+
+/// The line of a key, spelled as `key`; a misspelt one gets the correct name.
+pub(super) fn line_of<'a>(lines: &'a mut [KeyLine], part: &Part, key: &str) -> Option<&'a mut KeyLine> {
+    let find =
+        |is_of: &dyn Fn(&KeyLine) -> bool| lines.iter().position(|line| !line.is_removed && is_of(line));
+    if let Some(position) = find(&|line| line.key.eq_ignore_ascii_case(key)) {
+        return lines.get_mut(position);
+    }
+    let position = find(&|line| line.is_misspelt(part, key))?;
+    let line = lines.get_mut(position)?;
+    key.clone_into(&mut line.key);
+    Some(line)
 }
 
 /// Whether a key is that of a field.

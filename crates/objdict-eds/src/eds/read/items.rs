@@ -1,14 +1,16 @@
 //! The keys of one section, one by one, and their texts as numbers and words.
 
+use std::cell::OnceCell;
 use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 
 use crate::diagnostic::Findings;
-use crate::eds::findings;
 use crate::eds::keys::{Key, KeySet};
+use crate::eds::section::SectionName;
+use crate::eds::{findings, misspelt};
 use crate::ini;
 use crate::literal::{self, Quirks};
-use crate::model::{Extra, Field, Misfits, Reason};
+use crate::model::{Extra, Field, Misfits, Part, Reason};
 use crate::source::Span;
 
 /// A key with its value.
@@ -43,11 +45,13 @@ pub(crate) struct Items<'a> {
     text: &'a str,
     section: &'a ini::Section,
     pub findings: &'a mut Findings,
+    /// What the section describes, and its keys of the standard; asked for by the first key that is none.
+    known: OnceCell<(Part, KeySet)>,
 }
 
 impl<'a> Items<'a> {
     pub(crate) fn new(text: &'a str, section: &'a ini::Section, findings: &'a mut Findings) -> Self {
-        Self { text, section, findings }
+        Self { text, section, findings, known: OnceCell::new() }
     }
 
     /// The comment lines of the section.
@@ -95,7 +99,11 @@ impl<'a> Items<'a> {
         let mut seen = KeySet::default();
         let mut others = Others::default();
         for (position, entry) in self.section.entries.iter().enumerate() {
-            let item = self.item_of(entry);
+            let mut item = self.item_of(entry);
+            if let Some(meant) = self.meant(&item).filter(|&meant| !seen.contains(meant)) {
+                item.key = Some(meant);
+                self.findings.push_with(&findings::MISSPELT_KEY, || findings::misspelt_key(&item, meant));
+            }
             let is_new = match item.key {
                 Some(key) => seen.insert(key),
                 None => others.is_new(item.name, || (0..position).map(|at| self.item(at).name)),
@@ -106,6 +114,22 @@ impl<'a> Items<'a> {
                 self.duplicate(position, &item);
             }
         }
+    }
+
+    /// The key that a misspelt one was meant to be, unless the section has that one too.
+    fn meant(&self, item: &Item<'a>) -> Option<Key> {
+        let is_word = item.key.is_none() && !item.name.as_bytes().first().is_some_and(u8::is_ascii_digit);
+        // a file of unknown keys is not worth a search for each of them
+        let is_word = is_word && !self.findings.is_full(&findings::UNKNOWN_KEY);
+        let (part, keys) = is_word.then(|| {
+            self.known.get_or_init(|| {
+                let mut keys = KeySet::default();
+                let names = self.section.entries.iter().map(|entry| entry.key.of(self.text));
+                names.filter_map(Key::find).for_each(|key| _ = keys.insert(key));
+                (SectionName::parse(self.section_name()).part, keys)
+            })
+        })?;
+        misspelt::key(part, item.name).filter(|&meant| !keys.contains(meant))
     }
 
     fn duplicate(&mut self, position: usize, item: &Item<'a>) {

@@ -40,6 +40,8 @@ struct Reader<'a> {
     /// The parts that were met, objects and their entries excepted: those are in the dictionary.
     seen: HashSet<Part>,
     compact: Vec<PendingCompact>,
+    /// Sections with misspelt names, read when it is known that no other section has the correct name.
+    misspelt: Vec<(Part, ini::Section)>,
     /// The hashes of the names of sections that the model does not know, to find those that stand twice. There may be a
     /// million of them.
     unknown: HashSet<u64>,
@@ -55,6 +57,7 @@ impl<'a> Reader<'a> {
             findings: Findings::new(),
             seen: HashSet::new(),
             compact: Vec::new(),
+            misspelt: Vec::new(),
             unknown: HashSet::new(),
             hasher: RandomState::new(),
         }
@@ -66,6 +69,9 @@ impl<'a> Reader<'a> {
         };
         let text = header.name.of(self.text);
         let name = SectionName::parse(text);
+        if name.spelling == Spelling::Misspelt {
+            return self.misspelt.push((name.part, section.clone()));
+        }
         if name.spelling != Spelling::Standard
             && let Some(finding) = findings::section_spelling(text, &name, header.name)
         {
@@ -153,6 +159,19 @@ impl<'a> Reader<'a> {
         self.device.extra.push(ExtraSection::new(name, &entries));
     }
 
+    /// Reads each section with a misspelt name as the one that is missing.
+    fn misspelt_sections(&mut self) {
+        for (part, section) in std::mem::take(&mut self.misspelt) {
+            if self.seen.contains(&part) {
+                self.unknown_section(&section);
+                continue;
+            }
+            let (name, at) = self.header_of(&section);
+            self.findings.push(findings::misspelt_section(name, &part, at));
+            self.other_part(part, &section);
+        }
+    }
+
     /// Keeps keys that a part of the model has no room for, in a section of the same name.
     fn keep(&mut self, name: &str, entries: &Extra) {
         if !entries.is_empty() {
@@ -161,6 +180,7 @@ impl<'a> Reader<'a> {
     }
 
     fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
+        self.misspelt_sections();
         self.apply_compact();
         self.device.objects = self.objects.into_map();
         self.device.kind = match self.device.commissioning {
