@@ -35,10 +35,8 @@ impl Project {
                 Err(error @ OpenError::Invalid { .. }) => failures.push(error),
                 Err(error) => {
                     let finding = invalid_setting(wanted.span, error.to_string());
-                    findings.push(match error.help() {
-                        Some(help) => finding.help(help),
-                        None => finding,
-                    });
+                    let path = || "write a path relative to the folder of this configuration".to_owned();
+                    findings.push(finding.help(error.help().unwrap_or_else(path)));
                 }
             }
         }

@@ -18,6 +18,9 @@ const SETTINGS: [&str; 7] = ["profiles", "node-id", "compat", "deny", "exclude",
 
 type Value<'a> = Spanned<DeValue<'a>>;
 
+/// How a list is written.
+const LIST: &str = "write texts in quotes between brackets, as in `[\"a\", \"b\"]`";
+
 /// What a text says; `None` for one that is no TOML.
 pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
     let (table, errors) = DeTable::parse_recoverable(text);
@@ -53,7 +56,7 @@ fn damage(text: &str, error: &toml::de::Error) -> Diagnostic {
     if behind.starts_with('/') || line.ends_with('/') {
         return finding.help("put the id of a rule or a path into quotes");
     }
-    finding
+    finding.help("write `name = value`, with texts in quotes and lists in brackets")
 }
 
 struct Reader<'f> {
@@ -109,13 +112,16 @@ impl Reader<'_> {
         let number = number.and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok());
         match number.filter(|number| (1..=127).contains(number)) {
             Some(number) => self.settings.node_id = Some(number),
-            None => self.invalid(value, "`node-id` is a number from 1 to 127"),
+            None => {
+                self.invalid(value, "`node-id` is a number from 1 to 127", "write it as in `node-id = 5`")
+            }
         }
     }
 
     fn rules(&mut self, value: &Value<'_>) {
         let Some(table) = value.get_ref().as_table() else {
-            return self.invalid(value, "`rules` is a table of rules and their severities");
+            let help = "write `\"cia306/file-name\" = \"off\"` below a line `[rules]`";
+            return self.invalid(value, "`rules` is a table of rules and their severities", help);
         };
         for (key, value) in table {
             let name = key.get_ref();
@@ -129,7 +135,8 @@ impl Reader<'_> {
 
     fn ignored(&mut self, value: &Value<'_>) {
         let Some(table) = value.get_ref().as_table() else {
-            return self.invalid(value, "`ignore` is a table of paths and lists of rules");
+            let help = "write `\"legacy\" = [\"cia306\"]` below a line `[ignore]`";
+            return self.invalid(value, "`ignore` is a table of paths and lists of rules", help);
         };
         for (key, value) in table {
             let pattern = self.pattern(key.get_ref(), span_of(&key.span()));
@@ -149,7 +156,8 @@ impl Reader<'_> {
             Ok(pattern) => Some(pattern),
             Err(error) => {
                 let message = say!("`{}` is no pattern of paths: {}", text, Text::from(error.msg));
-                self.findings.push(invalid_setting(span, message));
+                let help = "`*` and `?` match within a name, `**` any number of folders, `[ab]` one of the characters";
+                self.findings.push(invalid_setting(span, message).help(help));
                 None
             }
         }
@@ -158,14 +166,14 @@ impl Reader<'_> {
     /// The texts of a list, each with where it stands.
     fn texts<'a>(&mut self, name: &str, value: &'a Value<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
-            self.invalid(value, say!("`{}` is a list of texts", name));
+            self.invalid(value, say!("`{}` is a list of texts", name), LIST);
             return Vec::new();
         };
         let mut texts = Vec::new();
         for item in list {
             match item.get_ref().as_str() {
                 Some(text) => texts.push((text, span_of(&item.span()))),
-                None => self.invalid(item, say!("`{}` is a list of texts", name)),
+                None => self.invalid(item, say!("`{}` is a list of texts", name), LIST),
             }
         }
         texts
@@ -181,7 +189,8 @@ impl Reader<'_> {
     ) -> Option<T> {
         let words: Vec<&str> = all.iter().map(word).collect();
         let Some(text) = value.get_ref().as_str() else {
-            self.invalid(value, say!("`{}` is one of {}, in quotes", name, listing(&words)));
+            let help = say!("write one of them, as in `\"{}\"`", words.first().copied().unwrap_or_default());
+            self.invalid(value, say!("`{}` is one of {}, in quotes", name, listing(&words)), help);
             return None;
         };
         let found = all.iter().copied().find(|item| word(item) == text);
@@ -199,8 +208,8 @@ impl Reader<'_> {
         });
     }
 
-    fn invalid(&mut self, value: &Value<'_>, message: impl Into<Text>) {
-        self.findings.push(invalid_setting(span_of(&value.span()), message));
+    fn invalid(&mut self, value: &Value<'_>, message: impl Into<Text>, help: impl Into<Text>) {
+        self.findings.push(invalid_setting(span_of(&value.span()), message).help(help));
     }
 }
 

@@ -255,6 +255,18 @@ fn a_bad_fixture_shows_its_rule_and_no_other() {
 }
 
 #[test]
+fn every_finding_has_a_help() {
+    let without = |path: &PathBuf| {
+        let examined = Examined::new(path);
+        let helpless = examined.findings().iter().filter(|finding| finding.help.is_none());
+        helpless.map(|finding| format!("{}: {}", path.display(), finding.message)).collect::<Vec<_>>()
+    };
+    let bad = rule_folders().into_iter().flat_map(|(_, folder)| devices(&folder, "bad"));
+    let found: Vec<String> = bad.flat_map(|path| without(&path)).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
 fn a_good_fixture_is_clean() {
     for (_, folder) in rule_folders() {
         for path in devices(&folder, "good") {
