@@ -37,7 +37,7 @@ use crate::source::Encoding;
 ///
 /// Checks, converts, documents and configures EDS, DCF, XDD and XDC files, and generates code from them.
 ///
-/// Exit codes: 0 success, 1 findings, 2 failure.
+/// Exit codes: 0 success, 1 findings, 2 failure (see `objdict help exit-codes`).
 #[derive(Debug, Parser)]
 #[command(name = "objdict", version, disable_help_subcommand = true)]
 pub(super) struct Args<C: Subcommand = Command> {
@@ -95,6 +95,7 @@ pub(super) enum Command {
     Fmt(FmtArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
+    Help(HelpArgs),
     Completions(CompletionsArgs),
     Man(ManArgs),
 }
@@ -187,8 +188,8 @@ pub(super) struct ShowArgs {
     /// The file; `-` is the standard input
     pub file: PathBuf,
     /// Only these objects: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a
-    /// pattern such as 60* or *velocity*, or communication, manufacturer, profile
-    #[arg(value_name = "INDEX[:SUB]", value_parser = object)]
+    /// pattern such as 60* or *velocity*, or communication, manufacturer, profile (see `objdict help names`)
+    #[arg(value_name = "OBJECT", value_parser = object)]
     pub object: Option<String>,
     /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
@@ -222,7 +223,7 @@ pub(super) enum ShowFormat {
 #[derive(Debug, Parser)]
 pub(super) struct ConvertArgs {
     /// Files to convert; `-` is the standard input
-    #[arg(required = true, value_name = "IN")]
+    #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt; `-` is the standard output. For several files a
     /// folder, with --to
@@ -453,13 +454,24 @@ pub(super) enum RulesFormat {
     Json,
 }
 
-/// Explain a rule: what it checks, why it matters, how to fix it
+/// Explain a rule or a standard object
 #[derive(Debug, Parser)]
 pub(super) struct ExplainArgs {
     /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique. Or an index, such as 1018 or
     /// 0x6040
     #[arg(value_name = "RULE|INDEX")]
     pub subject: String,
+}
+
+/// Print the help of a command, or explain a topic
+///
+/// `objdict help topics` lists the topics.
+#[derive(Debug, Parser)]
+pub(super) struct HelpArgs {
+    /// A command, such as `check` or `dcf pack`, or a topic: exit-codes, severities, names, formats, targets, configuration,
+    /// settings
+    #[arg(value_name = "COMMAND|TOPIC")]
+    pub subject: Vec<String>,
 }
 
 /// Generate shell completions

@@ -8,6 +8,7 @@ use super::files::{File, gather};
 use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
+use super::progress::give_way;
 use super::save::{Saved, save};
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, diff, note};
@@ -20,7 +21,13 @@ pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let (files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
     failures.iter().for_each(Failure::print);
     let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
-    in_order(&files, None, |file| arrange(args, file), |arranged| done.take(args, arranged, out))?;
+    in_order(
+        &files,
+        None,
+        "formatting",
+        |file| arrange(args, file),
+        |arranged| done.take(args, arranged, out),
+    )?;
     done.summarise(args);
     Ok(match done {
         Done { has_failed: true, .. } => Outcome::Failed,
@@ -122,6 +129,9 @@ impl Done {
 /// Writes a file, or what is asked for instead. The standard input goes to the standard output.
 fn write(args: &FmtArgs, arranged: &Arranged, is_changed: bool, out: &mut Output) -> Result<(), Failure> {
     let is_stdin = arranged.file == Path::new("-");
+    if is_stdin || args.is_dry() {
+        give_way();
+    }
     if args.diff {
         if is_changed {
             diff::print(&arranged.before, &arranged.after, out)?;

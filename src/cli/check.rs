@@ -10,7 +10,7 @@ use super::fix::{Amended, FixArgs, Mending, amend};
 use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
-use super::progress::Progress;
+use super::progress::give_way;
 use super::settings::{Project, Settings};
 use super::{Failure, Outcome, note, report};
 use crate::diagnostic::{Findings, Severity, series};
@@ -31,20 +31,18 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     for project in settings.projects() {
         reporter.take_project(project, &settings)?;
     }
-    let progress = Progress::new(files.len());
-    let check = |file: &File| {
-        let checked = worker.check(file);
-        progress.step();
-        checked
-    };
-    in_order(&files, args.jobs, check, |checked| {
-        let mut line = progress.hide();
-        if checked.is_told() {
-            line.give_way();
-        }
-        reporter.take(checked)
-    })?;
-    drop(progress.hide());
+    in_order(
+        &files,
+        args.jobs,
+        "checking",
+        |file| worker.check(file),
+        |checked| {
+            if checked.is_told() {
+                give_way();
+            }
+            reporter.take(checked)
+        },
+    )?;
     reporter.finish()
 }
 
@@ -66,11 +64,13 @@ fn show_changes(
     in_order(
         files,
         worker.args.jobs,
+        "checking",
         |file| worker.check(file),
         |checked| {
             match checked {
                 Checked::Description(examined) => {
                     if let Some(amended) = examined.amended {
+                        give_way();
                         mending.show(&amended, out)?;
                     }
                 }

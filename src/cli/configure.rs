@@ -10,6 +10,7 @@ use super::input::{Input, name_of};
 use super::node::{Wanted, commissioning};
 use super::output::Output;
 use super::save::save;
+use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, tell};
 use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -42,7 +43,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     let file_name = file_name(args, wanted.kind);
     let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
     let configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
-    let worse = worse(own, &configured.device);
+    let worse = worse(own, &configured.device, &options(args, configured.device.node_id())?);
     if !worse.is_empty() && !args.force {
         return Ok(refuse_findings(&worse));
     }
@@ -128,13 +129,24 @@ fn file_name(args: &ConfigureArgs, kind: &str) -> String {
     })
 }
 
+/// How the node is checked: as `objdict check` checks the description that it is made of.
+fn options(args: &ConfigureArgs, node_id: Option<u8>) -> Result<Options, Failure> {
+    let of_config = SettingsArgs::from(&args.config);
+    let mut settings = Settings::new(&of_config)?;
+    let project = settings.project_of(&args.file)?;
+    if let Some(failure) = settings.unusable().next() {
+        return Err(failure);
+    }
+    Ok(Options { node_id, ..settings.options(&args.file, project.as_deref()) })
+}
+
 /// What a check finds in the node and not in what it was made of: errors that the settings brought.
-fn worse(before: &Device, after: &Device) -> Vec<Diagnostic> {
-    let options = Options { node_id: after.node_id(), ..Options::default() };
-    let old = lint::check(before, &options);
+fn worse(before: &Device, after: &Device, options: &Options) -> Vec<Diagnostic> {
+    let check = |device| options.severities.apply(lint::check(device, options));
+    let old = check(before);
     let key = |finding: &Diagnostic| (finding.rule.id, finding.message.to_string());
     let old: std::collections::BTreeSet<_> = old.iter().map(key).collect();
-    let found = lint::check(after, &options);
+    let found = check(after);
     let is_new = |finding: &&Diagnostic| finding.severity == Severity::Error && !old.contains(&key(finding));
     found.iter().filter(is_new).cloned().collect()
 }

@@ -10,6 +10,7 @@ use super::args::DocsArgs;
 use super::files::{self, File};
 use super::input::{Input, name_of};
 use super::output::Output;
+use super::progress::Progress;
 use super::save::{Saved, is_folder, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
@@ -58,12 +59,12 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         failure.print();
         outcome = Outcome::Failed;
     }
-    for project in settings.projects().filter(|project| !project.is_usable()) {
-        let message = format_args!("`{}` cannot be used", project.config.source().name());
-        Failure::new(message).help("run `objdict check` for the reasons").print();
+    for failure in settings.unusable() {
+        failure.print();
         outcome = Outcome::Failed;
     }
     let mut devices = Vec::new();
+    let progress = Progress::new("reading", files.len());
     for file in &files {
         match read(args, &settings, file) {
             Ok(read) => devices.extend(read),
@@ -72,7 +73,9 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
                 outcome = Outcome::Failed;
             }
         }
+        progress.step();
     }
+    drop(progress);
     require_language(args, &devices)?;
     let options =
         Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
@@ -122,15 +125,14 @@ fn collect_languages(value: &Value, known: &mut BTreeSet<String>) {
 }
 
 fn form(args: &DocsArgs) -> Result<Form, Failure> {
-    if let Some(format) = args.format {
+    if let Some(format) = args.to {
         return Ok(format.into());
     }
     match args.output.extension().filter(|_| !is_folder(&args.output)) {
         None => Ok(Form::Html),
         Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
             let message = format!("`{}` has no extension of a known format", args.output.display());
-            Failure::new(message)
-                .help("`.html`, `.md` and `.csv` are known; or name the format with `--format`")
+            Failure::new(message).help("`.html`, `.md` and `.csv` are known; or name the format with `--to`")
         }),
     }
 }
@@ -214,10 +216,13 @@ fn write_site(
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
     let mut site = Site::new(form, options);
+    let progress = Progress::new("writing", devices.len());
     for device in devices {
         let page = site.add(&device.subject());
         tell_saved(&args.output.join(page.name), &page.text, out)?;
+        progress.step_with(out)?;
     }
+    drop(progress);
     if devices.len() > 1 {
         let index = site.index();
         tell_saved(&args.output.join(index.name), &index.text, out)?;

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
 use super::output::Output;
+use super::progress::Progress;
 use super::save::{Saved, save};
 use super::sizes;
 use super::table::Table;
@@ -23,10 +24,12 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     // make cannot wait for the standard input
     let mut files: Vec<PathBuf> =
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
+    let progress = Progress::new("generating", 1);
     let produced = request.judge(&name_of(&args.file), bytes, &mut files).and_then(|judged| {
         let production = request.produce(&judged, &mut files)?;
         Ok((judged, production))
     });
+    drop(progress);
     let (judged, production) = match produced {
         Ok(produced) => produced,
         Err(error) => return refused(error),
@@ -67,7 +70,7 @@ fn write(
             table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
         }
     }
-    if args.report.is_some() && args.report_format == SizeFormat::Json {
+    if args.report.is_some() && args.format == SizeFormat::Json {
         sizes::write_json(&production.sizes, out)?;
     } else {
         writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;

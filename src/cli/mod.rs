@@ -14,6 +14,7 @@ mod docs;
 mod files;
 mod fix;
 mod generate;
+mod help;
 mod identify;
 mod input;
 mod modules;
@@ -69,6 +70,7 @@ pub fn run() -> ExitCode {
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
+        Command::Help(command) => help::run(command, &mut out),
         Command::Completions(command) => packaging::completions(command, &mut out),
         Command::Man(command) => packaging::man(command),
     };
@@ -169,6 +171,7 @@ fn detail(path: &Path) {
 
 /// Writes to the standard error; the text may quote anything from a file.
 fn tell(text: &str) {
+    let _line = progress::hide();
     // there is no other place to report an error of this
     let _ = std::io::stderr().write_all(shown(text).as_bytes());
 }

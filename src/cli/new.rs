@@ -24,9 +24,11 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let (date, time) = when(args)?;
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
     let is_stdout = args.output == Path::new("-");
+    let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
+    let kind = args.to.map_or_else(by_name, FileKind::from);
     let wanted = Wanted {
         functions,
-        file_name: if is_stdout { "device.eds".to_owned() } else { name.into_owned() },
+        file_name: if is_stdout { format!("device.{}", kind.ending()) } else { name.into_owned() },
         vendor_name: args.vendor_name.clone(),
         vendor_id: args.vendor_id.unwrap_or(NO_VENDOR),
         product_name: args.product_name.clone(),
@@ -37,14 +39,14 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         time,
     };
     let device = skeleton(&wanted);
-    let kind = if is_stdout { FileKind::Eds } else { FileKind::of(&args.output).unwrap_or(FileKind::Eds) };
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
             Some(format) => format::write(&device, format, &WriteOptions::default()).bytes,
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
-                return Err(Failure::new(message).help("name an output that ends in .eds, .xdd or .json"));
+                return Err(Failure::new(message)
+                    .help("name an output that ends in .eds, .xdd or .json, or the format with `--to`"));
             }
         },
     };

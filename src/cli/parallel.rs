@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::Failure;
 use super::files::File;
+use super::progress::Progress;
 
 /// So many files are in memory at once, and as many are waiting to be reported.
 const MAX_FILES: usize = 32;
@@ -16,7 +17,7 @@ const MAX_FILES: usize = 32;
 /// And so many bytes of them, unless one file alone is larger.
 const MAX_BYTES: u64 = 16 << 20;
 
-/// Does `work` on each file, on as many threads as `jobs` says, and hands each result to `take`, on this thread and in the
+/// Does `work` on each file, which `verb` names for the progress, on as many threads as `jobs` says, and hands each result to `take`, on this thread and in the
 /// order of the files, while the next ones are worked on.
 ///
 /// # Errors
@@ -24,9 +25,16 @@ const MAX_BYTES: u64 = 16 << 20;
 pub(super) fn in_order<R: Send>(
     files: &[File],
     jobs: Option<NonZeroUsize>,
+    verb: &'static str,
     work: impl Fn(&File) -> R + Sync,
     mut take: impl FnMut(R) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
+    let progress = Progress::new(verb, files.len());
+    let work = |file: &File| {
+        let result = work(file);
+        progress.step();
+        result
+    };
     let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
     if jobs == 1 || files.len() < 2 {
         return files.iter().try_for_each(|file| take(work(file)));

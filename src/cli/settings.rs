@@ -194,6 +194,14 @@ impl<'a> Settings<'a> {
         self.projects.iter().map(|(_, project)| &**project)
     }
 
+    /// The configurations that were met and cannot be used.
+    pub(super) fn unusable(&self) -> impl Iterator<Item = Failure> {
+        self.projects().filter(|project| !project.is_usable()).map(|project| {
+            let message = format_args!("`{}` cannot be used", project.config.source().name());
+            Failure::new(message).help("run `objdict check` for the reasons")
+        })
+    }
+
     /// The options of the check of a file.
     pub(super) fn options(&self, path: &Path, project: Option<&Project>) -> Options {
         let mut options = match project {

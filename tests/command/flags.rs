@@ -41,12 +41,20 @@ fn walk(folder: &Path) -> Vec<String> {
 }
 
 /// Each flag as it was called before, and as it is called now.
-const RENAMED: [(&str, &str); 13] = [
+const RENAMED: [(&str, &str); 15] = [
     (
         "generate FIXTURES/eds/minimal.eds --target c --out gen",
         "generate FIXTURES/eds/minimal.eds --target c -o gen",
     ),
     ("docs FIXTURES/eds/minimal.eds --out page.html", "docs FIXTURES/eds/minimal.eds --output page.html"),
+    (
+        "docs FIXTURES/eds/minimal.eds -o - --format markdown",
+        "docs FIXTURES/eds/minimal.eds -o - --to markdown",
+    ),
+    (
+        "generate FIXTURES/eds/minimal.eds --target c -o gen --report size --report-format json",
+        "generate FIXTURES/eds/minimal.eds --target c -o gen --report size --format json",
+    ),
     ("convert FIXTURES/eds/minimal.eds copy.xdd", "convert FIXTURES/eds/minimal.eds -o copy.xdd"),
     ("convert FIXTURES/eds/minimal.eds - --to xdd", "convert FIXTURES/eds/minimal.eds --to xdd"),
     (
@@ -90,6 +98,29 @@ fn every_old_spelling_still_works() {
         assert!(old_output == output, "`{old}`: {old_output:?}\n`{new}`: {output:?}");
         assert!(old_files == files, "`{old}` and `{new}` write different files");
     }
+}
+
+/// The same word is for the same thing in every command.
+#[test]
+fn a_new_description_has_the_format_that_is_asked_for() {
+    let (output, _) = result("new --digital-inputs 8 --date 2026-11-21 --to xdd -o -");
+    assert!(output.stdout.starts_with(b"<?xml"), "{output:?}");
+    let (output, files) = result("new --digital-inputs 8 --date 2026-11-21 --to json -o device");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(files.iter().any(|(name, bytes)| name == "device" && bytes.starts_with(b"{")));
+}
+
+/// What a configuration switches off does not prevent a DCF.
+#[test]
+fn a_configuration_counts_for_configure() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("objdict.toml"), "[rules]\ncia301 = 'off'\n").unwrap();
+    fs::copy("fixtures/eds/io-401.eds", folder.path().join("io.eds")).unwrap();
+    let code = |options: &str| {
+        let line = format!("configure io.eds --node-id 5 --bit-rate 250 --set 1800:1=0x601 {options}");
+        run(folder.path(), &line).status.code()
+    };
+    assert_eq!((code("--no-config"), code(""), code("--config objdict.toml")), (Some(1), Some(0), Some(0)));
 }
 
 #[test]

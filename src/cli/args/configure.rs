@@ -8,6 +8,7 @@ use clap::{Parser, ValueEnum};
 
 use super::{node_id, node_name};
 use crate::cli::input::{InputArgs, SizeArgs};
+use crate::cli::settings::ConfigFileArgs;
 use crate::configure::Setting;
 use crate::format::input::{FileKind, Reading};
 use crate::source::Encoding;
@@ -45,7 +46,7 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Monitor the heartbeat of a node: `7=750ms`; repeatable
     #[arg(long, value_name = "NODE=TIME", value_parser = Setting::heartbeat_consumer)]
     pub heartbeat_consumer: Vec<Setting>,
-    /// A file of settings (docs/dcf.md); options override it
+    /// A file of settings (see `objdict help settings`); options override it
     #[arg(long, value_name = "FILE")]
     settings: Option<PathBuf>,
     /// The modules plugged into a coupler, by number and in order: `1,1,3`
@@ -55,16 +56,18 @@ pub(in crate::cli) struct ConfigureArgs {
     #[arg(long)]
     pub force: bool,
     /// The format of the input, whatever its content shows: eds, dcf, xdd, xdc or json
-    #[arg(long, value_name = "FORMAT", value_parser = from)]
+    #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,
     /// Which device of a network file (.nxdd, .nxdc), counted from 1
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", help_heading = "Input")]
     device: Option<NonZeroUsize>,
     /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
-    #[arg(long, value_name = "ENCODING")]
+    #[arg(long, value_name = "ENCODING", help_heading = "Input")]
     encoding: Option<Encoding>,
     #[command(flatten)]
     pub size: SizeArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 /// What `--from` names: a format or, as it did in the past, a file of settings.

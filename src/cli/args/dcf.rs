@@ -67,6 +67,7 @@ pub(in crate::cli) struct PackArgs {
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct UnpackArgs {
     /// The stream; `-` is the standard input
+    #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
     /// The file to write, such as pump.cdcf.txt [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
@@ -94,6 +95,7 @@ pub(in crate::cli) struct DcfDiffArgs {
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct VerifyArgs {
     /// The stream; `-` is the standard input
+    #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
     /// The description of the node: EDS, DCF, XDD, XDC or a device as JSON
     #[arg(long, value_name = "FILE")]

@@ -22,9 +22,9 @@ pub(in crate::cli) struct DocsArgs {
     /// The file to write, or the folder for a site; `-` is the standard output
     #[arg(short, long, alias = "out", value_name = "PATH")]
     pub output: PathBuf,
-    /// The form of the pages [default: by the extension of the output, else html]
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    pub format: Option<DocsFormat>,
+    /// The format of the pages [default: by the extension of the output, else html]
+    #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
+    pub to: Option<DocsFormat>,
     /// The title of the page or site [default: the product name]
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,

@@ -46,13 +46,14 @@ pub(in crate::cli) struct GenerateArgs {
     /// The form of the report
     #[arg(
         long,
+        alias = "report-format",
         value_enum,
         default_value = "table",
         requires = "report",
         value_name = "FORMAT",
         help_heading = "Size"
     )]
-    pub report_format: SizeFormat,
+    pub format: SizeFormat,
     /// Fail if the tables of a target take more flash, without the code that serves them
     #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_flash: Option<usize>,
@@ -169,7 +170,7 @@ mod tests {
 
     /// Arguments that are about a terminal or make.
     const OF_THE_COMMAND: [&str; 9] =
-        ["color", "quiet", "verbose", "help", "report", "report-format", "list", "stamp", "depfile"];
+        ["color", "quiet", "verbose", "help", "report", "format", "list", "stamp", "depfile"];
 
     /// Whatever the command can do, a build script can do.
     #[test]

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
+use crate::format::input::FileKind;
 use crate::model::Date;
 use crate::skeleton::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 
@@ -13,9 +14,12 @@ use crate::skeleton::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 /// requires and passes `objdict check`; add your own objects from 2000h on.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NewArgs {
-    /// The file to write: .eds .xdd .json; `-` writes an EDS to the standard output
+    /// The file to write: .eds .xdd .json; `-` is the standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// The format to write [default: by the extension of the output, else eds]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub to: Option<NewFormat>,
     /// The device profile: 301, 401 or 406 [default: that of the other arguments]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
@@ -61,6 +65,24 @@ pub(in crate::cli) struct NewArgs {
     /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
+}
+
+/// A format of new descriptions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum NewFormat {
+    Eds,
+    Xdd,
+    Json,
+}
+
+impl From<NewFormat> for FileKind {
+    fn from(format: NewFormat) -> Self {
+        match format {
+            NewFormat::Eds => Self::Eds,
+            NewFormat::Xdd => Self::Xdd,
+            NewFormat::Json => Self::Json,
+        }
+    }
 }
 
 /// A class of encoders, as an argument.

@@ -16,6 +16,7 @@ use super::annotation::Described;
 use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
+use super::progress::{Progress, give_way};
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
@@ -25,12 +26,15 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     let jobs = jobs::plan(args)?;
     let mut report = LossReport::default();
     let mut all_done = true;
+    let progress = Progress::new("converting", jobs.len());
     for job in &jobs {
         if let Err(failure) = convert_one(args, job, &mut report, out) {
             failure.print();
             all_done = false;
         }
+        progress.step_with(out)?;
     }
+    drop(progress);
     if let Some(path) = &args.loss_report {
         let document = report.to_json();
         match path == Path::new("-") {
@@ -96,6 +100,7 @@ fn finish(
 ) -> Result<(), Failure> {
     let Converted { bytes, losses } = converted;
     let to = job.to;
+    give_way();
     if job.output == Path::new("-") {
         out.write_all(&bytes)?;
         let shown: Vec<_> = losses.iter().filter(|loss| loss.fate != Fate::Carried).cloned().collect();
