@@ -113,7 +113,7 @@ impl Reader<'_> {
         match number.filter(|number| (1..=127).contains(number)) {
             Some(number) => self.settings.node_id = Some(number),
             None => {
-                self.invalid(value, "`node-id` is a number from 1 to 127", "write it as in `node-id = 5`")
+                self.invalid(value, "`node-id` is a number from 1 to 127", "write it as in `node-id = 5`");
             }
         }
     }
