@@ -1,6 +1,6 @@
 //! Objects as documents describe them.
 
-use super::{Wanted, number};
+use super::{Functions, Wanted, number};
 use crate::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, Value, predefined};
 use crate::profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 
@@ -94,14 +94,15 @@ impl Maker<'_> {
     /// The value of an entry that depends on the device.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
         let wanted = self.wanted;
+        let is_encoder = matches!(wanted.functions, Functions::Encoder(_));
         Some(match (index, sub) {
             (0x1000, 0) => Value::Unsigned(wanted.functions.device_type().into()),
             (0x1005, 0) => Value::Unsigned(predefined::SYNC.into()),
             (0x1008, 0) => Value::Text(wanted.product_name.as_str().into()),
             (0x1014, 0) => predefined::per_node(predefined::EMCY).to_value(),
             (0x1017, 0) => Value::Unsigned(HEARTBEAT),
-            // an encoder sees at least one revolution
-            (0x6502, 0) => Value::Unsigned(1),
+            // an encoder sees at least one step of one revolution
+            (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if is_encoder => Value::Unsigned(1),
             (0x1018, 1) => Value::Unsigned(wanted.vendor_id.into()),
             (0x1018, 2) => Value::Unsigned(wanted.product_code.into()),
             (0x1018, 3) => Value::Unsigned(wanted.revision.into()),

@@ -5,9 +5,10 @@ use std::ops::RangeInclusive;
 
 use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{
-    CobId, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, predefined, restricted,
+    CobId, DataType, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, TypeKind, Value,
+    predefined, restricted,
 };
-use crate::{Options, Srdo};
+use crate::{Options, Srdo, stated};
 
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
@@ -150,6 +151,40 @@ impl Facts<'_> {
     }
 }
 
+impl Facts<'_> {
+    /// The service that owns the CAN-ID of an active PDO or additional SDO channel in the predefined connection set, if it
+    /// is SYNC, TIME or EMCY and no service of the device uses the CAN-ID too, which has other rules.
+    pub(crate) fn foreign_service(&self, cob_id: &CobIdUse) -> Option<&'static str> {
+        let node = *self.node_ids().start();
+        let is_fixed =
+            matches!(cob_id.service, Service::Sync | Service::Time | Service::Emcy | Service::EmcyConsumer);
+        let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
+        let can_id = cob_id.cob_id.can_id(node);
+        let owner = match can_id {
+            0x80 => "SYNC",
+            0x81..=0xFF => "an EMCY",
+            0x100 => "TIME",
+            _ => return None,
+        };
+        let others =
+            self.cob_ids.iter().filter(|other| (other.index, other.sub) != (cob_id.index, cob_id.sub));
+        let is_shared =
+            others.filter(|other| other.is_in_use()).any(|other| other.cob_id.can_id(node) == can_id);
+        (is_readable && !is_fixed && !is_shared).then_some(owner)
+    }
+
+    /// The two COB-IDs of each SDO channel: from client to server, from server to client.
+    pub(crate) fn sdo_channels(&self) -> impl Iterator<Item = (&CobIdUse, &CobIdUse)> {
+        self.cob_ids.windows(2).filter_map(|pair| match pair {
+            [request, response] if request.index == response.index => match request.service {
+                Service::ServerRequest(_) | Service::ClientRequest(_) => Some((request, response)),
+                _ => None,
+            },
+            _ => None,
+        })
+    }
+}
+
 impl<'a> PdoFacts<'a> {
     fn new(device: &'a Device, pdo: Pdo<'a>) -> Self {
         let used = pdo.used_slots().filter_map(|slot| Some((slot.sub, slot.object?)));
@@ -181,6 +216,27 @@ impl Mapped<'_> {
     pub(crate) fn wrong_length(&self) -> Option<u8> {
         let Target::Entry(entry) = &self.target else { return None };
         entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)
+    }
+
+    /// The data type of the object if it has no fixed length. A string that has the length of the mapping can be mapped.
+    pub(crate) fn variable_type(&self) -> Option<DataType> {
+        let Target::Entry(entry) = &self.target else { return None };
+        let data_type = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()))?;
+        let bytes = match entry.value() {
+            Some(Value::Text(text)) => Some(text.len()),
+            Some(Value::Bytes(bytes)) => Some(bytes.len()),
+            _ => None,
+        };
+        let has_length = match (data_type.kind(), bytes) {
+            (TypeKind::VisibleString | TypeKind::OctetString, Some(bytes)) => {
+                bytes * 8 == self.object.bits.into()
+            }
+            (TypeKind::OctetString, None) => {
+                matches!(self.object.bits, 8..=64) && self.object.bits.is_multiple_of(8)
+            }
+            _ => false,
+        };
+        (!has_length).then_some(data_type)
     }
 }
 

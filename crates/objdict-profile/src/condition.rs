@@ -85,6 +85,17 @@ impl Condition {
     pub fn holds(&self, device: &Device, block: u8) -> Option<bool> {
         Terms { rest: &self.terms, device, block }.next()
     }
+
+    /// The described objects that the condition names, in its order; with the sub-index where it names a value.
+    pub fn causes(&self, device: &Device, block: u8) -> impl Iterator<Item = (u16, Option<u8>)> {
+        let named = self.terms.iter().filter_map(|term| match *term {
+            Term::Described(index, sub) => Some((index, sub)),
+            Term::BitsIn(index, sub, ..) | Term::ValueIn(index, sub, _) => Some((index, Some(sub))),
+            Term::All(_) | Term::OneOf(_) | Term::Not | Term::Range(..) => None,
+        });
+        let named = named.map(move |(index, sub)| (place_of(index, device, block), sub));
+        named.filter(|(index, _)| device.object(*index).is_some_and(|object| !object.orphan))
+    }
 }
 
 impl std::str::FromStr for Condition {
@@ -106,6 +117,14 @@ impl fmt::Display for Condition {
     }
 }
 
+/// The index that a condition means for a logical device: 1000h is its device type.
+fn place_of(index: u16, device: &Device, block: u8) -> u16 {
+    match index {
+        0x1000 => device_type_index(device, block),
+        _ => index_in(block, index),
+    }
+}
+
 /// Terms, and the logical device that they are asked of.
 struct Terms<'a> {
     rest: &'a [Term],
@@ -123,7 +142,10 @@ impl Terms<'_> {
             Term::OneOf(count) => self.decided(count, true),
             Term::Not => self.next().map(|holds| !holds),
             Term::Described(index, sub) => {
-                let object = self.device.object(self.place_of(index)).filter(|object| !object.orphan);
+                let object = self
+                    .device
+                    .object(place_of(index, self.device, self.block))
+                    .filter(|object| !object.orphan);
                 Some(object.is_some_and(|object| sub.is_none_or(|sub| object.has(sub))))
             }
             Term::BitsIn(index, sub, [first, last], count) => {
@@ -160,15 +182,12 @@ impl Terms<'_> {
         Some(ranges.iter().any(is_in))
     }
 
-    fn place_of(&self, index: u16) -> u16 {
-        match index {
-            0x1000 => device_type_index(self.device, self.block),
-            _ => index_in(self.block, index),
-        }
-    }
-
     fn value_of(&self, index: u16, sub: u8) -> Option<i128> {
-        self.device.object(self.place_of(index))?.value(sub).as_deref().and_then(Value::as_integer)
+        self.device
+            .object(place_of(index, self.device, self.block))?
+            .value(sub)
+            .as_deref()
+            .and_then(Value::as_integer)
     }
 }
 

@@ -25,9 +25,13 @@ pub(crate) fn missing_object(
         let message =
             say!("{:04X}h ({}) is missing; {} requires it{}", index, facts.name, document, condition);
         let place = Place::object(crate::profile::device_type_index(device, applied.block));
-        findings.push(
-            Diagnostic::new(rule, place, message).help(say!("add the object: `{}`", Part::Object(index))),
-        );
+        let cause = cause(facts.need, device, applied.block).filter(|cause| cause.part != place.part);
+        let finding =
+            Diagnostic::new(rule, place, message).help(say!("add the object: `{}`", Part::Object(index)));
+        findings.push(match cause {
+            Some(cause) => finding.label(cause, "requires it"),
+            None => finding,
+        });
     }
 }
 
@@ -42,6 +46,13 @@ fn condition(need: Need<'_>, device: &Device, block: u8) -> Text {
         Need::When(condition) => say!(" when {}", Text::from(condition.in_words(device, block))),
         Need::Mandatory | Need::Optional => Text::default(),
     }
+}
+
+/// The place of the value or object because of which something is required.
+fn cause(need: Need<'_>, device: &Device, block: u8) -> Option<Place> {
+    let Need::When(condition) = need else { return None };
+    let (index, sub) = condition.causes(device, block).next()?;
+    Some(sub.map_or(Place::object(index), |sub| device.value_place(index, sub)))
 }
 
 /// Sub-indexes that the document requires are missing.

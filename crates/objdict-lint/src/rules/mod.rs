@@ -26,6 +26,8 @@ pub fn rules() -> impl Iterator<Item = &'static Rule> {
 
 rules! {
     cia301: demands {
+        can_id_in_both_directions,
+        can_id_of_other_service,
         cob_id_collision,
         cob_id_not_predefined,
         default_sdo_cob_id,
@@ -42,6 +44,7 @@ rules! {
         half_set_life_guarding,
         half_valid_sdo,
         heartbeat_beside_guarding,
+        heartbeat_switched_off,
         incomplete_eds_storage,
         incomplete_node_guarding,
         incomplete_pdo_parameter,
@@ -61,6 +64,7 @@ rules! {
         mapping_beyond_count,
         mapping_granularity,
         mapping_of_count,
+        mapping_of_variable_length,
         mapping_without_count,
         mapping_without_switch,
         missing_mandatory_object,
@@ -81,6 +85,7 @@ rules! {
         restricted_can_id,
         rtr_only_pdo,
         rtr_pdo_without_rtr,
+        sdo_cob_ids_exchanged,
         sdo_node_id,
         sdo_valid_by_default,
         service_cob_id_not_predefined,
@@ -109,6 +114,7 @@ rules! {
         manager_not_marked,
         master_without_slaves,
         self_starting_not_marked,
+        slave_not_assigned,
     }
     #[cfg(feature = "catalogue")]
     cia304 {
@@ -141,6 +147,7 @@ rules! {
     }
     cia306 {
         access_without_mapping,
+        array_of_mixed_access,
         array_of_mixed_types,
         boot_up_master_without_startup,
         command_without_flag,
@@ -149,6 +156,7 @@ rules! {
         described_network_variable,
         described_standard_type,
         domain_mismatch,
+        dummy_below_granularity,
         dummy_type,
         duplicate_name,
         dynamic_channels_flag,
@@ -195,6 +203,7 @@ rules! {
         null_object,
         object_listed_twice,
         object_not_listed,
+        object_without_entries,
         read_only_value,
         repeated_link,
         reserved_index,
@@ -223,9 +232,12 @@ rules! {
         channels_not_in_device_type,
         channels_without_pdo,
         device_type_without_channels,
+        digital_events_off,
         error_mode_without_value,
+        interrupt_limits_crossed,
         wrong_default_mapping,
         wrong_transmission_type,
+        zero_scaling,
     }
     #[cfg(feature = "catalogue")]
     cia402: demands {
@@ -253,7 +265,9 @@ rules! {
         target_without_actual_value,
         time_without_window,
         unsupported_mode,
+        value_beyond_support,
         zero_factor,
+        zero_speed,
     }
     #[cfg(feature = "catalogue")]
     cia404: demands {
@@ -265,10 +279,14 @@ rules! {
         cyclic_timer_mismatch,
         different_measuring_range,
         incomplete_class_2,
+        limit_min_above_max,
         position_too_long,
+        preset_outside_range,
         revolutions_of_single_turn,
+        unsupported_alarm,
         wrong_default_mapping,
         wrong_transmission_type,
+        zero_resolution,
     }
     #[cfg(feature = "catalogue")]
     house: demands {}

@@ -1,8 +1,7 @@
 //! Conditions in the words of CiA documents: `1000h bit 16 is set and bit 23 is not`.
 
-use super::{Condition, Term};
+use super::{Condition, Term, place_of};
 use crate::model::Device;
-use crate::{device_type_index, index_in};
 
 impl Condition {
     /// The condition as the end of a sentence, with the indexes of a logical device, counted from 0.
@@ -39,8 +38,10 @@ impl Words<'_> {
             }
             Term::BitsIn(index, _, [first, last], count) => self.bits(index, [first, last], count, holds),
             Term::ValueIn(index, sub, count) => {
-                let has_subs =
-                    self.device.object(self.place_of(index)).is_some_and(|o| o.object_type().has_subs());
+                let has_subs = self
+                    .device
+                    .object(place_of(index, self.device, self.block))
+                    .is_some_and(|o| o.object_type().has_subs());
                 let sub = (sub > 0 || has_subs).then(|| format!("sub-index {sub}"));
                 let ranges = self.ranges(count);
                 self.clause(index, sub.as_deref(), if holds { "is" } else { "is not" });
@@ -94,7 +95,7 @@ impl Words<'_> {
 
     /// A subject and what is said of it. What the clause before says already is not repeated.
     fn clause(&mut self, index: u16, part: Option<&str>, is: &'static str) {
-        let index = self.place_of(index);
+        let index = place_of(index, self.device, self.block);
         let before = self.last.filter(|(other, _)| *other == index).map(|(_, is)| is);
         if before.is_none() || part.is_none() {
             self.text.push_str(&format!("{index:04X}h{}", if part.is_some() { " " } else { "" }));
@@ -119,13 +120,6 @@ impl Words<'_> {
         };
         let ranges: Vec<String> = ranges.iter().map(range).collect();
         format!(" {}", ranges.join(" or "))
-    }
-
-    fn place_of(&self, index: u16) -> u16 {
-        match index {
-            0x1000 => device_type_index(self.device, self.block),
-            _ => index_in(self.block, index),
-        }
     }
 }
 

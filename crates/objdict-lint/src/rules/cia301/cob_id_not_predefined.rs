@@ -22,8 +22,10 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     };
     let entry = pdo.pdo.communication.and_then(|object| object.subs.get(1));
     let is_configured = entry.is_none_or(|entry| entry.configured_value().is_some());
-    // a missing node-ID and a restricted CAN-ID have their own rules
-    let is_reported = facts.base_without_node_id(&cob_id).is_some() || facts.is_restricted(&cob_id);
+    // a missing node-ID and CAN-IDs of other services have their own rules
+    let is_reported = facts.base_without_node_id(&cob_id).is_some()
+        || facts.is_restricted(&cob_id)
+        || facts.foreign_service(&cob_id).is_some();
     if facts.device.kind == DeviceKind::Node || is_configured || is_reported {
         return;
     }

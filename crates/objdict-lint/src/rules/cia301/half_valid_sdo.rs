@@ -12,14 +12,7 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
-    let channels = facts.cob_ids.windows(2).filter_map(|pair| match pair {
-        [request, response] if request.index == response.index => match request.service {
-            Service::ServerRequest(number) if number > 1 => Some((request, response)),
-            Service::ClientRequest(_) => Some((request, response)),
-            _ => None,
-        },
-        _ => None,
-    });
+    let channels = facts.sdo_channels().filter(|(request, _)| request.service != Service::ServerRequest(1));
     for (request, response) in channels.filter(|(one, other)| one.is_in_use() != other.is_in_use()) {
         let (valid, invalid) = if request.is_in_use() { (request, response) } else { (response, request) };
         let message = say!(

@@ -1,13 +1,13 @@
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings, Text, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
 use crate::model::Device;
 use crate::rule;
 
 rule! {
     "cia301/invalid-consumer-heartbeat", Error, Device(check);
     summary: "a heartbeat consumer entry cannot monitor a node",
-    checks: "Whether each value of 1016h with a time has a node-ID from 1 to 127, has its upper byte clear, does not monitor the node of the DCF itself, and does not monitor a node of an earlier entry.",
+    checks: "Whether each value of 1016h with a time has a node-ID from 1 to 127, has its upper byte clear, does not monitor the node of the DCF itself, and does not monitor a node of an earlier entry. A node-ID without a time is a warning.",
     why: "A device rejects such a value with an abort, or monitors no node. Often the node-ID is missing and the value is only the time.",
     example: "`[1016sub1]` with `DefaultValue=750`",
     remedy: "Write the node-ID to bits 16 to 23: `0x000702EE` monitors node 7 with 750 ms.",
@@ -21,7 +21,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let value = object.value(sub).and_then(|value| value.as_integer());
         let Some(value) = value.and_then(|value| u32::try_from(value).ok()) else { continue };
         let (node, time) = (value >> 16 & 0xFF, value & 0xFFFF);
-        if value == 0 || (time == 0 && value >> 24 == 0) {
+        if value == 0 {
             continue;
         }
         let place = device.value_place(0x1016, sub);
@@ -30,6 +30,11 @@ fn check(device: &Device, findings: &mut Findings) {
         if value >> 24 != 0 {
             let message = say!("`0x{:08X}` in 1016h sub-index {} has bits above the node-ID set", value, sub);
             findings.push(finding(message, say!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
+        } else if time == 0 {
+            let message =
+                say!("1016h sub-index {} names node {}, but a time of 0 ms does not monitor it", sub, node);
+            let help = "write the time to bits 0 to 15, or 0 to disable the entry";
+            findings.push(finding(message, help.into()).severity(Severity::Warning));
         } else if node == 0 || node > 127 {
             let message = say!(
                 "1016h sub-index {} has a time of {} ms, but `{}` is not a valid node-ID",

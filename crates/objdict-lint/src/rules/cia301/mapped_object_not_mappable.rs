@@ -15,7 +15,9 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
-        if entry.is_mappable() || entry.misfits.get(&Field::PdoMapping).is_some() {
+        // a type without a fixed length has its own rule
+        let is_variable = mapped.variable_type().is_some();
+        if entry.is_mappable() || is_variable || entry.misfits.get(&Field::PdoMapping).is_some() {
             continue;
         }
         let (index, sub) = (mapped.object.index, mapped.object.sub);

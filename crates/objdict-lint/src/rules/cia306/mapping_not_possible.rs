@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
-use crate::model::{Access, Field, ObjectType};
+use crate::model::{Access, Field, MappedObject, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
@@ -17,6 +17,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !entry.is_mappable() || !at.holds_value() || at.object_type() == Some(ObjectType::Domain) {
         return;
     }
+    // a PDO that maps an entry without a fixed length has its own finding
+    let is_mapped = |at: &EntryAt<'_>| {
+        let this = |mapped: MappedObject| (mapped.index, mapped.sub) == (at.index, at.sub.unwrap_or(0));
+        at.device.pdos().any(|pdo| pdo.mapped().any(this))
+    };
     let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
     let (message, field, label) = match (unmappable, entry.access) {
         (Some(data_type), _) => {
@@ -27,6 +32,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         }
         _ => return,
     };
+    if unmappable.is_some() && is_mapped(at) {
+        return;
+    }
     let message = say!("`{PDOMapping}` is {}, but {}", entry.pdo_mapping.unwrap_or_default(), message);
     let finding =
         Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);

@@ -22,7 +22,9 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let all = (value(range), value(resolution), value(revolutions));
     let (Some(stated), Some(steps), Some(turned)) = all else { return };
     let right = steps * turned;
-    let is_comparable = turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
+    // a value of 0 has its own rule
+    let is_comparable =
+        stated > 0 && right > 0 && turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
         let message = say!(
             "the measuring range is `{}`, but {} steps times {} revolutions are {}",

@@ -18,7 +18,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let value = |index: u16| device.object(index)?.value(0)?.as_integer();
     let (device_type, index) = (device_type_index(device, block), index_in(block, 0x6502));
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
-    if kind >> 16 == 1 && revolutions != 1 {
+    if kind >> 16 == 1 && revolutions > 1 {
         let message = say!("a single-turn encoder has `{}` revolutions", revolutions);
         let finding = Diagnostic::new(rule, device.value_place(index, 0), message);
         let finding = finding.label(device.value_place(device_type, 0), "type 1, single-turn");
