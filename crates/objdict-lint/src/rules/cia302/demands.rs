@@ -41,7 +41,7 @@ demands! {
 
     "cia302/sub-0-out-of-range", Warning, Against(sub_0_out_of_range);
     summary: "the size of a list of nodes differs from CiA 302",
-    checks: "Whether sub-index 0 of a list of nodes is 127, or 128 for lists with an entry for all nodes (1F25h, 1F82h, 1F83h), and whether sub-index 0 of other objects lies in its range. Missing, surplus and undescribed sub-indexes have their own rules.",
+    checks: "Whether sub-index 0 of a list of nodes is 127, or 128 for lists with an entry for all nodes (1F25h, 1F82h, 1F83h), where `CompactSubObj` may be 127 too, and whether sub-index 0 of other objects lies in its range. Missing, surplus and undescribed sub-indexes have their own rules.",
     why: "A manager with a shorter list ignores the remaining nodes, and a configuration tool offers no entries for them.",
     example: "`[1F81sub0]` with `DefaultValue=32` and sub-indexes up to 32",
     remedy: "Describe all 127 entries; `CompactSubObj=127` does so in one line. A device with memory for fewer nodes rejects the other entries.",

@@ -1,11 +1,11 @@
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::{Access, Field, Object, Part, Place};
 use crate::{Facts, rule};
 
 rule! {
     "cia306/group-messaging-flag", Warning, Facts(check);
     summary: "`GroupMessaging` and the PDOs disagree",
-    checks: "Whether a device with multiplexed PDOs (mapping count 254 or 255) or with their lists (1FA0h to 1FFFh) has `GroupMessaging=1`, and whether a device with `GroupMessaging=1` has such a list, such a PDO, or a PDO with a writable mapping.",
+    checks: "Whether a device with multiplexed PDOs (mapping count 254 or 255) or with their lists (1FA0h to 1FFFh) has `GroupMessaging=1`, and whether a device with `GroupMessaging=1` has such a list or such a PDO. A device with a writable mapping, which can make a PDO multiplexed, is a note.",
     why: "Tools offer multiplexed PDOs only for devices with the flag. With a wrong flag they configure PDOs that the device does not support.",
     example: "`[1A00sub0]` with `DefaultValue=255` and `GroupMessaging=0`",
     remedy: "Correct the flag.",
@@ -32,7 +32,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
                 say!("{:04X}h is for multiplexed PDOs, but `{GroupMessaging}` is {GroupMessaging:0}", index);
             Diagnostic::new(&RULE.info, place, message).label(Place::object(index), "the list")
         }
-        (true, None, None) if !can_be_made(facts) => Diagnostic::new(
+        (true, None, None) if can_be_made(facts) => {
+            let message =
+                say!("`{GroupMessaging}` is {GroupMessaging:1}, but no PDO is multiplexed by default");
+            Diagnostic::new(&RULE.info, place, message).severity(Severity::Note)
+        }
+        (true, None, None) => Diagnostic::new(
             &RULE.info,
             place,
             "the device has no multiplexed PDO and no PDO that can become one",
