@@ -166,11 +166,16 @@ impl Facts<'_> {
             0x100 => "TIME",
             _ => return None,
         };
+        (is_readable && !is_fixed && !self.is_shared(cob_id)).then_some(owner)
+    }
+
+    /// Whether another active service of the device uses the same CAN-ID, in either direction.
+    pub(crate) fn is_shared(&self, cob_id: &CobIdUse) -> bool {
+        let node = *self.node_ids().start();
+        let key = |one: &CobIdUse| (one.cob_id.depends_on_node_id(), one.cob_id.can_id(node));
         let others =
             self.cob_ids.iter().filter(|other| (other.index, other.sub) != (cob_id.index, cob_id.sub));
-        let is_shared =
-            others.filter(|other| other.is_in_use()).any(|other| other.cob_id.can_id(node) == can_id);
-        (is_readable && !is_fixed && !is_shared).then_some(owner)
+        others.filter(|other| other.is_in_use()).any(|other| key(other) == key(cob_id))
     }
 
     /// The two COB-IDs of each SDO channel: from client to server, from server to client.

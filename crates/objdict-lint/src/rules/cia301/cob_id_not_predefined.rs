@@ -5,7 +5,7 @@ use crate::{Facts, PdoFacts, rule};
 rule! {
     "cia301/cob-id-not-predefined", Warning, Pdo(check);
     summary: "the default CAN-ID of one of the first four PDOs differs from the predefined connection set",
-    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that are not valid (bit 31) and numbers with a missing node-ID are not checked. A DCF is not checked either: it holds the configuration of a node.",
+    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that are not valid (bit 31), numbers with a missing node-ID and CAN-IDs that another service of the device uses are not checked. A DCF is not checked either: it holds the configuration of a node.",
     why: "A simple network works without configuration because all devices use these identifiers. A device that does not may use the CAN-ID of another node.",
     example: "`[1401sub1]` with `DefaultValue=$NODEID+0x200`",
     remedy: "Write the CAN-ID of the predefined connection set.",
@@ -25,7 +25,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     // a missing node-ID and CAN-IDs of other services have their own rules
     let is_reported = facts.base_without_node_id(&cob_id).is_some()
         || facts.is_restricted(&cob_id)
-        || facts.foreign_service(&cob_id).is_some();
+        || facts.foreign_service(&cob_id).is_some()
+        || facts.is_shared(&cob_id);
     if facts.device.kind == DeviceKind::Node || is_configured || is_reported {
         return;
     }
