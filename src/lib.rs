@@ -62,7 +62,7 @@
 //! // a text that is no value of its type is kept, and never taken for a number
 //! let brightness = description.device().entry(0x2000, 0).expect("the entry is there");
 //! assert_eq!(brightness.default, None);
-//! assert_eq!(brightness.misfits.iter().next().map(|misfit| &*misfit.text), Some("300"));
+//! assert_eq!(brightness.invalid_values.iter().next().map(|misfit| &*misfit.text), Some("300"));
 //! ```
 //!
 //! [`report`] renders findings, [`registry`] lists the rules with their pages.
@@ -157,7 +157,7 @@
 //! written text is read back and compared. What the other format has no place for can be carried in it.
 //!
 //! ```
-//! use objdict::format::{self, Fate, Format, WriteOptions};
+//! use objdict::format::{self, LossKind, Format, WriteOptions};
 //! use objdict::source::SourceFile;
 //!
 //! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
@@ -169,7 +169,7 @@
 //!
 //! options.carry = true;
 //! let whole = format::write(eds.device(), Format::Xdd, &options);
-//! assert!(whole.losses.iter().all(|loss| loss.fate == Fate::Carried));
+//! assert!(whole.losses.iter().all(|loss| loss.fate == LossKind::Carried));
 //! let source = SourceFile::from_bytes("io-401.xdd", whole.bytes, &Default::default())?;
 //! assert_eq!(format::read(source, Format::Xdd).device(), eds.device());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -201,27 +201,27 @@ pub mod compare;
 pub mod compat;
 #[cfg(feature = "lint")]
 pub mod config;
-pub mod format;
 #[cfg(feature = "lint")]
-mod mend;
+mod fix;
+pub mod format;
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
-mod production;
+mod pipeline;
 pub mod registry;
 pub mod report;
 #[cfg(feature = "lint")]
-pub mod skeleton;
+pub mod scaffold;
 
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]
-pub use mend::{Mended, Repair, mend};
+pub use fix::{AppliedFix, Fixed, fix};
 #[cfg(feature = "document")]
-pub use objdict_document::{self as document, decoded};
+pub use objdict_document::{self as document, describe};
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
 pub use objdict_model::{Language, diagnostic, model, source};
 #[cfg(feature = "node")]
-pub use objdict_node::{configure, download, modular};
+pub use objdict_node::{configure, coupler, download};
 pub use objdict_profile as profile;
 
 /// The examples of the README are compiled with those of this page.

@@ -14,8 +14,8 @@ use crate::generate::{CTable, ChoiceError, Derive, Names, OptionField, StorageGr
 use crate::lint::{Level, Severities};
 use crate::model::Address;
 #[cfg(feature = "lint")]
-use crate::production::Configuration;
-use crate::production::{Judged, Production, Request, said, save};
+use crate::pipeline::Configuration;
+use crate::pipeline::{Generation, Judged, Request, placed, save};
 use crate::registry;
 use crate::source::{self, Encoding};
 
@@ -196,24 +196,24 @@ impl Builder {
         let produced = self.produce(&mut files);
         // also when it fails, so that the next run knows what to wait for
         files.iter().try_for_each(|file| cargo.depends_on(file)).map_err(Error::Cargo)?;
-        let (judged, production) = produced?;
-        self.warn(&judged, &production, &mut cargo).map_err(Error::Cargo)?;
+        let (judged, generation) = produced?;
+        self.warn(&judged, &generation, &mut cargo).map_err(Error::Cargo)?;
         let folder = self.out_dir.or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
-        write(&production, &folder.ok_or(Error::NoOutDir)?)
+        write(&generation, &folder.ok_or(Error::NoOutDir)?)
     }
 
-    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Production), Error> {
+    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Generation), Error> {
         let Request { file, reading, .. } = &self.request;
         let bytes = source::read(file, reading.max_size).map_err(ReadError::from)?;
         let judged = self.request.judge(&file.display().to_string(), bytes, files)?;
-        let production = self.request.produce(&judged, files)?;
-        Ok((judged, production))
+        let generation = self.request.produce(&judged, files)?;
+        Ok((judged, generation))
     }
 
     fn warn(
         &self,
         judged: &Judged,
-        production: &Production,
+        generation: &Generation,
         cargo: &mut Cargo<impl Write>,
     ) -> io::Result<()> {
         let file = self.request.file.display();
@@ -225,13 +225,13 @@ impl Builder {
             let warnings = counted(count, "more warning", "more warnings");
             format!("{file}: {warnings}; run `objdict check`")
         })?;
-        for (target, generated) in &production.outputs {
+        for (target, generated) in &generation.outputs {
             let target = target.name();
             // what does not work stands first, where it is not counted away
             let (warnings, notes): (Vec<_>, Vec<_>) =
                 generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
             let notes = warnings.into_iter().chain(notes).map(|note| {
-                let text = format!("{file}: {}: {target}: {}", note.severity, said(note));
+                let text = format!("{file}: {}: {target}: {}", note.severity, placed(note));
                 with_advice(text, note.help.as_deref())
             });
             cargo.warn(self.max_warnings, notes, |count| {
@@ -284,11 +284,11 @@ fn with_advice(line: String, help: Option<&str>) -> String {
     }
 }
 
-fn write(production: &Production, folder: &Path) -> Result<Built, Error> {
-    let Production { objects, entries, .. } = *production;
-    let sizes = production.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
+fn write(generation: &Generation, folder: &Path) -> Result<Built, Error> {
+    let Generation { objects, entries, .. } = *generation;
+    let sizes = generation.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
     let mut built = Built { objects, entries, files: Vec::new(), sizes };
-    for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
+    for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
         let path = folder.join(&file.path);
         if let Err(error) = save(&path, &file.contents) {
             return Err(Error::Unwritable { path, error });

@@ -36,8 +36,8 @@ impl<W: Write> Cargo<W> {
         for line in lines.by_ref().take(most) {
             self.line("warning", &one_line(&line))?;
         }
-        let untold = lines.count();
-        if untold > 0 { self.line("warning", &one_line(&rest(untold))) } else { Ok(()) }
+        let omitted = lines.count();
+        if omitted > 0 { self.line("warning", &one_line(&rest(omitted))) } else { Ok(()) }
     }
 
     fn line(&mut self, key: &str, value: &str) -> io::Result<()> {

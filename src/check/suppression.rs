@@ -140,7 +140,7 @@ fn is_active(rules: Selection, format: Format, options: &Options) -> bool {
     !options.severities.is_off(rules)
         && match group {
             "portability" => !options.tools.is_empty() && format.syntax() == Syntax::Ini,
-            "house" => !options.profiles.is_empty(),
+            "custom" => !options.profiles.is_empty(),
             _ => true,
         }
 }

@@ -1,6 +1,6 @@
-//! What is said of a download beside its bytes.
+//! What is texts of a download beside its bytes.
 
-use crate::decoded::Decoder;
+use crate::describe::Decoder;
 use crate::download::{Download, transferred_type};
 use crate::format::concise::Annotation;
 use crate::model::{DataType, Device, Value};
@@ -22,9 +22,9 @@ impl Described<'_> {
         let data_type = transferred_type(device, index, sub).or_else(|| unsigned(download.data.len()));
         let value = data_type.and_then(|data_type| Value::from_bytes(&download.data, data_type));
         let meaning = value.and_then(|value| Decoder::english(device, self.node_id).of(index, sub, &value));
-        let said = [self.name_of(index, sub), meaning.unwrap_or_default()];
-        let said: Vec<String> = said.into_iter().filter(|text| !text.is_empty()).collect();
-        Annotation { data_type, comment: said.join(": ") }
+        let texts = [self.name_of(index, sub), meaning.unwrap_or_default()];
+        let texts: Vec<String> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+        Annotation { data_type, comment: texts.join(": ") }
     }
 
     /// The name of an entry with that of its object; empty where there is none.

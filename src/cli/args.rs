@@ -126,7 +126,7 @@ pub(super) struct CheckArgs {
     #[command(flatten)]
     pub baseline: BaselineArgs,
     #[command(flatten)]
-    pub mending: FixArgs,
+    pub fixing: FixArgs,
 }
 
 /// Recognise files by their content
@@ -239,8 +239,8 @@ pub(super) struct ConvertArgs {
     #[arg(long)]
     pub deny_loss: bool,
     /// Embed nothing in properties or sections of objdict: data without a place in the format are lost
-    #[arg(long)]
-    pub no_carry: bool,
+    #[arg(long, alias = "no-carry")]
+    pub no_embed: bool,
     /// Version of CiA 311 of a new XDD or XDC
     #[arg(long, value_enum, value_name = "VERSION")]
     pub xdd_version: Option<Version>,

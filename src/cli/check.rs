@@ -6,7 +6,7 @@ use std::path::Path;
 use super::args::CheckArgs;
 use super::baseline::Known;
 use super::files::{File, gather};
-use super::fix::{Amended, FixArgs, Mending, amend};
+use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
@@ -21,7 +21,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     let mut settings = Settings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
     let worker = Worker { args, settings: &settings };
-    if args.mending.diff {
+    if args.fixing.diff {
         return show_changes(&worker, &files, &failures, out);
     }
     let mut reporter = Reporter::new(args, out)?;
@@ -37,7 +37,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
         "checking",
         |file| worker.check(file),
         |checked| {
-            if checked.is_told() {
+            if checked.is_reported() {
                 give_way();
             }
             reporter.take(checked)
@@ -46,7 +46,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     reporter.finish()
 }
 
-/// Prints what would be mended, and reports nothing else.
+/// Prints what would be fixed, and reports nothing else.
 fn show_changes(
     worker: &Worker<'_>,
     files: &[File],
@@ -60,7 +60,7 @@ fn show_changes(
         Failure::new(message).help("run `objdict check` without `--diff` for the reasons").print();
         has_failed = true;
     }
-    let mut mending = Mending::default();
+    let mut fixing = Fixing::default();
     in_order(
         files,
         worker.args.jobs,
@@ -71,7 +71,7 @@ fn show_changes(
                 Checked::Description(examined) => {
                     if let Some(amended) = examined.amended {
                         give_way();
-                        mending.show(&amended, out)?;
+                        fixing.show(&amended, out)?;
                     }
                 }
                 Checked::Failed(failure) => {
@@ -83,8 +83,8 @@ fn show_changes(
             Ok(())
         },
     )?;
-    mending.finish(&worker.args.mending);
-    Ok(match mending.is_needed() {
+    fixing.finish(&worker.args.fixing);
+    Ok(match fixing.is_needed() {
         _ if has_failed => Outcome::Failed,
         true => Outcome::Findings,
         false => Outcome::Clean,
@@ -111,13 +111,13 @@ struct Examined {
     findings: Vec<Findings>,
     /// The mildest severity that is too grave.
     deny: Severity,
-    /// What is mended in it.
+    /// What is fixed in it.
     amended: Option<Amended>,
 }
 
 impl Checked {
     /// Whether something is written because of it.
-    fn is_told(&self) -> bool {
+    fn is_reported(&self) -> bool {
         match self {
             Self::Description(examined) => examined.findings.iter().any(|findings| !findings.is_empty()),
             Self::Failed(_) => true,
@@ -138,19 +138,19 @@ impl Worker<'_> {
             return Checked::Left;
         }
         match self.args.input.candidate(&file.path) {
-            Ok(Candidate::Description(description)) => self.mend_devices(file, *description),
+            Ok(Candidate::Description(description)) => self.fix_devices(file, *description),
             Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
             Ok(Candidate::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
         }
     }
 
-    fn mend_devices(&self, file: &File, description: Description) -> Checked {
+    fn fix_devices(&self, file: &File, description: Description) -> Checked {
         let project = file.project.as_deref();
         let options = self.settings.options(&file.path, project);
         let check = |description: &Description| crate::check_with(description, &options);
-        let (description, amended) = match self.args.mending.safety() {
+        let (description, amended) = match self.args.fixing.safety() {
             None => (description, None),
-            Some(_) if self.args.mending.fix && file.path == Path::new("-") => {
+            Some(_) if self.args.fixing.fix && file.path == Path::new("-") => {
                 let failure = Failure::new("the standard input cannot be fixed in place");
                 return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }
@@ -192,7 +192,7 @@ struct Reporter<'a> {
     /// Whether something was found that is too grave.
     has_denied: bool,
     has_failed: bool,
-    mending: Mending,
+    fixing: Fixing,
     args: &'a FixArgs,
     /// How many files of a folder are no descriptions, by what they are.
     skipped: BTreeMap<String, usize>,
@@ -205,8 +205,8 @@ impl<'a> Reporter<'a> {
             report: report::new(args, out)?,
             has_denied: false,
             has_failed: false,
-            mending: Mending::default(),
-            args: &args.mending,
+            fixing: Fixing::default(),
+            args: &args.fixing,
             skipped: BTreeMap::new(),
         })
     }
@@ -248,7 +248,7 @@ impl<'a> Reporter<'a> {
         match checked {
             Checked::Description(examined) => {
                 let Examined { description, findings, deny, amended } = *examined;
-                if let Some(Err(failure)) = amended.map(|amended| self.mending.write(&amended)) {
+                if let Some(Err(failure)) = amended.map(|amended| self.fixing.write(&amended)) {
                     self.fail(&failure)?;
                 }
                 let mut next = Some(description);
@@ -275,7 +275,7 @@ impl<'a> Reporter<'a> {
         };
         self.report.exit_code(outcome.code());
         self.report.finish()?;
-        self.mending.finish(self.args);
+        self.fixing.finish(self.args);
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {
             let kinds = series(self.skipped.iter().map(|(kind, count)| format!("{count} {kind}")));

@@ -13,11 +13,11 @@ use super::save::save;
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, tell};
 use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
+use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
 use crate::lint::{self, Options};
 use crate::model::{Device, DeviceKind};
-use crate::modular::flatten;
 use crate::report::plural;
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -74,7 +74,7 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
     match args.reading().read_one(&name_of(&args.file), args.size.read(&args.file)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (_, Input::Device(device)) => {
-            let options = WriteOptions { carry: true, ..WriteOptions::default() };
+            let options = WriteOptions { embed: true, ..WriteOptions::default() };
             let kind = if device.kind == DeviceKind::Node { Format::Dcf } else { Format::Eds };
             let bytes = format::write(&device, kind, &options).bytes;
             let text = String::from_utf8_lossy(&bytes).into_owned();

@@ -145,7 +145,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
     let described = |file: String, description: &Description| {
         let findings = crate::check_with(description, &options);
         let subject = description.into();
-        let findings = told(&findings, |finding| Location::line_of(subject, finding));
+        let findings = reported(&findings, |finding| Location::line_of(subject, finding));
         let device = args.expand.device(description.device()).into_owned();
         Documented::new(file, description.format().name(), device, findings)
     };
@@ -165,7 +165,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
         Input::Device(device) => {
             let findings = options.severities.apply(lint::check(&device, &options));
             let device = args.expand.device(&device).into_owned();
-            Ok(vec![Documented::new(name, "JSON", device, told(&findings, |_| None))])
+            Ok(vec![Documented::new(name, "JSON", device, reported(&findings, |_| None))])
         }
         Input::NodeList(_) | Input::Concise(_) => {
             let message = format!(
@@ -179,7 +179,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
 }
 
 /// What pages tell of findings, `line` being that of one.
-fn told(findings: &Findings, line: impl Fn(&Diagnostic) -> Option<u32>) -> Vec<Finding> {
+fn reported(findings: &Findings, line: impl Fn(&Diagnostic) -> Option<u32>) -> Vec<Finding> {
     findings.iter().map(|finding| Finding::new(finding, line(finding))).collect()
 }
 

@@ -1,4 +1,4 @@
-//! Findings mended by `check`: what is written, what is only shown, and what is said about it.
+//! Findings fixed by `check`: what is written, what is only shown, and what is said about it.
 
 use std::path::{Path, PathBuf};
 
@@ -9,9 +9,9 @@ use crate::diagnostic::{Applicability, Findings};
 use crate::format::Description;
 use crate::report::plural;
 use crate::source::SourceFile;
-use crate::{Repair, mend};
+use crate::{AppliedFix, fix};
 
-/// Whether findings are mended.
+/// Whether findings are fixed.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Fixes")]
 pub(super) struct FixArgs {
@@ -27,24 +27,24 @@ pub(super) struct FixArgs {
 }
 
 impl FixArgs {
-    /// How safe a fix must be to be made; `None` where nothing is mended.
+    /// How safe a fix must be to be made; `None` where nothing is fixed.
     pub(super) fn safety(&self) -> Option<Applicability> {
         let safety = if self.unsafe_fixes { Applicability::Unsafe } else { Applicability::Safe };
         (self.fix || self.diff).then_some(safety)
     }
 }
 
-/// A file with its findings mended, not written yet.
+/// A file with its findings fixed, not written yet.
 pub(super) struct Amended {
     path: PathBuf,
     before: SourceFile,
     after: SourceFile,
     bytes: Vec<u8>,
     applied: usize,
-    skipped: Vec<Repair>,
+    skipped: Vec<AppliedFix>,
 }
 
-/// Mends all devices of a file. The description of the first one comes back, and the change where there is one.
+/// Fixes all devices of a file. The description of the first one comes back, and the change where there is one.
 pub(super) fn amend(
     path: &Path,
     description: Description,
@@ -56,10 +56,10 @@ pub(super) fn amend(
     let mut next = description;
     let (mut applied, mut skipped) = (0, Vec::new());
     for number in 0..count {
-        let mended = mend(next.select(number)?, safety, &check);
-        applied += mended.applied.len();
-        skipped.extend(mended.skipped);
-        next = mended.description;
+        let fixed = fix(next.select(number)?, safety, &check);
+        applied += fixed.applied.len();
+        skipped.extend(fixed.skipped);
+        next = fixed.description;
     }
     let bytes = next.print();
     let after = copy(next.source())?;
@@ -74,15 +74,15 @@ fn copy(source: &SourceFile) -> Option<SourceFile> {
     SourceFile::from_bytes(source.name(), source.to_bytes(), &options).ok()
 }
 
-/// What was mended in all files.
+/// What was fixed in all files.
 #[derive(Default)]
-pub(super) struct Mending {
+pub(super) struct Fixing {
     fixed: usize,
     files: usize,
     skipped: usize,
 }
 
-impl Mending {
+impl Fixing {
     /// Writes a file.
     pub(super) fn write(&mut self, amended: &Amended) -> Result<(), Failure> {
         if amended.applied > 0 {

@@ -15,7 +15,7 @@ use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::Severity;
 use crate::format::ReadError;
 use crate::generate::Target;
-use crate::production::{Error, Judged, Production, Request, Room, depfile, told};
+use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
 use crate::report::Tally;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -26,26 +26,27 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
     let progress = Progress::new("generating", 1);
     let produced = request.judge(&name_of(&args.file), bytes, &mut files).and_then(|judged| {
-        let production = request.produce(&judged, &mut files)?;
-        Ok((judged, production))
+        let generation = request.produce(&judged, &mut files)?;
+        Ok((judged, generation))
     });
     drop(progress);
-    let (judged, production) = match produced {
+    let (judged, generation) = match produced {
         Ok(produced) => produced,
         Err(error) => return refused(error),
     };
     if args.list {
-        list(args, &production, out)?;
+        list(args, &generation, out)?;
     } else {
-        write(args, &judged, &production, out)?;
+        write(args, &judged, &generation, out)?;
         stamp(args, &files)?;
     }
-    for (target, generated) in &production.outputs {
+    for (target, generated) in &generation.outputs {
         // warnings come last, where they are seen
         let (warnings, notes): (Vec<_>, Vec<_>) =
             generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
-        let lines =
-            |notes: Vec<_>| notes.into_iter().map(|note| told(target.name(), note)).collect::<String>();
+        let lines = |notes: Vec<_>| {
+            notes.into_iter().map(|note| report_lines(target.name(), note)).collect::<String>()
+        };
         note(&lines(notes));
         tell(&lines(warnings));
     }
@@ -55,11 +56,11 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
 fn write(
     args: &GenerateArgs,
     judged: &Judged,
-    production: &Production,
+    generation: &Generation,
     out: &mut Output,
 ) -> Result<(), Failure> {
     let mut table = Table::new(["", "", "", ""], usize::MAX);
-    for (target, generated) in &production.outputs {
+    for (target, generated) in &generation.outputs {
         for file in &generated.files {
             let path = args.output.join(&file.path);
             let saved = match save(&path, &file.contents)? {
@@ -71,19 +72,19 @@ fn write(
         }
     }
     if args.report.is_some() && args.format == SizeFormat::Json {
-        sizes::write_json(&production.sizes, out)?;
+        sizes::write_json(&generation.sizes, out)?;
     } else {
-        writeln!(out, "{}: {}", name_of(&args.file), facts(judged, production))?;
+        writeln!(out, "{}: {}", name_of(&args.file), facts(judged, generation))?;
         table.write(out)?;
         if args.report.is_some() {
-            sizes::write_tables(&production.sizes, out)?;
+            sizes::write_tables(&generation.sizes, out)?;
         }
     }
     Ok(out.flush()?)
 }
 
-fn list(args: &GenerateArgs, production: &Production, out: &mut Output) -> Result<(), Failure> {
-    for file in production.outputs.iter().flat_map(|(_, generated)| &generated.files) {
+fn list(args: &GenerateArgs, generation: &Generation, out: &mut Output) -> Result<(), Failure> {
+    for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
         writeln!(out, "{}", args.output.join(&file.path).display())?;
     }
     Ok(())
@@ -145,7 +146,7 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
     }
 }
 
-fn facts(judged: &Judged, production: &Production) -> String {
+fn facts(judged: &Judged, generation: &Generation) -> String {
     let mut tally = Tally::default();
     tally.add(&judged.findings);
     let found = match (tally.errors, tally.warnings + judged.of_config.len()) {
@@ -153,5 +154,5 @@ fn facts(judged: &Judged, production: &Production) -> String {
         (0, warnings) => format!("no errors, {warnings} warnings (run `objdict check`)"),
         (errors, _) => format!("{errors} errors, generated anyway"),
     };
-    format!("{} objects, {} entries, {found}", production.objects, production.entries)
+    format!("{} objects, {} entries, {found}", generation.objects, generation.entries)
 }

@@ -3,7 +3,6 @@
 
 mod annotation;
 mod args;
-mod arrange;
 mod baseline;
 mod check;
 mod configure;
@@ -13,6 +12,7 @@ mod diff;
 mod docs;
 mod files;
 mod fix;
+mod fmt;
 mod generate;
 mod help;
 mod identify;
@@ -34,7 +34,6 @@ mod show;
 mod sizes;
 mod table;
 
-use std::fmt;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
@@ -66,7 +65,7 @@ pub fn run() -> ExitCode {
         Command::Docs(command) => docs::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),
         Command::Profile(command) => profile::run(&command.command, &mut out),
-        Command::Fmt(command) => arrange::run(command, &mut out),
+        Command::Fmt(command) => fmt::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
@@ -121,7 +120,7 @@ struct Failure {
 }
 
 impl Failure {
-    fn new(message: impl fmt::Display) -> Self {
+    fn new(message: impl std::fmt::Display) -> Self {
         Self { message: message.to_string(), help: None, excerpt: None }
     }
 

@@ -11,7 +11,7 @@ use super::save::save;
 use super::{Failure, Outcome, note};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
-use crate::skeleton::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, skeleton};
+use crate::scaffold::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, scaffold};
 
 /// The vendor-ID of a device whose vendor is not said: one that CiA never assigns.
 const NO_VENDOR: u32 = 0xFFFF_FFFF;
@@ -38,7 +38,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         date,
         time,
     };
-    let device = skeleton(&wanted);
+    let device = scaffold(&wanted);
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
@@ -107,9 +107,9 @@ fn when(args: &NewArgs) -> Result<(Date, ClockTime), Failure> {
     if let Some(date) = args.date {
         return Ok((date, ClockTime::new(12, 0).unwrap_or(MIDNIGHT)));
     }
-    let said = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());
+    let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());
     let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    let seconds: u64 = said.unwrap_or_else(now);
+    let seconds: u64 = epoch.unwrap_or_else(now);
     let minutes = seconds / 60 % (24 * 60);
     let time = u8::try_from(minutes / 60).ok().zip(u8::try_from(minutes % 60).ok());
     let time = time.and_then(|(hour, minute)| ClockTime::new(hour, minute)).unwrap_or(MIDNIGHT);

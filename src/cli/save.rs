@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use super::Failure;
-pub(super) use crate::production::Saved;
+pub(super) use crate::pipeline::Saved;
 
 /// Gives the file at `path` its contents: all of them or, when something fails, none. Folders are made.
 pub(super) fn save(path: &Path, contents: &[u8]) -> Result<Saved, Failure> {
-    crate::production::save(path, contents)
+    crate::pipeline::save(path, contents)
         .map_err(|error| Failure::new(format_args!("cannot write `{}`: {error}", path.display())))
 }
 

@@ -14,7 +14,7 @@ use crate::config::Config;
 pub(super) use crate::config::Project;
 use crate::diagnostic::{Selection, Severity, Tool, series};
 use crate::lint::{Level, Options, Severities};
-use crate::production::{Configuration, Judging};
+use crate::pipeline::{Configuration, Judging};
 use crate::profile::Profile;
 use crate::registry;
 
@@ -219,8 +219,8 @@ impl<'a> Settings<'a> {
 
     /// The lowest severity that makes the exit code 1.
     pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
-        let said = self.args.deny.map(Severity::from);
-        said.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Warning)
+        let stated = self.args.deny.map(Severity::from);
+        stated.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Warning)
     }
 
     fn open(&mut self, path: &Path) -> Result<Arc<Project>, Failure> {

@@ -82,9 +82,6 @@ pub static REACTIONS: &[Reaction] = &[
     ),
     row("cia306/commissioning-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/commissioning-spelling", PYTHON_CANOPEN, Dropped, "node-ID and bit rate are lost"),
-    row("cia306/decorated-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
-    row("cia306/decorated-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
-        .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
     row("cia306/duplicate-key", PYTHON, Refused, "the file is refused").when("in the same case", is_repeated),
     row("cia306/duplicate-section", PYTHON, Refused, "the file is refused")
         .when("in the same case", is_repeated),
@@ -98,6 +95,9 @@ pub static REACTIONS: &[Reaction] = &[
         .when("`$nodeid` alone", |description, finding| {
             shown(description, finding).eq_ignore_ascii_case("$NODEID")
         }),
+    row("cia306/hex-prefix-in-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
+    row("cia306/hex-prefix-in-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
+        .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
     row("cia306/indented-section", PYTHON, Wrong, "the header is read as continuation of the value above it"),
     row("cia306/indented-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is refused"),

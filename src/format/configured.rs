@@ -11,7 +11,7 @@ use crate::source::{EditError, Edits, SourceFile, SourceOptions};
 pub struct NodeSettings<'a> {
     /// What is said of the node.
     pub node: &'a Commissioning,
-    /// The dictionary with the modules that are plugged in ([`crate::modular::flatten`]); `None` for that of the
+    /// The dictionary with the modules that are plugged in ([`crate::coupler::flatten`]); `None` for that of the
     /// description.
     pub plugged: Option<&'a Device>,
     /// The values ([`crate::configure::configure`]).
@@ -56,7 +56,7 @@ impl Description {
             Syntax::Xml => Format::Xdc,
         };
         let bytes =
-            super::write(&device, format, &WriteOptions { carry: true, ..WriteOptions::default() }).bytes;
+            super::write(&device, format, &WriteOptions { embed: true, ..WriteOptions::default() }).bytes;
         Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
 

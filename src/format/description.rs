@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 #[cfg(all(feature = "json", feature = "xdd"))]
-use super::carried;
+use super::embedded;
 use super::ini::Document;
 use super::{Format, Syntax, eds, ini};
 #[cfg(feature = "xdd")]
@@ -226,8 +226,8 @@ impl Description {
         if self.source().is_read_only() {
             return Some(Err(EditError::ReadOnly(self.source().name().to_owned())));
         }
-        for extent in eds::arrange::Extent::ALL {
-            let text = eds::arrange::arrange(document, &self.device, extent);
+        for extent in eds::fmt::Extent::ALL {
+            let text = eds::fmt::arrange(document, &self.device, extent);
             let arranged = SourceFile::from_text(self.source().name(), text);
             let again = Self::read(arranged, self.format);
             if says_the_same(&self.device, &again.device) {
@@ -272,7 +272,7 @@ impl Description {
     }
 
     /// Whether a fix can be made in this file.
-    pub fn can_mend(&self, fix: &Fix) -> bool {
+    pub fn can_fix(&self, fix: &Fix) -> bool {
         self.encoding_of(fix).is_some() || self.edits(fix).is_some()
     }
 
@@ -319,6 +319,6 @@ fn says_the_same(one: &Device, other: &Device) -> bool {
 /// A device with what a conversion carried in it at its place again; without JSON and XDD nothing is carried.
 fn restored(device: Device, findings: Findings) -> (Device, Findings) {
     #[cfg(all(feature = "json", feature = "xdd"))]
-    let (device, findings) = carried::restore(device, findings);
+    let (device, findings) = embedded::restore(device, findings);
     (device, findings)
 }

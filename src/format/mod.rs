@@ -1,10 +1,10 @@
 //! Description files: what a file is, and from its bytes to the model.
 
-#[cfg(all(feature = "json", feature = "xdd"))]
-pub(crate) mod carried;
 #[cfg(feature = "node")]
 mod configured;
 mod description;
+#[cfg(all(feature = "json", feature = "xdd"))]
+pub(crate) mod embedded;
 pub mod identify;
 pub mod input;
 #[cfg(feature = "json")]
@@ -19,7 +19,7 @@ pub use self::configured::{ConfiguredFile, NodeSettings};
 pub use self::description::Description;
 pub use self::input::{ReadError, open};
 #[cfg(all(feature = "json", feature = "xdd"))]
-pub use self::write::{Fate, Loss, WriteOptions, Written};
+pub use self::write::{Loss, LossKind, WriteOptions, Written};
 #[cfg(feature = "xdd")]
 use crate::diagnostic::Findings;
 use crate::diagnostic::RuleInfo;
@@ -75,7 +75,7 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let of_lines = ini::findings::RULES.iter().chain(literal::RULES).chain(eds::findings::RULES);
     let rules = of_lines.chain(eds::portability::RULES).copied();
     #[cfg(all(feature = "json", feature = "xdd"))]
-    let rules = rules.chain(carried::RULES.iter().copied());
+    let rules = rules.chain(embedded::RULES.iter().copied());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     rules

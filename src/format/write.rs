@@ -6,7 +6,7 @@ use std::fmt;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::carried::{self, Room};
+use super::embedded::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
 use super::{Format, Style, Syntax, XddVersion, eds, xdd};
@@ -25,7 +25,7 @@ pub struct WriteOptions {
     pub xdd_version: XddVersion,
     /// Whether what the format has no place for is kept in sections or properties of a manufacturer, which other tools
     /// pass over and objdict reads (docs/formats.md).
-    pub carry: bool,
+    pub embed: bool,
 }
 
 /// A written description.
@@ -40,13 +40,14 @@ pub struct Written {
 /// A datum that a written text does not give back.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// Where it stands in the model.
+    /// Its place in the model.
     #[serde(serialize_with = "place_text")]
     pub place: Place,
     /// The same as a JSON pointer into the JSON of the device (docs/json.md).
     pub path: String,
     /// What became of it.
-    pub fate: Fate,
+    #[serde(rename = "fate")]
+    pub kind: LossKind,
     /// What the device says.
     pub value: Value,
     /// What the text says in its place; `None` for nothing.
@@ -57,22 +58,23 @@ pub struct Loss {
 /// What became of a datum that the format has no place for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Fate {
+pub enum LossKind {
     /// It is gone.
     Lost,
     /// It belongs to a node, and the format describes a type of device.
     LeftOut,
     /// objdict reads it from a section or property of its own; other tools do not see it.
-    Carried,
+    #[serde(rename = "carried")]
+    Embedded,
 }
 
-impl Fate {
+impl LossKind {
     /// In words.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Lost => "lost",
             Self::LeftOut => "left out",
-            Self::Carried => "carried",
+            Self::Embedded => "embedded",
         }
     }
 }
@@ -83,7 +85,7 @@ fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::O
 
 impl Loss {
     /// The losses that a difference tells of. What the text says and the device does not is none.
-    fn of(difference: DatumDifference, fate: Fate, losses: &mut Vec<Self>) {
+    fn of(difference: DatumDifference, kind: LossKind, losses: &mut Vec<Self>) {
         let place = difference.place();
         let DatumDifference { path, left, right } = difference;
         match (left, right) {
@@ -91,10 +93,10 @@ impl Loss {
             (Some(Value::Object(fields)), None) if PARTS.iter().any(|part| path.ends_with(part)) => {
                 for (name, value) in fields {
                     let path = format!("{path}/{name}");
-                    Self::of(DatumDifference { path, left: Some(value), right: None }, fate, losses);
+                    Self::of(DatumDifference { path, left: Some(value), right: None }, kind, losses);
                 }
             }
-            (Some(value), becomes) => losses.push(Self { place, path, fate, value, becomes }),
+            (Some(value), becomes) => losses.push(Self { place, path, kind, value, becomes }),
             (None, _) => {}
         }
     }
@@ -114,8 +116,8 @@ const PARTS: [&str; 8] = [
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, fate, value, becomes, .. } = self;
-        write!(f, "{}: {place}: {}", fate.name(), Shown(value))?;
+        let Self { place, kind, value, becomes, .. } = self;
+        write!(f, "{}: {place}: {}", kind.name(), Shown(value))?;
         match becomes {
             Some(becomes) => write!(f, " becomes {}", Shown(becomes)),
             None => Ok(()),
@@ -150,39 +152,39 @@ fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
     let kept = kept(device, format);
-    let mut losses = told(differences(device, &kept), Fate::LeftOut);
+    let mut losses = losses_of(differences(device, &kept), LossKind::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
-    let wanted = match options.eds.compact || options.carry {
+    let wanted = match options.eds.compact || options.embed {
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
     };
     let mut bytes = encode(&wanted, format, options);
     let mut lost = differences(&wanted, &decode(&bytes, format, options.eds.encoding));
-    if options.carry && !lost.is_empty() {
+    if options.embed && !lost.is_empty() {
         let plain = lost;
         bytes = encode_with(&wanted, format, options, &plain);
-        let (read, _) = carried::restore(decode(&bytes, format, options.eds.encoding), Findings::new());
+        let (read, _) = embedded::restore(decode(&bytes, format, options.eds.encoding), Findings::new());
         lost = differences(&wanted, &read);
-        let carried = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
-        losses.append(&mut told(carried, Fate::Carried));
+        let embedded = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
+        losses.append(&mut losses_of(embedded, LossKind::Embedded));
     }
-    losses.append(&mut told(lost, Fate::Lost));
-    losses.sort_by_key(|loss| loss.fate);
+    losses.append(&mut losses_of(lost, LossKind::Lost));
+    losses.sort_by_key(|loss| loss.kind);
     Written { bytes, losses }
 }
 
 /// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
-/// what is carried is measured again until it is what is lost.
+/// what is embedded is measured again until it is what is lost.
 fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[DatumDifference]) -> Vec<u8> {
     const ROUNDS: usize = 4;
     let mut needed = changes(lost);
     let mut bytes = Vec::new();
     for _ in 0..ROUNDS {
         let mut carrier = wanted.clone();
-        carried::embed(&mut carrier, &needed, room(format));
+        embedded::embed(&mut carrier, &needed, room(format));
         bytes = encode(&carrier, format, options);
         let mut read = decode(&bytes, format, options.eds.encoding);
-        carried::extract(&mut read);
+        embedded::extract(&mut read);
         let found = changes(&differences(wanted, &read));
         if found == needed {
             break;
@@ -195,9 +197,9 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let (read, _) = carried::restore(decode(bytes, format, Some(encoding)), Findings::new());
-    let mut losses = told(differences(&kept, &read), Fate::Lost);
-    losses.append(&mut told(differences(device, &kept), Fate::LeftOut));
+    let (read, _) = embedded::restore(decode(bytes, format, Some(encoding)), Findings::new());
+    let mut losses = losses_of(differences(&kept, &read), LossKind::Lost);
+    losses.append(&mut losses_of(differences(device, &kept), LossKind::LeftOut));
     losses
 }
 
@@ -209,9 +211,9 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     }
 }
 
-fn told(differences: Vec<DatumDifference>, fate: Fate) -> Vec<Loss> {
+fn losses_of(differences: Vec<DatumDifference>, kind: LossKind) -> Vec<Loss> {
     let mut losses = Vec::new();
-    differences.into_iter().for_each(|found| Loss::of(found, fate, &mut losses));
+    differences.into_iter().for_each(|found| Loss::of(found, kind, &mut losses));
     losses
 }
 
@@ -247,7 +249,7 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-/// The device that a text describes, with what is carried still where it is kept.
+/// The device that a text describes, with what is embedded still where it is kept.
 fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> Device {
     let source_options = SourceOptions { encoding, max_size: u64::MAX };
     let Ok(source) = SourceFile::from_bytes("", bytes.to_vec(), &source_options) else {

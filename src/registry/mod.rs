@@ -3,6 +3,7 @@
 
 pub(crate) mod own;
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{RuleInfo, Selection, nearest};
@@ -16,8 +17,38 @@ pub fn rules() -> Vec<&'static RuleInfo> {
     rules
 }
 
-/// The rule of an id.
+/// Former names of rules and groups, which configurations and `allow` comments may still have.
+const RENAMED: [(&str, &str); 13] = [
+    ("cia301/error-by-default", "cia301/default-error-register"),
+    ("cia301/half-set-life-guarding", "cia301/incomplete-life-guarding"),
+    ("cia301/half-valid-sdo", "cia301/partly-valid-sdo"),
+    ("cia301/mapping-without-switch", "cia301/mapping-without-valid-bit"),
+    ("cia302/half-set-guarding", "cia302/incomplete-guarding"),
+    ("cia306/decorated-bytes", "cia306/hex-prefix-in-bytes"),
+    ("cia306/manager-that-is-no-master", "cia306/manager-without-nmt-master"),
+    ("cia306/value-of-refused-entry", "cia306/value-of-no-download"),
+    ("cia402/half-touch-probe", "cia402/incomplete-touch-probe"),
+    ("cia404/half-scaling", "cia404/incomplete-scaling"),
+    ("house", "custom"),
+    ("naming/broken-numbering", "naming/unordered-numbering"),
+    ("objdict/stale-carried-data", "objdict/stale-embedded-data"),
+];
+
+/// The present name of a rule or group.
+fn current(name: &str) -> Cow<'_, str> {
+    let renamed = |name: &str| RENAMED.iter().find(|(former, _)| *former == name).map(|(_, now)| *now);
+    match (renamed(name), name.split_once('/')) {
+        (Some(now), _) => Cow::Borrowed(now),
+        (None, Some((group, rule))) => {
+            renamed(group).map_or(name.into(), |group| format!("{group}/{rule}").into())
+        }
+        (None, None) => name.into(),
+    }
+}
+
+/// The rule of an id, also of a former one.
 pub fn rule(id: &str) -> Option<&'static RuleInfo> {
+    let id = current(id);
     rules().into_iter().find(|rule| rule.id == id)
 }
 
@@ -26,8 +57,9 @@ pub fn groups() -> BTreeSet<&'static str> {
     rules().into_iter().map(RuleInfo::group).collect()
 }
 
-/// The rules that a name selects: the id of a rule, or a group.
+/// The rules that a name selects: the id of a rule, or a group; former names too.
 pub fn select(name: &str) -> Option<Selection> {
+    let name = &*current(name);
     match name.contains('/') {
         true => rule(name).map(Selection::Rule),
         false => groups().into_iter().find(|group| *group == name).map(Selection::Group),
@@ -54,6 +86,14 @@ pub fn nearest_rule(name: &str) -> Option<&'static RuleInfo> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn former_names_still_select() {
+        for (former, now) in RENAMED {
+            assert_eq!(select(former).map(Selection::name), Some(now), "{former}");
+        }
+        assert_eq!(rule("house/wrong-value").map(|rule| rule.id), Some("custom/wrong-value"));
+    }
 
     #[test]
     fn names_mean_rules_and_groups() {

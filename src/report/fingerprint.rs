@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_findings_are_told_apart() {
+    fn equal_findings_are_distinguished() {
         let text = "[2000]\njunk\njunk\n[2001]\njunk\n";
         let all = prints(text);
         let distinct: HashSet<Fingerprint> = all.iter().map(|(.., print)| *print).collect();

@@ -51,7 +51,7 @@ mod tests {
 
     #[test]
     #[cfg(not(windows))]
-    fn paths_are_told_from_the_folder() {
+    fn paths_are_relative_to_the_folder() {
         let base = Base::new(Path::new("/home/me/product"));
         for (name, told) in [
             ("drive.eds", "drive.eds"),

@@ -53,8 +53,8 @@ mod tests {
 
     #[test]
     fn a_problem_has_its_place() {
-        let source = SourceFile::from_text("house.toml", "a = 1\nb = 2\n");
+        let source = SourceFile::from_text("custom.toml", "a = 1\nb = 2\n");
         let text = problem(&source, Span::new(10, 11), "no `2`", Some("write `3`"));
-        assert_eq!(text, "house.toml:2:5: error: no `2`\n  help: write `3`\n");
+        assert_eq!(text, "custom.toml:2:5: error: no `2`\n  help: write `3`\n");
     }
 }

@@ -47,7 +47,7 @@ pub struct Statistic {
     pub findings: usize,
     /// The number of files with a finding.
     pub files: usize,
-    /// The number of findings that can be mended by their fix.
+    /// The number of findings that can be fixed by their fix.
     pub fixable: usize,
 }
 
@@ -107,7 +107,7 @@ impl Statistics {
 
 fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
     let fix = subject.description().zip(finding.fix.as_ref());
-    fix.is_some_and(|(description, fix)| description.can_mend(fix))
+    fix.is_some_and(|(description, fix)| description.can_fix(fix))
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub struct TextReport<W> {
     tally: Tally,
     detail: Detail,
     statistics: Statistics,
-    /// How many findings a safe fix can mend, and how many more an unsafe one.
+    /// How many findings a safe fix can fix, and how many more an unsafe one.
     fixable: [usize; 2],
 }
 
@@ -62,7 +62,7 @@ impl<W: Write> TextReport<W> {
 impl<W> TextReport<W> {
     fn count_fixes(&mut self, description: &Description, findings: &Findings) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref());
-        for fix in fixes.filter(|fix| description.can_mend(fix)) {
+        for fix in fixes.filter(|fix| description.can_fix(fix)) {
             self.fixable[usize::from(fix.safety == Applicability::Unsafe)] += 1;
         }
     }
@@ -103,10 +103,10 @@ impl<W: Write> Report for TextReport<W> {
         }
         match self.fixable {
             [0, 0] => {}
-            [safe, 0] => writeln!(self.out, "{safe} can be mended with `--fix`")?,
-            [0, others] => writeln!(self.out, "{others} can be mended with `--fix --unsafe-fixes`")?,
+            [safe, 0] => writeln!(self.out, "{safe} can be fixed with `--fix`")?,
+            [0, others] => writeln!(self.out, "{others} can be fixed with `--fix --unsafe-fixes`")?,
             [safe, others] => {
-                writeln!(self.out, "{safe} can be mended with `--fix`, {others} more with `--unsafe-fixes`")?;
+                writeln!(self.out, "{safe} can be fixed with `--fix`, {others} more with `--unsafe-fixes`")?;
             }
         }
         self.out.flush()
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_omitted_is_told() {
+    fn what_is_omitted_is_reported() {
         let description = format::read(SourceFile::from_text("a.eds", "x"), Format::Eds);
         let mut findings = Findings::new();
         for _ in 0..crate::diagnostic::MAX_PER_RULE + 3 {

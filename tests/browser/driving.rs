@@ -165,7 +165,7 @@ fn png_size(png: &[u8]) -> (u32, u32) {
 }
 
 #[test]
-fn screen_readers_are_told() {
+fn screen_readers_get_it() {
     let body =
         "<header><h1>Title</h1></header><main><h3>Below</h3><svg role=img aria-label=Bits></svg></main>";
     let Some((tab, _folder)) = open(body) else { return };

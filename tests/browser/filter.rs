@@ -83,7 +83,7 @@ fn objects_are_found_by_name_type_and_access() {
 }
 
 #[test]
-fn nothing_found_is_said() {
+fn an_empty_result_is_reported() {
     let Some(page) = Page::open("eds/io-401.eds", "") else { return };
     for text in ["nowhere", "\\", "(", "[*", "6000 heartbeat"] {
         type_into_filter(&page, text);

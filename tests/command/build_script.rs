@@ -168,7 +168,7 @@ fn warnings_are_lines() {
 }
 
 #[test]
-fn notes_of_the_target_are_told() {
+fn notes_of_the_target_are_reported() {
     let out = TempDir::new().unwrap();
     let (built, cargo) =
         run(Builder::new(fixture("eds/io-401.eds")).out_dir(out.path()).target(Target::CONCISE).prefix("io"));
@@ -188,14 +188,14 @@ fn every_file_that_is_read_is_watched() {
     let folder = TempDir::new().unwrap();
     let path = |name: &str| folder.path().join(name);
     fs::copy(fixture("eds/drive-402.eds"), path("drive.eds")).unwrap();
-    fs::copy(fixture("profiles/house-drives.toml"), path("house.toml")).unwrap();
-    fs::write(path("objdict.toml"), "profiles = [\"house.toml\", \"401\"]\nnonsense = 1\n[rules]\nhouse = \"note\"\ncia401 = \"off\"\n\"cia306/file-name\" = \"off\"\n").unwrap();
+    fs::copy(fixture("profiles/project-drives.toml"), path("custom.toml")).unwrap();
+    fs::write(path("objdict.toml"), "profiles = [\"custom.toml\", \"401\"]\nnonsense = 1\n[rules]\ncustom = \"note\"\ncia401 = \"off\"\n\"cia306/file-name\" = \"off\"\n").unwrap();
     fs::write(path("names.toml"), "1018 = \"who am i\"\n").unwrap();
     let builder = || Builder::new(path("drive.eds")).out_dir(path("out")).rename(path("names.toml"));
     let (built, cargo) = run(builder());
     let text = fs::read_to_string(&built.unwrap().files[0]).unwrap();
     assert!(text.contains("pub mod who_am_i"), "{text}");
-    let watched = ["drive.eds", "objdict.toml", "house.toml", "names.toml"]
+    let watched = ["drive.eds", "objdict.toml", "custom.toml", "names.toml"]
         .map(|name| path(name).display().to_string());
     assert_eq!(told(&cargo, "rerun-if-changed"), watched);
     assert!(
@@ -213,10 +213,10 @@ fn every_file_that_is_read_is_watched() {
     assert!(format!("{error:?}").contains("`node-id` is a number from 1 to 127"), "{error:?}");
 
     // what is broken in a profile is shown
-    fs::write(path("house.toml"), "document = 7\n").unwrap();
+    fs::write(path("custom.toml"), "document = 7\n").unwrap();
     let error = run(builder()).0.unwrap_err();
     assert!(matches!(error, Error::Profile(_)));
-    assert!(format!("{error:?}").contains("house.toml:1:12"), "{error:?}");
+    assert!(format!("{error:?}").contains("custom.toml:1:12"), "{error:?}");
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn failures_say_what_to_do() {
 }
 
 #[test]
-fn a_missing_folder_for_the_files_is_told() {
+fn a_missing_folder_for_the_files_is_reported() {
     // Cargo sets the variable for build scripts only
     if std::env::var_os("OUT_DIR").is_none() {
         let error = run(Builder::new(fixture("eds/minimal.eds"))).0.unwrap_err();

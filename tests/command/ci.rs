@@ -92,7 +92,7 @@ fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
 }
 
 #[test]
-fn the_action_checks_what_it_is_told() {
+fn the_action_checks_what_it_is_given() {
     let folder = tempfile::tempdir().expect("a folder");
     let devices = folder.path().join("my devices");
     fs::create_dir(&devices).expect("a folder");

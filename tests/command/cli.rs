@@ -55,7 +55,7 @@ fn markdown_pages() -> Vec<PathBuf> {
 fn the_profile_on_the_page() {
     let page = fs::read_to_string("docs/profiles.md").unwrap();
     let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
-    assert_eq!(example, fs::read_to_string("fixtures/profiles/house-drives.toml").unwrap());
+    assert_eq!(example, fs::read_to_string("fixtures/profiles/project-drives.toml").unwrap());
 }
 
 /// Copies the files of a folder, not those in folders below.

@@ -190,7 +190,7 @@ fn sarif_refers_to_rules_and_files_that_it_lists() {
         assert!(rule["shortDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
         assert!(rule["fullDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
         assert!(
-            rule["help"]["markdown"].as_str().is_some_and(|text| text.contains("## How to mend")),
+            rule["help"]["markdown"].as_str().is_some_and(|text| text.contains("## How to fix")),
             "{rule}"
         );
     }

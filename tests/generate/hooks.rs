@@ -273,7 +273,7 @@ fn answers_are_the_same_with_hooks_and_groups() {
 }
 
 #[test]
-fn hooks_that_can_do_little_are_told() {
+fn hooks_that_can_do_little_are_reported() {
     let told = |hooks: &[&str]| {
         let generated = generate(&device(), Target::named("rust").unwrap(), &options(hooks)).unwrap();
         let notes: Vec<String> = generated.notes.iter().map(ToString::to_string).collect();

@@ -97,9 +97,9 @@ fn what_is_left_out_is_named() {
 
 #[test]
 fn what_is_assumed_is_named() {
-    let misfit = |field: Field, text: &str| {
+    let invalid = |field: Field, text: &str| {
         let mut entry = byte();
-        entry.misfits.push(field, text, Reason::Malformed);
+        entry.invalid_values.push(field, text, Reason::Malformed);
         entry
     };
     for (entry, expected) in [
@@ -108,19 +108,19 @@ fn what_is_assumed_is_named() {
             "0x2000sub0 / AccessType: an entry without an access type is assumed to be `ro`",
         ),
         (
-            Entry { access: None, ..misfit(Field::AccessType, "rx") },
+            Entry { access: None, ..invalid(Field::AccessType, "rx") },
             "0x2000sub0 / AccessType: `rx` is not an access type; `ro` is assumed",
         ),
         (
-            misfit(Field::DefaultValue, "256"),
+            invalid(Field::DefaultValue, "256"),
             "0x2000sub0 / DefaultValue: `256` is not a valid UNSIGNED8; zero or empty is used",
         ),
         (
-            Entry { default: Some(Value::Unsigned(1)), ..misfit(Field::ParameterValue, "x") },
+            Entry { default: Some(Value::Unsigned(1)), ..invalid(Field::ParameterValue, "x") },
             "0x2000sub0 / ParameterValue: `x` is not a valid UNSIGNED8; the default is used, or zero or empty without one",
         ),
         (
-            misfit(Field::HighLimit, "high"),
+            invalid(Field::HighLimit, "high"),
             "0x2000sub0 / HighLimit: `high` is not a valid UNSIGNED8; the limit is not enforced",
         ),
         (
@@ -143,7 +143,7 @@ fn what_is_assumed_is_named() {
 #[test]
 fn a_configured_value_makes_a_bad_default_harmless() {
     let mut entry = byte();
-    entry.misfits.push(Field::DefaultValue, "256", Reason::Malformed);
+    entry.invalid_values.push(Field::DefaultValue, "256", Reason::Malformed);
     entry.configured_mut().value = Some(Value::Unsigned(7));
     assert!(notes(&with(entry)).is_empty());
 }

@@ -452,7 +452,7 @@ fn stated_groups_get_names_of_their_own() {
 }
 
 #[test]
-fn what_belongs_to_no_struct_or_should_not_is_told() {
+fn what_belongs_to_no_struct_or_should_not_is_reported() {
     let mut device = device(&support::fixtures().join("eds/io-401.eds"));
     let store = device.objects.get_mut(&0x1010).unwrap();
     let command = store.subs.get(1).unwrap().clone();

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use objdict::configure::{Setting, SettingProblem, configure};
+use objdict::coupler::{ModuleProblem, flatten};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
 use objdict::lint::{self, Options};
 use objdict::model::{Commissioning, Device, Value};
-use objdict::modular::{ModuleProblem, flatten};
 use objdict::source::{SourceFile, SourceOptions};
 
 fn open(path: &str) -> Description {

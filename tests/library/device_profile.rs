@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use objdict::compare::differences;
-use objdict::format::{self, Fate, Format, WriteOptions, XddVersion, json};
+use objdict::format::{self, Format, LossKind, WriteOptions, XddVersion, json};
 use objdict::model::{DataTypeRef, Device, PdoMapping, SrdoAccess, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
@@ -53,7 +53,7 @@ fn everything_has_a_place() {
     assert_eq!(device.network_identity, None);
     for (index, object) in &device.objects {
         for entry in [&object.main].into_iter().chain(object.subs.iter().map(|(_, entry)| entry)) {
-            assert!(entry.extra.is_empty() && entry.misfits.is_empty(), "{index:X}: {entry:?}");
+            assert!(entry.extra.is_empty() && entry.invalid_values.is_empty(), "{index:X}: {entry:?}");
         }
     }
     let names = device.application.iter().flat_map(|process| &process.parameters);
@@ -116,9 +116,9 @@ fn it_survives_every_format() {
     {
         let mut options = WriteOptions::default();
         options.xdd_version = version;
-        options.carry = true;
+        options.embed = true;
         let written = format::write(&device, format, &options);
-        assert!(written.losses.iter().all(|loss| loss.fate == Fate::Carried), "{:?}", written.losses);
+        assert!(written.losses.iter().all(|loss| loss.kind == LossKind::Embedded), "{:?}", written.losses);
         let places: Vec<_> = written.losses.iter().map(|loss| loss.path.as_str()).collect();
         match (format, version) {
             (Format::Xdd, XddVersion::V1_1) => {
@@ -152,7 +152,7 @@ fn attributes_of_canopen_editor_are_stack_options() {
     assert_eq!(odd.extra.get("edseditor_extension_notifyonchange"), Some("maybe"));
 
     let mut options = WriteOptions::default();
-    options.carry = true;
+    options.embed = true;
     let written = String::from_utf8(format::write(&device, Format::Xdd, &options).bytes).unwrap();
     assert!(written.contains(r#"<q1:property name="CO_storageGroup" value="ROM" />"#), "{written}");
     assert_eq!(read(&written).objects, device.objects);

@@ -349,7 +349,7 @@ fn safety_parameters_are_validated_last() {
 }
 
 #[test]
-fn what_may_not_be_written_is_left_out_and_told() {
+fn what_may_not_be_written_is_left_out_and_reported() {
     let ro = Entry { access: Some(Access::Ro), ..entry(U8, unsigned(0), unsigned(1)) };
     let flagged = Entry { flags: Some(ObjFlags(1)), ..entry(U8, unsigned(0), unsigned(1)) };
     let unknown = Entry { access: None, ..entry(U8, unsigned(0), unsigned(1)) };
@@ -405,7 +405,7 @@ fn compactly_stored_entries_are_planned_like_described_ones() {
     // a text that is no value is named, whoever it belongs to
     let compact = node.0.objects.get_mut(&0x2000).and_then(|object| object.compact.as_mut()).unwrap();
     compact.values.clear();
-    compact.misfits.push(Field::Item(3), "many", Reason::NotANumber);
+    compact.invalid_values.push(Field::Item(3), "many", Reason::NotANumber);
     let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err();
     assert_eq!(error, ConciseDcf::plan(&node.0.expanded(), &PlanOptions::default()).unwrap_err());
     let kind = ProblemKind::Unreadable("many".into());
@@ -437,7 +437,7 @@ fn every_value_that_does_not_fit_is_named() {
         ..entry(DataType::INTEGER8, Some(Value::Signed(0)), Some(Value::Signed(value)))
     };
     let mut unreadable = entry(U8, unsigned(1), None);
-    unreadable.misfits.push(Field::ParameterValue, "0x1G", Reason::NotANumber);
+    unreadable.invalid_values.push(Field::ParameterValue, "0x1G", Reason::NotANumber);
     let mut node = Node::new(127)
         .var(0x2000, limited(-6))
         .var(0x2001, limited(6))

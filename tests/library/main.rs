@@ -1,9 +1,8 @@
-//! What the library makes of descriptions: reading, checking, mending, writing. A module an area; `cargo test --test library
+//! What the library makes of descriptions: reading, checking, fixing, writing. A module an area; `cargo test --test library
 //! rules` runs one.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod arrange;
 mod compat;
 mod concise;
 mod config;
@@ -14,12 +13,13 @@ mod device_profile;
 mod document;
 mod download_plan;
 mod errata;
+mod fix;
+mod fmt;
 mod identify;
 mod ini_oracle;
 mod interop;
 mod json;
 mod lossless;
-mod mend;
 mod mutations;
 mod namesakes;
 mod new;

@@ -1,4 +1,4 @@
-//! Damaged descriptions: whatever lines and bytes they have lost or won, reading, checking, mending and arranging them does
+//! Damaged descriptions: whatever lines and bytes they have lost or won, reading, checking, fixing and arranging them does
 //! not panic. The damage is the same in every run.
 
 #[path = "../../xtask/src/mutate.rs"]
@@ -23,8 +23,8 @@ const MUTANTS: usize = 1_000;
 /// Larger fixtures take long and show nothing else.
 const MAX_SIZE: u64 = 6 << 10;
 
-/// Every so-many-th mutant is mended and put in order too, which reads and checks it several times.
-const MENDED: usize = 20;
+/// Every so-many-th mutant is fixed and put in order too, which reads and checks it several times.
+const FIXED: usize = 20;
 
 fn texts() -> Vec<(Format, Vec<u8>)> {
     let mut files = Vec::new();
@@ -41,7 +41,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
+fn examine(format: Format, bytes: Vec<u8>, options: &Options, fixes: bool) {
     let printed = bytes.clone();
     let source = SourceFile::from_bytes("mutant", bytes, &SourceOptions::default()).unwrap();
     let description = format::read(source, format);
@@ -53,9 +53,9 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
             assert!(description.source().text().get(span.start as usize..span.end as usize).is_some());
         }
     }
-    if mends {
+    if fixes {
         let _ = description.arranged();
-        objdict::mend(description, Applicability::Unsafe, objdict::check);
+        objdict::fix(description, Applicability::Unsafe, objdict::check);
     }
 }
 
@@ -79,7 +79,7 @@ fn no_damage_makes_it_panic() {
             let other = &texts[mutator.below(texts.len())].1;
             let bytes = mutator.mutate(text, other);
             let result =
-                std::panic::catch_unwind(|| examine(*format, bytes, &options, number.is_multiple_of(MENDED)));
+                std::panic::catch_unwind(|| examine(*format, bytes, &options, number.is_multiple_of(FIXED)));
             assert!(result.is_ok(), "mutant {number} panics");
         }
     };

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{ClockTime, Date, Device, PdoKind};
-use objdict::skeleton::{
-    ChannelCounts, Encoder, EncoderClass, Functions, MAX_ANALOG, MAX_DIGITAL, Wanted, skeleton,
+use objdict::scaffold::{
+    ChannelCounts, Encoder, EncoderClass, Functions, MAX_ANALOG, MAX_DIGITAL, Wanted, scaffold,
 };
 use objdict::source::SourceFile;
 use proptest::prelude::*;
@@ -39,7 +39,7 @@ fn found(device: &Device, format: Format) -> String {
 }
 
 fn assert_clean(functions: Functions) -> Device {
-    let mut device = skeleton(&wanted(functions));
+    let mut device = scaffold(&wanted(functions));
     assert_eq!(found(&device, Format::Eds), "", "{functions:?}");
     device.file_info.as_mut().unwrap().file_name = Some("new.xdd".to_owned());
     assert_eq!(found(&device, Format::Xdd), "", "{functions:?}");

@@ -284,7 +284,7 @@ fn a_rule_offers_the_fixes_that_it_declares() {
             let Examined::Description(description, findings) = Examined::new(&path) else { continue };
             for fix in findings.iter().filter_map(|finding| finding.fix.as_ref()) {
                 assert!(rule.fix >= Some(fix.safety), "{id} declares no such fix: {}", fix.title);
-                if description.can_mend(fix) {
+                if description.can_fix(fix) {
                     offered.insert(rule.id);
                 }
             }

@@ -47,7 +47,7 @@ fn what_is_written_holds_against_the_structure() {
         for (format, xdd_version) in [(Format::Xdd, XddVersion::V1_0), (Format::Xdc, XddVersion::V1_1)] {
             let mut options = WriteOptions::default();
             options.xdd_version = xdd_version;
-            options.carry = true;
+            options.embed = true;
             let written = format::write(description.device(), format, &options);
             let report = report(written.bytes);
             if !report.is_empty() {

@@ -167,10 +167,10 @@ fn a_byte_order_mark_hides_nothing() {
 }
 
 #[test]
-fn a_formula_turned_around_is_mended() {
-    let mended = objdict::mend(open("09_rev_nodeid"), Applicability::Safe, objdict::check);
-    assert!(mended.findings.is_empty());
-    let text = mended.description.source().text();
+fn a_formula_turned_around_is_fixed() {
+    let fixed = objdict::fix(open("09_rev_nodeid"), Applicability::Safe, objdict::check);
+    assert!(fixed.findings.is_empty());
+    let text = fixed.description.source().text();
     assert!(text.contains("DefaultValue=$NODEID+0x80"), "{text}");
 }
 

@@ -1,7 +1,7 @@
 //! The canonical text of a device reads back as the same device.
 
 use objdict::compare::differences;
-use objdict::format::{self, Fate, Format, WriteOptions, Written, XddVersion, literal::RealSpelling};
+use objdict::format::{self, Format, LossKind, WriteOptions, Written, XddVersion, literal::RealSpelling};
 use objdict::model::{
     Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectLists, ObjectType, Value,
 };
@@ -72,12 +72,13 @@ fn sorted(mut device: Device) -> Device {
 /// The device with what the writer adds where it is missing and must be there: counts, and lists where there is none.
 fn counted(mut device: Device, written: &Device) -> Device {
     for object in device.objects.values_mut() {
-        let is_stated = object.sub_number.is_some() || object.main.misfits.get(&Field::SubNumber).is_some();
+        let is_stated =
+            object.sub_number.is_some() || object.main.invalid_values.get(&Field::SubNumber).is_some();
         if object.object_type().has_subs() && !is_stated {
             object.sub_number = object.subs.len().try_into().ok();
         }
     }
-    if let Some(modules) = device.modules.as_mut().filter(|modules| modules.misfits.is_empty()) {
+    if let Some(modules) = device.modules.as_mut().filter(|modules| modules.invalid_values.is_empty()) {
         modules.declared = modules.declared.or(modules.supported.len().try_into().ok());
     }
     if device.lists == ObjectLists::default() {
@@ -164,23 +165,23 @@ fn every_damaged_device_reads_back_equal() {
 
 #[test]
 fn what_is_carried_comes_back() {
-    let carry = options(|options| options.carry = true);
+    let embedding = options(|options| options.embed = true);
     for path in support::devices_of_all_folders() {
         let device = open(&path);
-        let written = write(&device, &carry);
+        let written = write(&device, &embedding);
         assert_eq!(differences(&device, &read(&written.bytes, format_of(&device))), [], "{}", path.display());
-        assert!(written.losses.iter().all(|loss| loss.fate == Fate::Carried), "{}", path.display());
+        assert!(written.losses.iter().all(|loss| loss.kind == LossKind::Embedded), "{}", path.display());
     }
 }
 
 #[test]
 fn what_was_edited_since_is_not_undone() {
-    let carry = options(|options| options.carry = true);
+    let embedding = options(|options| options.embed = true);
     let mut device = open(&support::fixtures().join("eds/compact.eds"));
     let object = device.objects.values().find(|object| object.compact.is_some()).unwrap();
     let (name, count) = (object.main.name.clone(), object.compact.as_ref().unwrap().count);
     device.comments = Some(vec!["Übertemperatur".to_owned()]);
-    let text = String::from_utf8(write(&device, &carry).bytes).unwrap();
+    let text = String::from_utf8(write(&device, &embedding).bytes).unwrap();
     let line = format!("ParameterName={name}{count}\r\n");
     assert_eq!(text.matches(&line).count(), 1);
     let edited = text.replace(&line, "ParameterName=Edited\r\n");
@@ -188,7 +189,7 @@ fn what_was_edited_since_is_not_undone() {
     let names = description.device().objects.values().flat_map(Object::entries);
     assert!(names.into_iter().any(|(_, entry)| &*entry.name == "Edited"));
     assert_eq!(description.device().comments, device.comments);
-    let stale = |finding: &&objdict::diagnostic::Diagnostic| finding.rule.id == "objdict/stale-carried-data";
+    let stale = |finding: &&objdict::diagnostic::Diagnostic| finding.rule.id == "objdict/stale-embedded-data";
     assert_eq!(description.findings().iter().filter(stale).count(), 1);
 }
 
@@ -258,7 +259,7 @@ fn a_device_without_lists_and_counts_gets_them() {
 }
 
 #[test]
-fn other_letters_stand_in_for_those_that_the_encoding_lacks() {
+fn letters_missing_in_the_encoding_are_transliterated() {
     let mut device = Device::default();
     let main = Entry { name: "Übertemperatur in °C, 水".into(), ..Entry::default() };
     device.objects.insert(0x2000, Object { main, ..Object::default() });
@@ -354,7 +355,7 @@ proptest! {
     #[test]
     fn every_device_is_carried(device in device(Texts::Any), style in 0usize..8, xml in any::<bool>(), old in any::<bool>()) {
         let mut options = every_style()[style].clone();
-        options.carry = true;
+        options.embed = true;
         options.xdd_version = if old { XddVersion::V1_0 } else { XddVersion::V1_1 };
         let format = match (format_of(&device), xml) {
             (Format::Eds, true) => Format::Xdd,
@@ -362,7 +363,7 @@ proptest! {
             (format, false) => format,
         };
         let written = format::write(&device, format, &options);
-        let lost: Vec<_> = written.losses.iter().filter(|loss| loss.fate != Fate::Carried).collect();
+        let lost: Vec<_> = written.losses.iter().filter(|loss| loss.kind != LossKind::Embedded).collect();
         prop_assert!(lost.is_empty(), "{lost:?}");
         prop_assert_eq!(differences(&device, &read(&written.bytes, format)), []);
     }

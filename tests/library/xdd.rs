@@ -183,9 +183,9 @@ fn odd_spellings_are_understood_or_kept() {
     let tenth = device.entry(0x20A2, 10).unwrap();
     assert_eq!((tenth.flags.unwrap().0, &tenth.default), (1, &Some(Value::Unsigned(7))));
     let fields: Vec<(Field, Reason)> = only_entry(device, 0x20A3)
-        .misfits
+        .invalid_values
         .iter()
-        .map(|misfit| (misfit.field.clone(), misfit.reason.clone()))
+        .map(|invalid| (invalid.field.clone(), invalid.reason.clone()))
         .collect();
     let expected = [
         (Field::ObjectType, Reason::UnknownWord),
@@ -202,11 +202,11 @@ fn odd_spellings_are_understood_or_kept() {
         (info.granularity, info.simple_boot_up_slave, info.vendor_number),
         (Some(8), Some(true), Some(1017))
     );
-    let misfits: Vec<&str> = info.misfits.iter().map(|misfit| &*misfit.text).collect();
-    assert_eq!(misfits, ["fast", "33 Kbps", "none", "no"]);
+    let invalid_values: Vec<&str> = info.invalid_values.iter().map(|invalid| &*invalid.text).collect();
+    assert_eq!(invalid_values, ["fast", "33 Kbps", "none", "no"]);
     let dummies = device.dummy_usage.as_ref().unwrap();
     assert_eq!(dummies.types.values().collect::<Vec<_>>(), [&true, &false]);
-    assert_eq!(dummies.misfits.iter().next().map(|misfit| &*misfit.text), Some("yes"));
+    assert_eq!(dummies.invalid_values.iter().next().map(|invalid| &*invalid.text), Some("yes"));
     assert_eq!(dummies.extra.get("Dummy8"), Some(""));
     assert_eq!(device.file_info.as_ref().unwrap().creation_date.unwrap().to_iso(), "2024-03-04");
 }
@@ -216,7 +216,7 @@ fn a_node_is_read_however_its_number_is_spelled() {
     let device = fixture("broken/odd-nodeid.xdc").into_device();
     let node = device.commissioning.as_ref().unwrap();
     assert_eq!((node.node_id, node.baud_rate, node.manager), (Some(5), Some(125), Some(false)));
-    assert_eq!((node.net_number, node.misfits.get(&Field::NetNumber).is_some()), (None, true));
+    assert_eq!((node.net_number, node.invalid_values.get(&Field::NetNumber).is_some()), (None, true));
     let configured = only_entry(&device, 0x2000).configured.as_deref().unwrap();
     assert_eq!(
         (&configured.value, configured.denotation.as_deref()),
@@ -227,7 +227,7 @@ fn a_node_is_read_however_its_number_is_spelled() {
     assert_eq!(object.main.configured, None);
     let member = object.subs.get(1).unwrap();
     assert_eq!(member.configured.as_ref().unwrap().denotation.as_deref(), Some("Right door"));
-    assert_eq!(member.misfits.get(&Field::ParameterValue).map(|misfit| &*misfit.text), Some("300"));
+    assert_eq!(member.invalid_values.get(&Field::ParameterValue).map(|invalid| &*invalid.text), Some("300"));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use objdict::model::{
     Access, BaudRates, ClockTime, Commissioning, Compact, Configured, DataType, Date, Device, DeviceInfo,
     DeviceKind, DummyUsage, DynamicChannels, Entry, Extension, ExtensionCount, Extra, ExtraSection, Field,
-    FileInfo, Misfits, Module, Modules, ObjFlags, Object, ObjectLists, ObjectType, PdoMapping, Reason,
+    FileInfo, InvalidValues, Module, Modules, ObjFlags, Object, ObjectLists, ObjectType, PdoMapping, Reason,
     SafetyMapping, Segment, Subs, Time, ToolCommand, TypeKind, Value,
 };
 use proptest::collection::{btree_map, btree_set, vec};
@@ -151,7 +151,7 @@ fn entry(object_type: Option<ObjectType>, texts: Texts) -> BoxedStrategy<Entry> 
                     configured,
                     safety,
                     extra,
-                    misfits: Misfits::default(),
+                    invalid_values: InvalidValues::default(),
                     ..Entry::default()
                 };
                 if damaged {
@@ -166,10 +166,10 @@ fn entry(object_type: Option<ObjectType>, texts: Texts) -> BoxedStrategy<Entry> 
 /// Texts that are no values, in fields that have none, in the order in which a reader finds them.
 fn damage(entry: &mut Entry) {
     if entry.access.is_none() {
-        entry.misfits.push(Field::AccessType, "sometimes", Reason::UnknownWord);
+        entry.invalid_values.push(Field::AccessType, "sometimes", Reason::UnknownWord);
     }
     if entry.default.is_none() && entry.data_type.is_some_and(DataType::is_integer) {
-        entry.misfits.push(Field::DefaultValue, "0x1G", Reason::NotANumber);
+        entry.invalid_values.push(Field::DefaultValue, "0x1G", Reason::NotANumber);
     }
 }
 
@@ -212,7 +212,7 @@ fn object(texts: Texts) -> BoxedStrategy<Object> {
         .prop_flat_map(move |main| {
             let compact = compact(main.data_type, texts);
             compact.prop_map(move |compact| {
-                let main = Entry { misfits: Misfits::default(), ..main.clone() };
+                let main = Entry { invalid_values: InvalidValues::default(), ..main.clone() };
                 Object { main, compact: Some(Box::new(compact)), ..Object::default() }
             })
         });
@@ -251,9 +251,9 @@ fn file_info(texts: Texts) -> BoxedStrategy<FileInfo> {
         .prop_map(|(texts, times, (file_version, file_revision), extra, damaged)| {
             let (file_name, eds_version, description, created_by, modified_by, last_eds) = texts;
             let (creation_time, creation_date, modification_time, modification_date) = times;
-            let mut misfits = Misfits::default();
+            let mut invalid_values = InvalidValues::default();
             if damaged && creation_date.is_none() {
-                misfits.push(Field::CreationDate, "31.12.2024", Reason::NotADate);
+                invalid_values.push(Field::CreationDate, "31.12.2024", Reason::NotADate);
             }
             FileInfo {
                 file_name,
@@ -269,7 +269,7 @@ fn file_info(texts: Texts) -> BoxedStrategy<FileInfo> {
                 modified_by,
                 last_eds,
                 extra,
-                misfits,
+                invalid_values,
                 ..FileInfo::default()
             }
         })
@@ -315,7 +315,7 @@ fn device_info(texts: Texts) -> BoxedStrategy<DeviceInfo> {
             compact_pdo,
             safety_supported: flags.4,
             extra,
-            misfits: Misfits::default(),
+            invalid_values: InvalidValues::default(),
             ..DeviceInfo::default()
         })
         .boxed()
@@ -324,7 +324,7 @@ fn device_info(texts: Texts) -> BoxedStrategy<DeviceInfo> {
 fn dummy_usage(texts: Texts) -> BoxedStrategy<DummyUsage> {
     let types = btree_map((1u16..0x20).prop_map(DataType), any::<bool>(), 0..4);
     (types, texts.extra())
-        .prop_map(|(types, extra)| DummyUsage { types, extra, misfits: Misfits::default() })
+        .prop_map(|(types, extra)| DummyUsage { types, extra, invalid_values: InvalidValues::default() })
         .boxed()
 }
 
@@ -343,7 +343,7 @@ fn commissioning(texts: Texts) -> BoxedStrategy<Commissioning> {
             manager: numbers.4,
             lss_serial_number: numbers.3,
             extra,
-            misfits: Misfits::default(),
+            invalid_values: InvalidValues::default(),
         })
         .boxed()
 }
@@ -388,7 +388,7 @@ fn module(texts: Texts) -> BoxedStrategy<Module> {
                 extension_list: lists.1,
                 extensions,
                 extra,
-                misfits: Misfits::default(),
+                invalid_values: InvalidValues::default(),
             }
         })
         .boxed()
@@ -424,7 +424,11 @@ fn dynamic_channels(texts: Texts) -> BoxedStrategy<DynamicChannels> {
         },
     );
     (vec(segment, 0..3), texts.extra())
-        .prop_map(|(segments, extra)| DynamicChannels { segments, extra, misfits: Misfits::default() })
+        .prop_map(|(segments, extra)| DynamicChannels {
+            segments,
+            extra,
+            invalid_values: InvalidValues::default(),
+        })
         .boxed()
 }
 

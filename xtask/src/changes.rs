@@ -5,16 +5,16 @@ use std::collections::BTreeMap;
 use objdict::diagnostic::{Applicability, Findings};
 use objdict::format::{self, Description};
 use objdict::source::{SourceFile, SourceOptions};
-use objdict::{check, mend};
+use objdict::{check, fix};
 
-/// What went wrong with the file when it was mended and put in order.
+/// What went wrong with the file when it was fixed and put in order.
 pub(crate) fn problems(description: Description, findings: &Findings) -> Vec<String> {
     if description.source().is_read_only() {
         return Vec::new();
     }
     let mut problems = Vec::new();
     arranged(&description, &mut problems);
-    mended(description, &counts(findings), &mut problems);
+    fixed(description, &counts(findings), &mut problems);
     problems
 }
 
@@ -30,23 +30,23 @@ fn arranged(description: &Description, problems: &mut Vec<String>) {
     }
 }
 
-fn mended(description: Description, before: &BTreeMap<&str, usize>, problems: &mut Vec<String>) {
-    let mended = mend(description, Applicability::Unsafe, check);
-    let after = counts(&mended.findings);
+fn fixed(description: Description, before: &BTreeMap<&str, usize>, problems: &mut Vec<String>) {
+    let fixed = fix(description, Applicability::Unsafe, check);
+    let after = counts(&fixed.findings);
     for (rule, count) in &after {
         if Some(count) > before.get(rule) {
-            problems.push(format!("{rule} finds more when the file is mended"));
+            problems.push(format!("{rule} finds more when the file is fixed"));
         }
     }
-    for repair in &mended.applied {
+    for repair in &fixed.applied {
         if after.get(repair.rule) >= before.get(repair.rule) && before.contains_key(repair.rule) {
-            problems.push(format!("{} is mended and still there: {}", repair.rule, repair.message));
+            problems.push(format!("{} is fixed and still there: {}", repair.rule, repair.message));
         }
     }
-    let bytes = mended.bytes();
-    let again = read(&mended.description, bytes);
-    if again.device() != mended.description.device() {
-        problems.push("what is mended is not read the same".to_owned());
+    let bytes = fixed.bytes();
+    let again = read(&fixed.description, bytes);
+    if again.device() != fixed.description.device() {
+        problems.push("what is fixed is not read the same".to_owned());
     }
 }
 

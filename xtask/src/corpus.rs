@@ -1,5 +1,5 @@
 //! A run over a folder of real files: nothing may panic, every file prints back byte-identical, converts there and back
-//! without a loss, is mended and put in order without harm, and the table shows which rules fire how often.
+//! without a loss, is fixed and put in order without harm, and the table shows which rules fire how often.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

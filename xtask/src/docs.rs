@@ -23,7 +23,7 @@ const GROUPS: [(&str, &str); 15] = [
     ("cia402", "drives (CiA 402)"),
     ("cia404", "measuring devices and controllers (CiA 404)"),
     ("cia406", "encoders (CiA 406)"),
-    ("house", "custom profiles"),
+    ("custom", "custom profiles"),
     ("naming", "names"),
     ("objdict", "the configuration of objdict"),
     ("portability", "what other tools reject or misread"),

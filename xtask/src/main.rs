@@ -28,7 +28,7 @@ usage:
       others), with its names or with hostile ones (--hostile), compile that, and print a table; where a variable
       OBJDICT_<STACK>_DIR names a checkout of a stack, compile with it too
   cargo xtask mutants FOLDER COUNT
-      damage the descriptions below FOLDER so often, and read, check, mend and arrange them; nothing may panic
+      damage the descriptions below FOLDER so often, and read, check, fix and arrange them; nothing may panic
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of

@@ -1,4 +1,4 @@
-//! Damaged copies of real files: nothing may panic, whatever is checked, mended or put in order.
+//! Damaged copies of real files: nothing may panic, whatever is checked, fixed or put in order.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::mutate::Mutator;
 /// Larger files are not damaged: it would be the same many times over.
 const MAX_SIZE: u64 = 256 << 10;
 
-/// Makes `count` mutants of the files below `folder`, by turns, and reads, checks, mends and arranges each; fails when one
+/// Makes `count` mutants of the files below `folder`, by turns, and reads, checks, fixes and arranges each; fails when one
 /// of them panics.
 pub(crate) fn run(folder: &Path, count: usize) -> Result<(), String> {
     let mut files = Vec::new();
@@ -73,7 +73,7 @@ fn everything() -> Options {
     options
 }
 
-fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
+fn examine(format: Format, bytes: Vec<u8>, options: &Options, fixes: bool) {
     let Ok(source) = SourceFile::from_bytes("mutant", bytes, &SourceOptions::default()) else { return };
     let description = format::read(source, format);
     let findings = objdict::check_with(&description, options);
@@ -82,8 +82,8 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, mends: bool) {
             description.span_of(&label.at);
         }
     }
-    if mends {
+    if fixes {
         let _ = description.arranged();
-        objdict::mend(description, Applicability::Unsafe, objdict::check);
+        objdict::fix(description, Applicability::Unsafe, objdict::check);
     }
 }

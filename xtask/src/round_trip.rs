@@ -1,7 +1,7 @@
 //! Conversions there and back: what a real file says must come back whole.
 
 use objdict::compare::differences;
-use objdict::format::{self, Fate, Format, Syntax, WriteOptions, XddVersion};
+use objdict::format::{self, Format, LossKind, Syntax, WriteOptions, XddVersion};
 use objdict::model::{Device, DeviceKind};
 use objdict::source::{Encoding, SourceFile, SourceOptions};
 
@@ -16,11 +16,11 @@ pub(crate) fn problems(device: &Device, format: Format) -> Vec<String> {
     };
     for version in [XddVersion::V1_1, XddVersion::V1_0] {
         let mut options = WriteOptions::default();
-        options.carry = true;
+        options.embed = true;
         options.xdd_version = version;
         let mut through = |device: &Device, format: Format, way: &str| {
             let written = format::write(device, format, &options);
-            let lost = written.losses.iter().filter(|loss| loss.fate == Fate::Lost);
+            let lost = written.losses.iter().filter(|loss| loss.kind == LossKind::Lost);
             problems.extend(lost.take(3).map(|loss| format!("{way} {}: {loss}", format.name())));
             read(&written.bytes, format)
         };

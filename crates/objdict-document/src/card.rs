@@ -167,8 +167,8 @@ fn features(info: &DeviceInfo, device: &Device, context: &Context<'_>) -> Vec<St
         }),
         None => {}
     }
-    let said = flags.iter().filter(|(has, ..)| *has == Some(true));
-    features.extend(said.map(|(_, english, german)| language.pick(english, german).to_owned()));
+    let supported = flags.iter().filter(|(has, ..)| *has == Some(true));
+    features.extend(supported.map(|(_, english, german)| language.pick(english, german).to_owned()));
     features
 }
 

@@ -4,7 +4,7 @@ use super::connections::{self, Connection};
 use super::diagram::Grid;
 use super::pdos::{self, PdoView};
 use super::services::{self, Service};
-use crate::decoded::Decoder;
+use crate::describe::Decoder;
 use crate::model::Entry;
 
 /// What a page says of communication.

@@ -5,7 +5,7 @@ use super::anchor::Anchor;
 use super::sentence::{self, ChangedCobId, is_same};
 use super::services::emcy_consumers;
 use super::texts::Texts;
-use crate::decoded::{Decoder, can_id};
+use crate::describe::{Decoder, can_id};
 use crate::model::{CobId, PdoKind, SdoChannel, Services, predefined};
 
 /// A line of the table.

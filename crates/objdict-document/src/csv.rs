@@ -70,10 +70,10 @@ impl<'a> Row<'a> {
 
     /// The texts of the file that are no values of their fields: `DefaultValue = 300`.
     fn invalid_values(&self) -> String {
-        let misfits = self.entry.iter().flat_map(|entry| entry.misfits.iter());
-        let invalid = misfits.filter(|misfit| VALUES.contains(&misfit.field));
+        let invalid_values = self.entry.iter().flat_map(|entry| entry.invalid_values.iter());
+        let invalid = invalid_values.filter(|invalid| VALUES.contains(&invalid.field));
         let texts: Vec<_> =
-            invalid.map(|misfit| (misfit.field.to_string(), misfit.text.to_string())).collect();
+            invalid.map(|invalid| (invalid.field.to_string(), invalid.text.to_string())).collect();
         pairs(&texts)
     }
 

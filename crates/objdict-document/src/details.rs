@@ -161,8 +161,8 @@ fn of_own(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
     }
     details.keys.extend(entry.extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())));
     // those of values stand where the values do
-    let others = entry.misfits.iter().filter(|misfit| !VALUES.contains(&misfit.field));
-    details.keys.extend(others.map(|misfit| (misfit.field.to_string(), format!("`{}`?", misfit.text))));
+    let others = entry.invalid_values.iter().filter(|invalid| !VALUES.contains(&invalid.field));
+    details.keys.extend(others.map(|invalid| (invalid.field.to_string(), format!("`{}`?", invalid.text))));
 }
 
 /// What is said of an object beside the name and the entries.
@@ -182,7 +182,7 @@ fn is_plain(entry: &Entry) -> bool {
         && entry.safety.is_none()
         && entry.stack.is_none()
         && entry.extra.is_empty()
-        && entry.misfits.is_empty()
+        && entry.invalid_values.is_empty()
 }
 
 fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Details<'_>) {

@@ -6,7 +6,7 @@ use super::CodeName;
 use super::anchor::Anchor;
 use super::details::{self, Details};
 use super::page::Context;
-use crate::decoded::Reader;
+use crate::describe::Reader;
 use crate::model::{DataType, Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;
 
@@ -72,7 +72,7 @@ impl<'a> EntryView<'a> {
             default: field(Field::DefaultValue, entry.default.as_ref()),
             is_changed: entry.is_changed(context.node_id),
             value: value.or_else(|| {
-                entry.misfits.get(&Field::ParameterValue).map(|misfit| format!("`{}`?", misfit.text))
+                entry.invalid_values.get(&Field::ParameterValue).map(|invalid| format!("`{}`?", invalid.text))
             }),
             low: field(Field::LowLimit, entry.low_limit.as_ref()),
             high: field(Field::HighLimit, entry.high_limit.as_ref()),

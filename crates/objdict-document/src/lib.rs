@@ -8,7 +8,7 @@ mod card;
 mod communication;
 mod connections;
 mod csv;
-pub mod decoded;
+pub mod describe;
 mod details;
 mod diagram;
 mod entry;

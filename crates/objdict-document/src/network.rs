@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::page::Context;
-use crate::decoded::spelled;
+use crate::describe::spelled;
 use crate::model::{Commissioning, MappedObject, Pdo, PdoKind};
 
 /// A configured node, as others see it.

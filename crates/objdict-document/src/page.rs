@@ -11,7 +11,7 @@ use super::object::{self, Area};
 use super::texts::Texts;
 use super::{Identifiers, Options, Subject};
 use crate::Language;
-use crate::decoded::Decoder;
+use crate::describe::Decoder;
 use crate::model::{Device, Entry, Meanings};
 
 /// The documentation of a device, in words.

@@ -5,7 +5,7 @@ use super::diagram::Diagram;
 use super::layout::{Content, FRAME_BITS, Field, FieldKind, Layout};
 use super::sentence::{self, ChangedCobId, Part};
 use crate::Language;
-use crate::decoded::{Decoder, time};
+use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
 
 /// A PDO as a page tells it.
@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_odd_is_said() {
+    fn what_is_odd_is_noted() {
         let remarks = |count, mapped: &[Option<u64>]| {
             views(&device(count, mapped), None, Language::English)[0].remarks.join(" ")
         };

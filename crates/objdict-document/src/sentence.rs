@@ -2,7 +2,7 @@
 
 use super::anchor::Anchor;
 use crate::Language;
-use crate::decoded::Decoder;
+use crate::describe::Decoder;
 use crate::model::{CobId, Device};
 
 /// A part of a sentence; a comma follows it.
@@ -87,7 +87,7 @@ pub(super) fn is_same(one: CobId, other: CobId, node_id: Option<u8>) -> bool {
 
 /// A COB-ID on its node: `COB-ID 0x185 with node-ID 5`, `COB-ID $NODEID+0x180`.
 pub(super) fn cob_id(decoder: &Decoder<'_>, id: CobId) -> String {
-    let number = crate::decoded::can_id(id, decoder.node_id);
+    let number = crate::describe::can_id(id, decoder.node_id);
     let mut text = format!("COB-ID {number}");
     if let Some(node) = decoder.node_id.filter(|_| id.depends_on_node_id()) {
         text += &match decoder.language {

@@ -2,7 +2,7 @@
 
 use super::sentence::{self, ChangedCobId, Part};
 use crate::Language;
-use crate::decoded::{Decoder, time};
+use crate::describe::{Decoder, time};
 use crate::model::{CobId, Entry, Object, SdoChannel, Services};
 
 /// A service as a page tells it.
@@ -302,7 +302,7 @@ mod tests {
     use crate::layout::tests::record;
     use crate::model::{Device, DeviceInfo, Value};
 
-    fn said(device: &Device, node_id: Option<u8>, language: Language) -> Vec<String> {
+    fn texts(device: &Device, node_id: Option<u8>, language: Language) -> Vec<String> {
         let decoder = Decoder { device, node_id, language };
         let services = services(&decoder, &|entry| entry.name.to_string());
         services
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn services_in_english() {
         assert_eq!(
-            said(&device(), Some(5), Language::English),
+            texts(&device(), Some(5), Language::English),
             [
                 "SYNC: COB-ID 0x080, produced, every 10 ms",
                 "EMCY: COB-ID 0x085 with node-ID 5, inhibit time 10.5 ms, keeps the last 2 errors",
@@ -354,9 +354,9 @@ mod tests {
 
     #[test]
     fn services_in_german() {
-        let said = said(&device(), None, Language::German);
+        let texts = texts(&device(), None, Language::German);
         assert_eq!(
-            said[..2],
+            texts[..2],
             [
                 "SYNC: COB-ID 0x080, wird gesendet, alle 10 ms",
                 "EMCY: COB-ID $NODEID+0x80, Inhibit-Time 10,5 ms, merkt sich die letzten 2 Fehler",

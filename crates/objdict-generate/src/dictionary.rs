@@ -97,7 +97,7 @@ fn resolve<'a>(
         resolver.notes.push(note);
         return None;
     }
-    compact_misfits(resolver, index, object);
+    compact_invalid_values(resolver, index, object);
     let mut described = 0;
     let mut entries = Vec::new();
     for (sub, entry) in object.entries() {
@@ -120,13 +120,13 @@ fn resolve<'a>(
 }
 
 /// Compact entries have no texts of their own: what is wrong with them stands with the object.
-fn compact_misfits(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
+fn compact_invalid_values(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
     let Some(compact) = &object.compact else { return };
     let data_type = object.main.data_type.unwrap_or(crate::model::DataType(0));
-    resolver.misfits(&Place::object(index), &object.main, data_type);
-    for misfit in compact.misfits.iter() {
-        let text = format!("`{}` is not a valid {data_type}; the default is used", misfit.text);
-        let place = Place::of(Part::CompactValues(index)).field(misfit.field.clone());
+    resolver.invalid_values(&Place::object(index), &object.main, data_type);
+    for invalid in compact.invalid_values.iter() {
+        let text = format!("`{}` is not a valid {data_type}; the default is used", invalid.text);
+        let place = Place::of(Part::CompactValues(index)).field(invalid.field.clone());
         resolver.notes.push(Note::new(place, text));
     }
 }

@@ -99,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_holds_for_many_entries_is_told_once() {
+    fn what_holds_for_many_entries_is_reported_once() {
         let at = |index, sub| Note::new(Place::entry(index, sub), "the stack has no room");
         let notes = vec![at(0x1400, 1), at(0x1400, 2), at(0x1401, 1), at(0x1A00, 1)];
         let per_object = once_per_object(notes.clone());

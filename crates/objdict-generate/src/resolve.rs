@@ -78,7 +78,7 @@ impl<'a> Resolver<'a> {
             return None;
         }
         let data_type = self.data_type(object, &place, sub, entry)?;
-        self.misfits(&place, entry, data_type);
+        self.invalid_values(&place, entry, data_type);
         let access = self.access(object, &place, entry);
         let kind = data_type.kind();
         let (shape, default) = match kind {
@@ -120,9 +120,9 @@ impl<'a> Resolver<'a> {
         let data_type = entry.data_type.or(implied);
         if data_type.is_none() {
             let place = place.clone().field(Field::DataType);
-            self.notes.push(match entry.misfits.get(&Field::DataType) {
-                Some(misfit) => {
-                    Note::new(place, format!("`{}` is not a data type; the entry is omitted", misfit.text))
+            self.notes.push(match entry.invalid_values.get(&Field::DataType) {
+                Some(invalid) => {
+                    Note::new(place, format!("`{}` is not a data type; the entry is omitted", invalid.text))
                 }
                 None => Note::new(place, "an entry without a data type is omitted"),
             });
@@ -141,9 +141,9 @@ impl<'a> Resolver<'a> {
             return Access::Const;
         }
         let place = place.clone().field(Field::AccessType);
-        self.notes.push(match entry.misfits.get(&Field::AccessType) {
-            Some(misfit) => {
-                Note::new(place, format!("`{}` is not an access type; `ro` is assumed", misfit.text))
+        self.notes.push(match entry.invalid_values.get(&Field::AccessType) {
+            Some(invalid) => {
+                Note::new(place, format!("`{}` is not an access type; `ro` is assumed", invalid.text))
             }
             None => Note::new(place, "an entry without an access type is assumed to be `ro`"),
         });
@@ -151,7 +151,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Notes the texts that stand where values should.
-    pub(crate) fn misfits(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
+    pub(crate) fn invalid_values(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
         for (field, instead) in [
             (Field::ParameterValue, "the default is used, or zero or empty without one"),
             (Field::DefaultValue, "zero or empty is used"),
@@ -159,8 +159,8 @@ impl<'a> Resolver<'a> {
             (Field::HighLimit, "the limit is not enforced"),
         ] {
             let ignored = field == Field::DefaultValue && entry.configured_value().is_some();
-            if let (Some(misfit), false) = (entry.misfits.get(&field), ignored) {
-                let text = format!("`{}` is not a valid {data_type}; {instead}", misfit.text);
+            if let (Some(invalid), false) = (entry.invalid_values.get(&field), ignored) {
+                let text = format!("`{}` is not a valid {data_type}; {instead}", invalid.text);
                 self.notes.push(Note::new(place.clone().field(field), text));
             }
         }

@@ -367,8 +367,8 @@ pub(crate) fn is_unstated(object: &Object, sub: u8) -> bool {
         return false;
     }
     let item = Field::Item(sub.into());
-    let in_list = object.compact.as_ref().is_some_and(|compact| compact.misfits.get(&item).is_some());
+    let in_list = object.compact.as_ref().is_some_and(|compact| compact.invalid_values.get(&item).is_some());
     let entry = object.subs.get(sub).unwrap_or(&object.main);
     let unreadable = [Field::DefaultValue, Field::ParameterValue];
-    !in_list && unreadable.iter().all(|field| entry.misfits.get(field).is_none())
+    !in_list && unreadable.iter().all(|field| entry.invalid_values.get(field).is_none())
 }

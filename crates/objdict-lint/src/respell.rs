@@ -1,14 +1,14 @@
 //! Texts that are not valid values of their field, but whose intended value is clear.
 
 use crate::diagnostic::{Fix, say};
-use crate::model::{Access, ClockTime, DataType, Date, Field, Misfit, ObjectType, Place, Reason};
+use crate::model::{Access, ClockTime, DataType, Date, Field, InvalidValue, ObjectType, Place, Reason};
 
 /// The fix of an invalid value at `place`, if the intended value is clear.
-pub(crate) fn respell(misfit: &Misfit, data_type: Option<DataType>, place: Place) -> Option<Fix> {
-    let text = misfit.text.trim();
+pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place: Place) -> Option<Fix> {
+    let text = invalid.text.trim();
     let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
     let risky = |value: String| (Fix::risky(say!("write `{}`", value)), value);
-    let (fix, value) = match (&misfit.field, &misfit.reason) {
+    let (fix, value) = match (&invalid.field, &invalid.reason) {
         (Field::AccessType, _) => {
             let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
             match Access::from_name(&letters) {

@@ -88,7 +88,7 @@ impl EntryAt<'_> {
     pub(crate) fn object_type(&self) -> Option<ObjectType> {
         match self.sub {
             None => stated::object_type(self.object),
-            Some(_) if stated::is_misfit(self.entry, &Field::ObjectType) => None,
+            Some(_) if stated::is_invalid(self.entry, &Field::ObjectType) => None,
             Some(_) => Some(self.entry.object_type.unwrap_or(ObjectType::Var)),
         }
     }

@@ -7,9 +7,10 @@ use crate::model::{Device, Entry, Field, Object, ObjectType, Place, TypeKind, Va
 /// The object type, VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a valid value,
 /// if the object has no section of its own, or if `ObjectType` is missing although the object has sub-indexes.
 pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
-    let misfits = &object.main.misfits;
-    let unreadable = !misfits.is_empty()
-        && (misfits.get(&Field::ObjectType).is_some() || misfits.get(&Field::CompactSubObj).is_some());
+    let invalid_values = &object.main.invalid_values;
+    let unreadable = !invalid_values.is_empty()
+        && (invalid_values.get(&Field::ObjectType).is_some()
+            || invalid_values.get(&Field::CompactSubObj).is_some());
     if object.orphan || unreadable {
         return None;
     }
@@ -31,8 +32,8 @@ pub(crate) fn is_there(device: &Device, index: u16) -> bool {
 }
 
 /// Whether the text of a field is not a valid value, which `cia306/invalid-value` reports.
-pub(crate) fn is_misfit(entry: &Entry, field: &Field) -> bool {
-    !entry.misfits.is_empty() && entry.misfits.get(field).is_some()
+pub(crate) fn is_invalid(entry: &Entry, field: &Field) -> bool {
+    !entry.invalid_values.is_empty() && entry.invalid_values.get(field).is_some()
 }
 
 /// Number of described sub-indexes as `SubNumber` counts them: without FFh.

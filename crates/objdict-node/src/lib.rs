@@ -3,8 +3,8 @@
 
 pub mod concise;
 pub mod configure;
+pub mod coupler;
 pub mod download;
-pub mod modular;
 mod resolve;
 
 pub use resolve::{ObjectName, candidates, resolve};

@@ -1,5 +1,5 @@
 //! What documents demand of objects, as data: one TOML file a document (`data/`), of which `cargo xtask profiles` makes
-//! constants (`constants/`), and a house's own profiles, which are read in the same form. Rules, generators and the command
+//! constants (`constants/`), and custom profiles, which are read in the same form. Rules, generators and the command
 //! ask here and know no table themselves.
 //!
 //! `docs/profiles.md` describes the form.
@@ -46,7 +46,7 @@ pub const MAX_BLOCKS: u8 = 8;
 /// What a document demands of a device.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    /// The group of the rules that hold a device against it: `cia401`; `house` for a profile that was loaded.
+    /// The group of the rules that hold a device against it: `cia401`; `custom` for a profile that was loaded.
     pub group: &'static str,
     /// The document as people call it: `CiA 401`.
     pub document: Cow<'static, str>,

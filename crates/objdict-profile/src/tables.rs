@@ -1,5 +1,5 @@
 //! How a profile is stored: rows that name what belongs to them by its position. So the tables of the documents that come
-//! with the program are plain data without pointers, of which a check touches what it looks at; those of a house are made
+//! with the program are plain data without pointers, of which a check touches what it looks at; custom ones are made
 //! when its TOML is read.
 
 use std::borrow::Cow;

@@ -6,7 +6,7 @@ use clap::{Parser, ValueEnum};
 
 use crate::format::input::FileKind;
 use crate::model::Date;
-use crate::skeleton::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
+use crate::scaffold::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 
 /// Create the description of a new device
 ///

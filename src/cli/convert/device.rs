@@ -35,7 +35,7 @@ pub(super) fn of_description(
 ) -> Result<Converted, Failure> {
     let device = description.device();
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, device, !args.no_carry);
+        return of_device(args, job, device, !args.no_embed);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         return of_device(args, job, device, false);
@@ -68,7 +68,7 @@ pub(super) fn of_device(
     args: &ConvertArgs,
     job: &Job,
     device: &Device,
-    carry: bool,
+    embed: bool,
 ) -> Result<Converted, Failure> {
     let device = args.expand.device(device);
     match job.to {
@@ -84,23 +84,23 @@ pub(super) fn of_device(
             Ok(Converted::whole(text.into_bytes()))
         }
         FileKind::Cpj => Err(Failure::new("node lists are not written")),
-        FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), carry)),
+        FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), embed)),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
             node_device.commissioning = Some(node(args, job, &node_device)?);
             node_device.kind = DeviceKind::Node;
-            Ok(anew(args, job, node_device, carry))
+            Ok(anew(args, job, node_device, embed))
         }
     }
 }
 
 /// A new text, written from the model alone.
-fn anew(args: &ConvertArgs, job: &Job, mut device: Device, carry: bool) -> Converted {
+fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Converted {
     if let Some(info) = &mut device.file_info {
         info.file_name = Some(base_name(&job.output));
     }
     let mut options = args.canonical.options(args.input.encoding);
-    options.carry = carry;
+    options.embed = embed;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
     let written = format::write(&device, format, &options);

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::super::input::{FileKind, name_of};
 use super::Job;
-use crate::format::{Fate, Loss};
+use crate::format::{Loss, LossKind};
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
@@ -51,19 +51,19 @@ impl LossReport {
 
     /// Whether something is gone.
     pub(super) fn has_lost(&self) -> bool {
-        self.count(Fate::Lost) > 0
+        self.count(LossKind::Lost) > 0
     }
 
-    fn count(&self, fate: Fate) -> usize {
-        self.files.iter().flat_map(|file| &file.losses).filter(|loss| loss.fate == fate).count()
+    fn count(&self, kind: LossKind) -> usize {
+        self.files.iter().flat_map(|file| &file.losses).filter(|loss| loss.kind == kind).count()
     }
 
     /// One JSON document (docs/json.md), with a line feed at its end.
     pub(super) fn to_json(&self) -> String {
         let summary = Summary {
-            lost: self.count(Fate::Lost),
-            left_out: self.count(Fate::LeftOut),
-            carried: self.count(Fate::Carried),
+            lost: self.count(LossKind::Lost),
+            left_out: self.count(LossKind::LeftOut),
+            carried: self.count(LossKind::Embedded),
         };
         let document = Document { version: VERSION, files: &self.files, summary };
         // all keys are texts, so there is nothing that could fail
@@ -79,9 +79,9 @@ pub(super) fn text(losses: &[Loss]) -> String {
         return String::new();
     }
     let mut text: String = losses.iter().map(|loss| format!("  {loss}\n")).collect();
-    let counts = [Fate::Lost, Fate::LeftOut, Fate::Carried].map(|fate| {
-        let count = losses.iter().filter(|loss| loss.fate == fate).count();
-        (count > 0).then(|| format!("{count} {}", fate.name()))
+    let counts = [LossKind::Lost, LossKind::LeftOut, LossKind::Embedded].map(|kind| {
+        let count = losses.iter().filter(|loss| loss.kind == kind).count();
+        (count > 0).then(|| format!("{count} {}", kind.name()))
     });
     let counts: Vec<String> = counts.into_iter().flatten().collect();
     text.push_str(&format!("  {}\n", counts.join(", ")));

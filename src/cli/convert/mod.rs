@@ -20,7 +20,7 @@ use super::progress::{Progress, give_way};
 use super::save::{Saved, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
-use crate::format::{Fate, concise, json};
+use crate::format::{LossKind, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -77,7 +77,7 @@ fn convert_one(
             finish(job, from, device::of_description(args, job, &description, from)?, report, out)
         }
         Input::Device(device) => {
-            finish(job, from, device::of_device(args, job, &device, !args.no_carry)?, report, out)
+            finish(job, from, device::of_device(args, job, &device, !args.no_embed)?, report, out)
         }
         Input::Concise(configuration) => {
             finish(job, from, of_configuration(job, &configuration)?, report, out)
@@ -103,7 +103,7 @@ fn finish(
     give_way();
     if job.output == Path::new("-") {
         out.write_all(&bytes)?;
-        let shown: Vec<_> = losses.iter().filter(|loss| loss.fate != Fate::Carried).cloned().collect();
+        let shown: Vec<_> = losses.iter().filter(|loss| loss.kind != LossKind::Embedded).cloned().collect();
         super::tell(&losses::text(&shown));
     } else {
         if is_same_file(&job.input, &job.output) {

@@ -39,7 +39,7 @@ fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<(
 fn head(profile: &Profile) -> Map<String, Json> {
     let mut fields = Map::new();
     let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
-    if profile.group != "house" {
+    if profile.group != "custom" {
         field("name", profile.document_number().into());
     }
     field("document", (&*profile.document).into());

@@ -1,4 +1,4 @@
-//! `objdict profile`: the documents that come with the program, and what they demand; profiles of a house too.
+//! `objdict profile`: the documents that come with the program, and what they demand; custom profiles too.
 
 mod json;
 mod text;

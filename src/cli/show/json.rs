@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use super::View;
-use crate::decoded::Reader;
+use crate::describe::Reader;
 use crate::model::{Entry, Object, PdoMapping, Value};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.

@@ -12,7 +12,7 @@ use super::input::{Input, name_of};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
-use crate::decoded::Reader;
+use crate::describe::Reader;
 use crate::diagnostic::nearest;
 use crate::download::{ConciseDcf, Download};
 use crate::format::{concise, json as json_format};

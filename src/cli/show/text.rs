@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::View;
 use crate::cli::table::{Table, fit};
-use crate::decoded::{Decoder, Reader};
+use crate::describe::{Decoder, Reader};
 use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
 use crate::report::plural;
 
@@ -131,8 +131,9 @@ fn remarks(entry: &Entry) -> Vec<(&'static str, String)> {
             remarks.push(("inverted", format!("0x{:04X}sub{:X}", inverted >> 16, inverted & 0xFF)));
         }
     }
-    let misfit = |misfit: &crate::model::Misfit| ("unreadable", format!("{}={}", misfit.field, misfit.text));
-    remarks.extend(entry.misfits.iter().map(misfit));
+    let invalid =
+        |invalid: &crate::model::InvalidValue| ("unreadable", format!("{}={}", invalid.field, invalid.text));
+    remarks.extend(entry.invalid_values.iter().map(invalid));
     remarks.extend(entry.extra.iter().map(|(key, value)| ("extra", format!("{key}={value}"))));
     remarks
 }

@@ -70,8 +70,8 @@ impl Case {
         cc.arg("-I.").arg(format!("-I{}", beside(self.declarations, "").display()));
         for file in generate(device, target, options).unwrap().files {
             std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-            let is_skeleton = file.path.ends_with("_spec.c");
-            if file.path.ends_with(".c") && !is_skeleton {
+            let is_scaffold = file.path.ends_with("_spec.c");
+            if file.path.ends_with(".c") && !is_scaffold {
                 cc.arg(file.path);
             }
         }

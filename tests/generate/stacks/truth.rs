@@ -101,7 +101,7 @@ pub(crate) fn compare(name: &str, expected: &[Row], output: &str) -> Result<(), 
 }
 
 #[test]
-fn the_truth_is_told_in_lines() {
+fn the_truth_has_one_line_each() {
     let no_times = Lack {
         what: "no mapping, and times without data",
         of: |row| row.kind == Some(TypeKind::TimeOfDay),

@@ -9,7 +9,7 @@ use crate::diagnostic::{RuleInfo, text_rule};
 use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub(super) use raise::{
-    Twin, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, misspelt_key,
+    DuplicateKind, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, misspelt_key,
     misspelt_section, quoted_name, section_spelling, stray_compact_entry, stray_compact_section, unknown_key,
     unknown_section, wrong_count,
 };

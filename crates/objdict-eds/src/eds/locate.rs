@@ -66,7 +66,7 @@ impl Locator {
                 return Some(span);
             }
         }
-        self.misspelt_key(document, place).or(header).or_else(|| self.stand_in(document, &place.part))
+        self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part))
     }
 
     /// The value of a key whose name is misspelt.
@@ -153,7 +153,7 @@ impl Locator {
     }
 
     /// An entry without a section of its own stands in its object's.
-    fn stand_in(&self, document: &Document, part: &Part) -> Option<Span> {
+    fn nearest(&self, document: &Document, part: &Part) -> Option<Span> {
         match *part {
             Part::Entry(index, _) => self.locate(document, &Place::object(index)),
             _ => None,

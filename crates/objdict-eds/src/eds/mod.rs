@@ -2,14 +2,14 @@
 
 #[cfg(feature = "write")]
 mod additions;
-#[cfg(feature = "write")]
-pub mod arrange;
 mod configure;
 pub mod file_name;
 pub mod findings;
+mod fix;
+#[cfg(feature = "write")]
+pub mod fmt;
 mod keys;
 mod locate;
-mod mend;
 mod misspelt;
 mod order;
 pub mod portability;
@@ -23,8 +23,8 @@ pub mod write;
 #[cfg(feature = "write")]
 pub use additions::additions;
 pub use configure::{to_dcf, to_eds};
+pub use fix::edits;
 pub use locate::Locator;
-pub use mend::edits;
 pub use read::read;
 pub use section::SectionName;
 #[cfg(feature = "write")]

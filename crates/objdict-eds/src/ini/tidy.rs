@@ -1,8 +1,8 @@
-//! What is wrong alike in many lines, mended in all of them.
+//! What is wrong alike in many lines, fixed in all of them.
 
 use super::{Document, LineKind};
 use crate::diagnostic::Tidy;
-use crate::source::{Edits, Span, stand_in};
+use crate::source::{Edits, Span, transliterate};
 
 /// The edits that tidy a document up; `None` where it cannot be done without losing something.
 pub(crate) fn tidy(document: &Document, what: Tidy, edits: &mut Edits<'_>) -> Option<()> {
@@ -63,7 +63,7 @@ fn keys(document: &Document, edits: &mut Edits<'_>) {
 /// Characters of ISO 646 in the place of all others.
 fn iso646(document: &Document, edits: &mut Edits<'_>) -> Option<()> {
     for (at, c) in document.text().char_indices().filter(|(_, c)| !c.is_ascii()) {
-        edits.replace(Span::new(at as u32, (at + c.len_utf8()) as u32), stand_in(c)?);
+        edits.replace(Span::new(at as u32, (at + c.len_utf8()) as u32), transliterate(c)?);
     }
     Some(())
 }

@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn members_are_told_apart() {
+    fn members_are_distinguished() {
         let mut members = Members::default();
         assert_eq!(members.claim("Mode", 1), "mode");
         assert_eq!(members.claim("mode", 2), "mode_02");

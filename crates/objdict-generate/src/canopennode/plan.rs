@@ -99,7 +99,7 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
         Some(only) if object.is_single() => Layout::Var(only),
         Some(first) if is_array => {
             let rest: Vec<Member<'_>> = members.collect();
-            match misfit(&first, &rest) {
+            match invalid(&first, &rest) {
                 None => Layout::Array(first, rest),
                 Some(why) => {
                     let note =
@@ -123,7 +123,7 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
 }
 
 /// Why entries are no array of the stack.
-fn misfit(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
+fn invalid(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
     if sub0.entry.sub != 0 {
         return Some("it has no sub-index 0");
     }

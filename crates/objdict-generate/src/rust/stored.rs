@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn types_are_told_apart() {
+    fn types_are_distinguished() {
         let mut types = HashSet::from(["Self".to_owned()]);
         let mut name = |field: &str, index| claim(&mut types, field, index);
         assert_eq!(name("persist_comm", 0x1000), "PersistComm");

@@ -1,5 +1,5 @@
 //! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the device with the
-//! document of its own group (`cia401/…` with CiA 401, `house/…` with custom profiles), so the groups contain only the
+//! document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so the groups contain only the
 //! rule pages, and the checks are here.
 
 mod bits;

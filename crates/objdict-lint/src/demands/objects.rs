@@ -28,7 +28,7 @@ fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
     let object = at.object;
     let is_var = object.object_type() == ObjectType::Var;
     let is_domain = object.main.data_type == Some(DataType::DOMAIN);
-    object.main.misfits.get(&Field::ObjectType).is_some()
+    object.main.invalid_values.get(&Field::ObjectType).is_some()
         || (is_var && (!object.subs.is_empty() || is_domain))
 }
 

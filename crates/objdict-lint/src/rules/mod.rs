@@ -30,22 +30,21 @@ rules! {
         can_id_of_other_service,
         cob_id_collision,
         cob_id_not_predefined,
+        default_error_register,
         default_sdo_cob_id,
         default_sdo_node_id,
         device_type_without_value,
         emergency_consumer_of_other_node,
         emergency_disabled,
         emergency_without_cob_id,
-        error_by_default,
         fixed_node_id,
         gap_in_mapping,
         gap_in_sdo_numbers,
         granularity_against_access,
-        half_set_life_guarding,
-        half_valid_sdo,
         heartbeat_beside_guarding,
         heartbeat_switched_off,
         incomplete_eds_storage,
+        incomplete_life_guarding,
         incomplete_node_guarding,
         incomplete_pdo_parameter,
         incomplete_sdo_parameter,
@@ -66,7 +65,7 @@ rules! {
         mapping_of_count,
         mapping_of_variable_length,
         mapping_without_count,
-        mapping_without_switch,
+        mapping_without_valid_bit,
         missing_mandatory_object,
         missing_module_list,
         missing_vendor_id,
@@ -76,6 +75,7 @@ rules! {
         no_error_control,
         object_mapped_twice,
         obsolete_object,
+        partly_valid_sdo,
         pdo_length_exceeded,
         pdo_parameter_without_value,
         pdo_valid_by_default,
@@ -110,7 +110,7 @@ rules! {
     cia302: demands {
         contradictory_startup,
         flying_master_time_slots,
-        half_set_guarding,
+        incomplete_guarding,
         manager_not_marked,
         master_without_slaves,
         self_starting_not_marked,
@@ -179,7 +179,7 @@ rules! {
         low_limit_above_high,
         lss_serial_number,
         lss_without_identity,
-        manager_that_is_no_master,
+        manager_without_nmt_master,
         mapping_not_possible,
         misplaced_file,
         missing_commissioning,
@@ -217,7 +217,7 @@ rules! {
         unknown_connected_module,
         unsorted_list,
         unsupported_key,
-        value_of_refused_entry,
+        value_of_no_download,
         value_outside_limits,
         write_only_default,
         wrong_compact_pdo,
@@ -247,8 +247,8 @@ rules! {
         cyclic_mode_without_sync,
         cyclic_target_not_mappable,
         device_type_without_drive,
-        half_touch_probe,
         homing_method_not_supported,
+        incomplete_touch_probe,
         interpolation_time_differs,
         interpolation_without_data,
         limit_min_above_max,
@@ -271,7 +271,7 @@ rules! {
     }
     #[cfg(feature = "catalogue")]
     cia404: demands {
-        half_scaling,
+        incomplete_scaling,
         limit_min_above_max,
     }
     #[cfg(feature = "catalogue")]
@@ -289,10 +289,9 @@ rules! {
         zero_resolution,
     }
     #[cfg(feature = "catalogue")]
-    house: demands {}
+    custom: demands {}
     #[cfg(feature = "catalogue")]
     naming {
-        broken_numbering,
         duplicate_denotation,
         duplicate_module,
         duplicate_object_name,
@@ -301,6 +300,7 @@ rules! {
         repeated_blanks,
         same_identifier,
         type_in_name,
+        unordered_numbering,
         wrong_pdo_direction,
     }
     #[cfg(feature = "catalogue")]

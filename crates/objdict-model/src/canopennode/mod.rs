@@ -215,16 +215,16 @@ impl Wanted<'_> {
 
     /// Objects that the stack accesses consecutively, by the number of objects of the service.
     fn ranges(&mut self) {
-        let mut told = "";
+        let mut reported = "";
         for (label, first) in RANGES {
-            if told == label {
+            if reported == label {
                 continue; // mappings whose communication parameters are missing too
             }
             let of_label = self.counters.of(label).len();
             let Some(missing) = (first..).take(of_label).find(|&index| self.object(index).is_none()) else {
                 continue;
             };
-            told = label;
+            reported = label;
             let last = self.counters.of(label).last().copied().unwrap_or(first);
             let message = match missing.checked_sub(first) {
                 _ if !(0x1200..0x1400).contains(&first) && first & 0x200 != 0 => {

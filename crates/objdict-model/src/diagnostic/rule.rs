@@ -54,7 +54,7 @@ impl RuleInfo {
             ("What it checks", self.checks),
             ("Why it matters", self.why),
             ("Example", self.example),
-            ("How to mend", self.remedy),
+            ("How to fix", self.remedy),
             ("Source", self.source),
         ];
         let page = format!("{}\n", self.summary);

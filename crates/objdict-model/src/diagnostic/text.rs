@@ -25,13 +25,13 @@ pub const MAX_QUOTED: usize = 80;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Text {
-    said: Said,
+    content: Content,
     /// The words of a syntax other than CiA 306.
     words: Option<Vocabulary>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Said {
+enum Content {
     /// A fixed text.
     Plain(Cow<'static, str>),
     /// A template with gaps for [`say!`].
@@ -64,12 +64,12 @@ pub enum Argument {
 impl Text {
     /// A template and its values; called by [`say!`], which checks their number.
     pub fn new(template: &'static str, arguments: Box<[Argument]>) -> Self {
-        Self { said: Said::Template(template, arguments), words: None }
+        Self { content: Content::Template(template, arguments), words: None }
     }
 
     /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
-        matches!(&self.said, Said::Plain(text) if text.is_empty())
+        matches!(&self.content, Content::Plain(text) if text.is_empty())
     }
 
     /// The text in the words of another syntax.
@@ -80,9 +80,9 @@ impl Text {
 
     /// The rendered text.
     pub fn shown(&self) -> Cow<'_, str> {
-        match &self.said {
-            Said::Plain(text) => Cow::Borrowed(text),
-            Said::Template(..) => Cow::Owned(self.to_string()),
+        match &self.content {
+            Content::Plain(text) => Cow::Borrowed(text),
+            Content::Template(..) => Cow::Owned(self.to_string()),
         }
     }
 
@@ -101,7 +101,7 @@ impl Text {
 
     /// The first quoted text of a file.
     pub fn quoted(&self) -> Option<&str> {
-        let Said::Template(_, arguments) = &self.said else { return None };
+        let Content::Template(_, arguments) = &self.content else { return None };
         arguments.iter().find_map(|argument| match argument {
             Argument::Value(text) => Some(&**text),
             _ => None,
@@ -109,14 +109,14 @@ impl Text {
     }
 
     fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
-        let Said::Template(_, arguments) = &self.said else { return false };
+        let Content::Template(_, arguments) = &self.content else { return false };
         arguments.iter().any(|argument| argument.any(is_meant))
     }
 
     fn write(&self, words: Option<Vocabulary>, out: &mut dyn fmt::Write) -> fmt::Result {
-        let (template, arguments) = match &self.said {
-            Said::Plain(text) => return out.write_str(text),
-            Said::Template(template, arguments) => (template, arguments),
+        let (template, arguments) = match &self.content {
+            Content::Plain(text) => return out.write_str(text),
+            Content::Template(template, arguments) => (template, arguments),
         };
         let mut arguments = arguments.iter();
         let mut rest = *template;
@@ -292,13 +292,13 @@ impl<T: Sayable + ToOwned + ?Sized> Sayable for Cow<'_, T> {
 
 impl From<&'static str> for Text {
     fn from(text: &'static str) -> Self {
-        Self { said: Said::Plain(Cow::Borrowed(text)), words: None }
+        Self { content: Content::Plain(Cow::Borrowed(text)), words: None }
     }
 }
 
 impl From<String> for Text {
     fn from(text: String) -> Self {
-        Self { said: Said::Plain(Cow::Owned(cut_quotes(text))), words: None }
+        Self { content: Content::Plain(Cow::Owned(cut_quotes(text))), words: None }
     }
 }
 
@@ -322,7 +322,7 @@ impl Default for Text {
 
 impl PartialEq for Text {
     fn eq(&self, other: &Self) -> bool {
-        self.said == other.said
+        self.content == other.content
     }
 }
 
@@ -336,7 +336,7 @@ impl PartialOrd for Text {
 
 impl Ord for Text {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.said.cmp(&other.said)
+        self.content.cmp(&other.content)
     }
 }
 

@@ -17,7 +17,7 @@ pub static RULES: &[&RuleInfo] = &[
     &TWOS_COMPLEMENT,
     &QUOTED_STRING,
     &BOOLEAN_WORD,
-    &DECORATED_BYTES,
+    &HEX_PREFIX_IN_BYTES,
 ];
 
 /// The rule about quotes, which also holds for names.
@@ -108,7 +108,7 @@ const SPELLINGS: [(Quirk, &RuleInfo, &str); 11] = [
     (Quirk::TwosComplement, &TWOS_COMPLEMENT, "write the negative number in decimal"),
     (Quirk::Quoted, &QUOTED_STRING, "remove the quotes, unless the file is for Lely"),
     (Quirk::BooleanWord, &BOOLEAN_WORD, "write `1` or `0`"),
-    (Quirk::DecoratedBytes, &DECORATED_BYTES, "write two hex digits per byte and nothing else"),
+    (Quirk::DecoratedBytes, &HEX_PREFIX_IN_BYTES, "write two hex digits per byte and nothing else"),
 ];
 
 fn rule_text(quirk: Quirk) -> &'static str {
@@ -228,7 +228,7 @@ text_rule! {
 }
 
 text_rule! {
-    DECORATED_BYTES = "cia306/decorated-bytes", Warning, fix Safe;
+    HEX_PREFIX_IN_BYTES = "cia306/hex-prefix-in-bytes", Warning, fix Safe;
     summary: "bytes are not written as plain hex digits",
     checks: "Whether the value of an OCTET_STRING or DOMAIN has a `0x` prefix or spaces between its hex digits.",
     why: "The standard defines two digits per byte and nothing else; other tools drop the value.",

@@ -1,6 +1,6 @@
 //! What a DCF says of the node (CiA 306-1 §5.4).
 
-use super::{Extra, Misfits};
+use super::{Extra, InvalidValues};
 
 /// The node that a device description was configured for: `DeviceComissioning`, as the standard spells it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -38,6 +38,9 @@ pub struct Commissioning {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Device, DeviceKind, Entry, Extra, Field, Labels, Misfits, Object, Parameter};
+use super::{Device, DeviceKind, Entry, Extra, Field, InvalidValues, Labels, Object, Parameter};
 
 impl Device {
     /// The device as a description of its type: without the node, and without what was configured for it.
@@ -41,7 +41,7 @@ impl Object {
             compact.denotations.clear();
             // they stand in the section of the values
             compact.extra = Extra::default();
-            compact.misfits = Misfits::default();
+            compact.invalid_values = InvalidValues::default();
         }
     }
 }
@@ -49,7 +49,7 @@ impl Object {
 impl Entry {
     fn remove_configuration(&mut self) {
         self.configured = None;
-        self.misfits.retain(|misfit| misfit.field != Field::ParameterValue);
+        self.invalid_values.retain(|invalid| invalid.field != Field::ParameterValue);
         if let Some(parameter) = &mut self.parameter {
             parameter.remove_configuration();
         }

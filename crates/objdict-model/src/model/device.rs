@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
-    DynamicChannels, ExtraSection, FileInfo, Misfits, ModuleObjects, Modules, NetworkIdentity, Object,
+    DynamicChannels, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules, NetworkIdentity, Object,
     ObjectList, ProfileHeaders, ToolCommand,
 };
 
@@ -160,8 +160,11 @@ pub struct DummyUsage {
     #[cfg_attr(feature = "serde", serde(with = "super::unique_keys"))]
     pub types: BTreeMap<DataType, bool>,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
     /// Keys that the model does not know.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::Extra::is_empty"))]
     pub extra: super::Extra,

@@ -1,6 +1,6 @@
 //! Facts about the device (CiA 306-1 §4.5).
 
-use super::{DefaultBaudRate, Extra, Field, Misfits};
+use super::{DefaultBaudRate, Extra, Field, InvalidValues};
 
 /// Vendor, product and general features of the device.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -89,8 +89,11 @@ pub struct DeviceInfo {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }
 
 /// What a description says of each bit rate.

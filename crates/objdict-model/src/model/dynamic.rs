@@ -1,6 +1,6 @@
 //! Dynamic channels and tools (CiA 302-4, CiA 306-3).
 
-use super::{DataType, Extra, Misfits};
+use super::{DataType, Extra, InvalidValues};
 
 /// The segments of the process image that network variables live in (CiA 302-4).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -13,8 +13,11 @@ pub struct DynamicChannels {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }
 
 /// A range of indexes for network variables of one data type and direction.

@@ -1,7 +1,7 @@
 //! Entries: what a sub-index holds.
 
 use super::{
-    Access, DataType, Extra, Misfits, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
+    Access, DataType, Extra, InvalidValues, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
 };
 
 /// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
@@ -51,8 +51,11 @@ pub struct Entry {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }
 
 /// How a configuration tool treats an entry (CiA 306-1 §4.6.3.3).

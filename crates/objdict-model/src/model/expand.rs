@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Device, Entry, ExtraSection, Field, Misfit, Misfits, Object};
+use super::{Device, Entry, ExtraSection, Field, InvalidValue, InvalidValues, Object};
 
 impl Object {
     /// The object with every entry described by itself, if it is stored compactly; else itself.
@@ -13,20 +13,20 @@ impl Object {
     pub fn expanded(&self) -> Cow<'_, Object> {
         let Some(compact) = &self.compact else { return Cow::Borrowed(self) };
         let mut subs = self.subs.clone();
-        let (shared, own) = split(&self.main.misfits);
+        let (shared, own) = split(&self.main.invalid_values);
         for (sub, entry) in self.entries() {
             if subs.get(sub).is_none() {
-                let misfits = if sub == 0 { Misfits::default() } else { shared.clone() };
-                subs.insert(sub, Entry { misfits, ..entry.into_owned() });
+                let invalid_values = if sub == 0 { InvalidValues::default() } else { shared.clone() };
+                subs.insert(sub, Entry { invalid_values, ..entry.into_owned() });
             }
         }
-        for misfit in compact.misfits.iter() {
-            let sub = match misfit.field {
+        for invalid in compact.invalid_values.iter() {
+            let sub = match invalid.field {
                 Field::Item(number) => u8::try_from(number).ok(),
                 _ => None,
             };
             if let Some(entry) = sub.and_then(|sub| subs.get_mut(sub)) {
-                entry.misfits.push(Field::ParameterValue, &misfit.text, misfit.reason.clone());
+                entry.invalid_values.push(Field::ParameterValue, &invalid.text, invalid.reason.clone());
             }
         }
         let main = Entry {
@@ -37,7 +37,7 @@ impl Object {
             default: None,
             low_limit: None,
             high_limit: None,
-            misfits: own,
+            invalid_values: own,
             ..self.main.clone()
         };
         let described = subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
@@ -71,10 +71,10 @@ impl Device {
     }
 }
 
-/// The misfits of values that all compactly stored entries share, and the others.
-fn split(misfits: &Misfits) -> (Misfits, Misfits) {
-    let (mut shared, mut own) = (Misfits::default(), Misfits::default());
-    for Misfit { field, text, reason } in misfits.iter() {
+/// The invalid_values of values that all compactly stored entries share, and the others.
+fn split(invalid_values: &InvalidValues) -> (InvalidValues, InvalidValues) {
+    let (mut shared, mut own) = (InvalidValues::default(), InvalidValues::default());
+    for InvalidValue { field, text, reason } in invalid_values.iter() {
         let is_shared = matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit);
         let of = if is_shared { &mut shared } else { &mut own };
         of.push(field.clone(), text, reason.clone());
@@ -96,18 +96,18 @@ mod tests {
             default: Some(Value::Unsigned(7)),
             ..Entry::default()
         };
-        let mut misfits = Misfits::default();
-        misfits.push(Field::Item(2), "x", Reason::NotANumber);
+        let mut invalid_values = InvalidValues::default();
+        invalid_values.push(Field::Item(2), "x", Reason::NotANumber);
         let compact =
-            Compact { count: 2, values: vec![(1, Value::Unsigned(9))], misfits, ..Compact::default() };
+            Compact { count: 2, values: vec![(1, Value::Unsigned(9))], invalid_values, ..Compact::default() };
         let object = Object { main, compact: Some(Box::new(compact)), ..Object::default() };
         let expanded = object.expanded();
         assert_eq!(expanded.sub_number, Some(3));
         assert!(expanded.main.data_type.is_none() && expanded.main.default.is_none());
         assert_eq!(expanded.subs.get(1).and_then(Entry::value), Some(&Value::Unsigned(9)));
         let second = expanded.subs.get(2);
-        let misfit = second.and_then(|entry| entry.misfits.get(&Field::ParameterValue));
-        assert_eq!(misfit.map(|misfit| &*misfit.text), Some("x"));
+        let invalid = second.and_then(|entry| entry.invalid_values.get(&Field::ParameterValue));
+        assert_eq!(invalid.map(|invalid| &*invalid.text), Some("x"));
         assert_eq!(object.entry(1), expanded.entry(1));
     }
 }

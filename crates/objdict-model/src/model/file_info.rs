@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{DeviceClass, Extra, Misfits};
+use super::{DeviceClass, Extra, InvalidValues};
 
 /// Who made the description, when, and of which version.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -55,8 +55,11 @@ pub struct FileInfo {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }
 
 /// A day of the Gregorian calendar.

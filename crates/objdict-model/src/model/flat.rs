@@ -6,8 +6,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, ExtraSection, Misfits,
-    ObjFlags, Object, ObjectType, Parameter, PdoMapping, SafetyMapping, StackOptions, Subs, Value,
+    Access, Compact, Configured, DataType, Entry, Extension, ExtensionCount, Extra, ExtraSection,
+    InvalidValues, ObjFlags, Object, ObjectType, Parameter, PdoMapping, SafetyMapping, StackOptions, Subs,
+    Value,
 };
 
 macro_rules! form {
@@ -29,7 +30,8 @@ macro_rules! form {
             parameter: Option<Box<Parameter>>,
             stack: Option<Box<StackOptions>>,
             extra: Extra,
-            misfits: Misfits,
+            #[serde(rename = "misfits")]
+            invalid_values: InvalidValues,
             $($(#[serde(with = $with)])? $own: $Type,)*
         }
 
@@ -53,7 +55,7 @@ macro_rules! form {
                     parameter: form.parameter,
                     stack: form.stack,
                     extra: form.extra,
-                    misfits: form.misfits,
+                    invalid_values: form.invalid_values,
                 };
                 check(&entry)?;
                 Ok(entry)

@@ -3,7 +3,7 @@
 //!
 //! Names mirror the field's: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an entry
 //! has a *data type*, an *access* type and *values*. Where a description says something that is no value of its field,
-//! the typed field stays empty and the text is among the [`Misfits`]; what the model does not know is in [`Extra`].
+//! the typed field stays empty and the text is among the [`InvalidValues`]; what the model does not know is in [`Extra`].
 
 mod access;
 mod address;
@@ -26,7 +26,6 @@ mod flat;
 pub mod hex;
 mod identity;
 mod implicit_pdo;
-mod kept;
 mod label;
 mod meaning;
 mod module;
@@ -44,11 +43,12 @@ mod services;
 #[cfg(feature = "serde")]
 mod spelled;
 mod stack;
+mod unparsed;
 mod value;
 
 /// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC, in which objdict keeps what a format
 /// has no place for.
-pub const CARRIED_SECTION: &str = "ObjdictCarried";
+pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
 
 pub use access::{Access, PdoMapping};
 pub use address::{Address, NoAddress};
@@ -74,7 +74,6 @@ pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
 pub use field::Field;
 pub use file_info::{ClockTime, Date, FileInfo};
 pub use identity::Identity;
-pub use kept::{Extra, ExtraSection, Misfit, Misfits, Reason};
 pub use label::{Label, Labels, TextRef};
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue};
 pub use module::{Extension, ExtensionCount, Module, Modules};
@@ -93,4 +92,5 @@ pub use serial::{hex_number, hex_text};
 pub(crate) use serial::{index_keys, index_list, is_default, real_text, sub_list, unique_keys};
 pub use services::{HeartbeatConsumer, SdoChannel, Services};
 pub use stack::{SrdoAccess, StackOptions};
+pub use unparsed::{Extra, ExtraSection, InvalidValue, InvalidValues, Reason};
 pub use value::{Time, Value};

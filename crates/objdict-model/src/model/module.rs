@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Extra, Misfits, Object};
+use super::{Entry, Extra, InvalidValues, Object};
 
 /// The modules that a bus coupler supports and those that are plugged in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,8 +22,11 @@ pub struct Modules {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub connected: Option<Vec<u16>>,
     /// Texts of `SupportedModules` and `ConnectedModules` that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
     /// Keys of `SupportedModules` and `ConnectedModules` that the model does not know.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
@@ -71,8 +74,11 @@ pub struct Module {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
 }
 
 /// The sub-indexes that a module adds to an object.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Access, DataType, Entry, Extra, Misfits, ObjectType, PdoMapping, Value};
+use super::{Access, DataType, Entry, Extra, InvalidValues, ObjectType, PdoMapping, Value};
 
 /// An object of the dictionary.
 ///
@@ -131,8 +131,11 @@ pub struct Compact {
     #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub denotations: Vec<(u8, Box<str>)>,
     /// Texts that are no values of their fields.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Misfits::is_empty"))]
-    pub misfits: Misfits,
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+    )]
+    pub invalid_values: InvalidValues,
     /// Keys that the model does not know.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,

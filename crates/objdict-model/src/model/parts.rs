@@ -1,14 +1,14 @@
 //! Walks over every part of a device that keeps texts of its own.
 
-use super::{Device, Entry, Extra, Field, Misfits, ModulePart, Object, Part};
+use super::{Device, Entry, Extra, Field, InvalidValues, ModulePart, Object, Part};
 
 impl Device {
-    /// Every part that has misfits, with them.
-    pub fn misfits(&self) -> Vec<(Part, &Misfits)> {
+    /// Every part that has invalid_values, with them.
+    pub fn invalid_values(&self) -> Vec<(Part, &InvalidValues)> {
         let mut found = Vec::new();
-        self.visit_parts(&mut |part, misfits, _| {
-            if !misfits.is_empty() {
-                found.push((part.clone(), misfits));
+        self.visit_parts(&mut |part, invalid_values, _| {
+            if !invalid_values.is_empty() {
+                found.push((part.clone(), invalid_values));
             }
         });
         found
@@ -26,30 +26,30 @@ impl Device {
         found
     }
 
-    fn visit_parts<'a>(&'a self, visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra)) {
+    fn visit_parts<'a>(&'a self, visit: &mut dyn FnMut(&Part, &'a InvalidValues, &'a Extra)) {
         if let Some(info) = &self.file_info {
-            visit(&Part::FileInfo, &info.misfits, &info.extra);
+            visit(&Part::FileInfo, &info.invalid_values, &info.extra);
         }
         if let Some(info) = &self.device_info {
-            visit(&Part::DeviceInfo, &info.misfits, &info.extra);
+            visit(&Part::DeviceInfo, &info.invalid_values, &info.extra);
         }
         if let Some(usage) = &self.dummy_usage {
-            visit(&Part::DummyUsage, &usage.misfits, &usage.extra);
+            visit(&Part::DummyUsage, &usage.invalid_values, &usage.extra);
         }
         if let Some(node) = &self.commissioning {
-            visit(&Part::Commissioning, &node.misfits, &node.extra);
+            visit(&Part::Commissioning, &node.invalid_values, &node.extra);
         }
         for (&index, object) in &self.objects {
             let part_of = |sub: Option<u8>| sub.map_or(Part::Object(index), |sub| Part::Entry(index, sub));
             visit_object(object, &part_of, visit);
             if let Some(compact) = &object.compact {
-                visit(&Part::CompactValues(index), &compact.misfits, &compact.extra);
+                visit(&Part::CompactValues(index), &compact.invalid_values, &compact.extra);
             }
         }
         if let Some(modules) = &self.modules {
-            visit(&Part::SupportedModules, &modules.misfits, &modules.extra);
+            visit(&Part::SupportedModules, &modules.invalid_values, &modules.extra);
             for (&number, module) in &modules.supported {
-                visit(&Part::Module(number, ModulePart::Info), &module.misfits, &module.extra);
+                visit(&Part::Module(number, ModulePart::Info), &module.invalid_values, &module.extra);
                 for (&index, object) in &module.fixed {
                     let part_of = |sub: Option<u8>| match sub {
                         Some(sub) => Part::Module(number, ModulePart::FixedEntry(index, sub)),
@@ -64,7 +64,7 @@ impl Device {
             }
         }
         if let Some(channels) = &self.dynamic_channels {
-            visit(&Part::DynamicChannels, &channels.misfits, &channels.extra);
+            visit(&Part::DynamicChannels, &channels.invalid_values, &channels.extra);
         }
     }
 
@@ -84,15 +84,19 @@ impl Device {
 fn visit_object<'a>(
     object: &'a Object,
     part_of: &dyn Fn(Option<u8>) -> Part,
-    visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra),
+    visit: &mut dyn FnMut(&Part, &'a InvalidValues, &'a Extra),
 ) {
     for (sub, entry) in object.described() {
         visit_entry(entry, &part_of(sub), visit);
     }
 }
 
-fn visit_entry<'a>(entry: &'a Entry, part: &Part, visit: &mut dyn FnMut(&Part, &'a Misfits, &'a Extra)) {
-    if !entry.misfits.is_empty() || !entry.extra.is_empty() {
-        visit(part, &entry.misfits, &entry.extra);
+fn visit_entry<'a>(
+    entry: &'a Entry,
+    part: &Part,
+    visit: &mut dyn FnMut(&Part, &'a InvalidValues, &'a Extra),
+) {
+    if !entry.invalid_values.is_empty() || !entry.extra.is_empty() {
+        visit(part, &entry.invalid_values, &entry.extra);
     }
 }

@@ -4,7 +4,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::serial::{HexText, unique_keys};
-use super::{ClockTime, DataType, Date, Entry, Extra, Field, Misfit, Misfits, Subs};
+use super::{ClockTime, DataType, Date, Entry, Extra, Field, InvalidValue, InvalidValues, Subs};
 
 /// Keys such as `0x0A`: a text, for JSON has no other keys.
 impl Serialize for Subs {
@@ -67,10 +67,10 @@ impl<'de> Deserialize<'de> for Extra {
     }
 }
 
-impl<'de> Deserialize<'de> for Misfits {
+impl<'de> Deserialize<'de> for InvalidValues {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let misfits = Vec::<Misfit>::deserialize(deserializer)?;
-        Ok(misfits.into_iter().collect())
+        let invalid_values = Vec::<InvalidValue>::deserialize(deserializer)?;
+        Ok(invalid_values.into_iter().collect())
     }
 }
 

@@ -7,7 +7,7 @@ use super::{DataType, TypeKind};
 /// A value of an entry: a default, a limit, or what a DCF configures.
 ///
 /// The variant follows from the entry's data type. A text that is no value of its type is not here but among the
-/// [`Misfits`](super::Misfits) of the entry.
+/// [`InvalidValues`](super::InvalidValues) of the entry.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]

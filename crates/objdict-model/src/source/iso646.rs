@@ -1,7 +1,7 @@
 //! ISO 646, the 7-bit characters that CiA 306-1 §4.2 allows, and transliterations of other characters.
 
 /// The ISO 646 transliteration of a character; `None` if there is none.
-pub const fn stand_in(c: char) -> Option<&'static str> {
+pub const fn transliterate(c: char) -> Option<&'static str> {
     Some(match c {
         'ä' => "ae",
         'ö' => "oe",

@@ -18,7 +18,7 @@ pub use encoding::{Encoding, Unencodable, UnknownEncoding};
 pub use folder::{Folder, FolderError};
 pub use hash::Fnv;
 pub use hash::hash;
-pub use iso646::stand_in;
+pub use iso646::transliterate;
 pub use line_index::{LineColumn, LineIndex};
 pub use span::Span;
 

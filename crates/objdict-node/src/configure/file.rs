@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told() {
+    fn every_error_has_a_message() {
         let error = |text: &str| SettingsFile::parse(text).unwrap_err().to_string();
         assert!(error("nodeid = 5").contains("unknown field `nodeid`"));
         let settings = error("[map]\npdo1 = []\n[heartbeat-consumer]\n0 = 5");

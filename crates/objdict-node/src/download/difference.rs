@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn another_order_is_told() {
+    fn another_order_is_reported() {
         let forth = of(&[(0x1017, 0, &[5]), (0x2000, 0, &[7])]);
         let back = of(&[(0x2000, 0, &[7]), (0x1017, 0, &[5])]);
         let differences = forth.differences(&back);

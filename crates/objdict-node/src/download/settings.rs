@@ -226,7 +226,7 @@ fn skip_reason(index: u16, object: &Object, entry: &Entry, options: &PlanOptions
 
 /// Whether the description says what the entry shall be, whether it is legal or not.
 fn is_configured(entry: &Entry) -> bool {
-    entry.configured_value().is_some() || entry.misfits.get(&Field::ParameterValue).is_some()
+    entry.configured_value().is_some() || entry.invalid_values.get(&Field::ParameterValue).is_some()
 }
 
 /// The text of the value that the entry shall have, where it is not one of its data type.
@@ -234,8 +234,8 @@ fn unreadable_value(entry: &Entry) -> Option<&str> {
     if entry.configured_value().is_some() {
         return None;
     }
-    let misfit = |field| entry.misfits.get(&field).map(|misfit| &*misfit.text);
-    misfit(Field::ParameterValue).or_else(|| misfit(Field::DefaultValue))
+    let invalid = |field| entry.invalid_values.get(&field).map(|invalid| &*invalid.text);
+    invalid(Field::ParameterValue).or_else(|| invalid(Field::DefaultValue))
 }
 
 /// The name of the file with the data of the entry.

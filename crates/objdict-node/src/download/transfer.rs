@@ -34,12 +34,12 @@ impl EntryType {
     pub(super) fn bytes(self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
         let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.stated };
         let data_type = self.transferred.ok_or_else(unknown)?;
-        let misfit = || ProblemKind::NotOfType { value: value.clone(), data_type };
+        let invalid = || ProblemKind::NotOfType { value: value.clone(), data_type };
         let typed = match (value, node_id) {
             (Value::Raw(text), _) => Cow::Owned(number_of_own_type(text, data_type).ok_or_else(unknown)?),
             (Value::NodeId(_), None) => return Err(ProblemKind::NeedsNodeId(value.clone())),
             (Value::NodeId(_), Some(node_id)) => {
-                Cow::Owned(value.resolve(data_type, node_id).ok_or_else(misfit)?)
+                Cow::Owned(value.resolve(data_type, node_id).ok_or_else(invalid)?)
             }
             _ => Cow::Borrowed(value),
         };
@@ -47,7 +47,7 @@ impl EntryType {
         let fits = typed
             .as_integer()
             .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&*typed));
-        typed.to_bytes(data_type).filter(|_| fits).ok_or_else(misfit)
+        typed.to_bytes(data_type).filter(|_| fits).ok_or_else(invalid)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Profiles from TOML. The form is the same for the documents that come with the program and for those of a house;
+//! Profiles from TOML. The form is the same for the documents that come with the program and for custom ones;
 //! `docs/profiles.md` describes it.
 
 mod fields;
@@ -49,7 +49,7 @@ fn meant(message: &str) -> Option<&str> {
 }
 
 impl Profile {
-    /// The profile that a TOML text describes, for rules of the group `house`.
+    /// The profile that a TOML text describes, for rules of the group `custom`.
     ///
     /// # Errors
     /// When the text is no TOML, has a key that profiles do not have, or a value that is none of its key.
@@ -70,7 +70,7 @@ impl Profile {
             return Err(ProfileError::new(message, Some(*at)));
         }
         Ok(Self {
-            group: "house",
+            group: "custom",
             document: file.document.into(),
             title: file.title.into(),
             version: file.version.map(Into::into),
@@ -367,7 +367,7 @@ entries = [
 ]
 "#;
         let profile = Profile::from_toml(&format!("{HEAD}{text}")).unwrap();
-        assert_eq!(profile.group, "house");
+        assert_eq!(profile.group, "custom");
         let phase = profile.object(0x2007).unwrap();
         assert_eq!((phase.need, phase.object_type()), (Need::Mandatory, ObjectType::Record));
         let state = phase.entry(2).unwrap();

@@ -8,8 +8,8 @@ use super::schema::{self, At, Attribute, Kind};
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, ClockTime, Commissioning, DataType, Date, DeviceClass, DeviceInfo, Entry, FileInfo, Misfits,
-    ObjFlags, ObjectType, PdoMapping, Reason, Value,
+    Access, ClockTime, Commissioning, DataType, Date, DeviceClass, DeviceInfo, Entry, FileInfo,
+    InvalidValues, ObjFlags, ObjectType, PdoMapping, Reason, Value,
 };
 use crate::source::Span;
 use crate::xml::{self, Element, Name, n};
@@ -26,21 +26,21 @@ pub(crate) struct Text<'a> {
 /// A part with facts.
 pub(crate) trait Facts: Any {
     /// What is no value of its field.
-    fn misfits(&self) -> &Misfits;
+    fn invalid_values(&self) -> &InvalidValues;
 
     /// The same, for reading.
-    fn misfits_mut(&mut self) -> &mut Misfits;
+    fn invalid_values_mut(&mut self) -> &mut InvalidValues;
 }
 
 macro_rules! facts {
     ($($Part:ty),+) => {$(
         impl Facts for $Part {
-            fn misfits(&self) -> &Misfits {
-                &self.misfits
+            fn invalid_values(&self) -> &InvalidValues {
+                &self.invalid_values
             }
 
-            fn misfits_mut(&mut self) -> &mut Misfits {
-                &mut self.misfits
+            fn invalid_values_mut(&mut self) -> &mut InvalidValues {
+                &mut self.invalid_values
             }
         }
     )+};
@@ -71,7 +71,7 @@ pub(crate) fn take(
         && let Err(reason) = fact.take(text, known, findings)
         && let Some(field) = known.field()
     {
-        part.misfits_mut().push(field, &text.text, reason);
+        part.invalid_values_mut().push(field, &text.text, reason);
     }
     true
 }
@@ -80,11 +80,11 @@ pub(crate) fn take(
 pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
     let At::Fact(at) = known.at else { return None };
     let value = || (at.lens.get)(part).and_then(|fact| fact.text(known));
-    let misfit = || Some(part.misfits().get(&known.field()?)?.text.to_string());
+    let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
     match known.name {
         // the revision of an EDS, and the type that the parameter tells, may stand beside what is no value
-        n::fileVersion | n::dataType => misfit().or_else(value),
-        _ => value().or_else(misfit),
+        n::fileVersion | n::dataType => invalid().or_else(value),
+        _ => value().or_else(invalid),
     }
 }
 
@@ -397,7 +397,7 @@ mod tests {
         let mut info = FileInfo { file_revision: Some(0), ..FileInfo::default() };
         let known = schema::DEVICE_BODY.attribute_of(&Field::FileVersion).unwrap();
         assert_eq!(text(&info, known).as_deref(), Some(".0"));
-        info.misfits.push(Field::FileVersion, "3.0", Reason::NotANumber);
+        info.invalid_values.push(Field::FileVersion, "3.0", Reason::NotANumber);
         assert_eq!(text(&info, known).as_deref(), Some("3.0"));
     }
 }

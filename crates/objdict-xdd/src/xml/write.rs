@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_stand_in_each_other() {
+    fn elements_nest() {
         let mut writer = XmlWriter::new();
         writer.open("a", &[("b", "1")]);
         writer.empty("c", &[]);
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_in_xml_is_told() {
+    fn what_has_no_place_in_xml_is_reported() {
         let mut writer = XmlWriter::new();
         writer.text_element("1 a", &[("b>", "\0")], "\u{1F}");
         let replaced: Vec<char> = writer.replaced().iter().map(|replaced| replaced.character).collect();

@@ -62,7 +62,7 @@ fn served<const N: usize>(od: ObjectDictionary<N>, node_id: u8) -> Box<dyn Serve
 
 /// What becomes of the entries of a device.
 #[derive(Default)]
-struct Fates {
+struct Outcomes {
     same: usize,
     left_out: Vec<(u16, u8)>,
     octets: Vec<(u16, u8)>,
@@ -74,10 +74,10 @@ fn bytes(value: Value) -> Vec<u8> {
     buffer[..length].to_vec()
 }
 
-fn compare(name: &str, row: &Row, node: &mut dyn Served, fates: &mut Fates) {
+fn compare(name: &str, row: &Row, node: &mut dyn Served, outcomes: &mut Outcomes) {
     let at = (row.index, row.sub);
     let Some(entry) = node.entry(row.index, row.sub) else {
-        fates.left_out.push(at);
+        outcomes.left_out.push(at);
         return;
     };
     assert_eq!(bytes(entry.value), row.default.clone().unwrap(), "{name}: {row}");
@@ -85,10 +85,10 @@ fn compare(name: &str, row: &Row, node: &mut dyn Served, fates: &mut Fates) {
     assert_eq!(access, (row.read, row.write), "{name}: {row}");
     let data_type = entry.value.data_type();
     if row.data_type == Some(data_type.index()) {
-        fates.same += 1;
+        outcomes.same += 1;
     } else {
         assert_eq!(data_type, DataType::OctetString, "{name}: {row}");
-        fates.octets.push(at);
+        outcomes.octets.push(at);
     }
     let uploaded = node.upload(row.index, row.sub, data_type);
     match (row.read, entry.value) {
@@ -107,18 +107,22 @@ fn every_entry_is_read_back_or_has_its_note() {
         let notes = generated(device, "canopen-rs").notes;
         for node_id in [1, 5, 127] {
             let mut node = make(node_id);
-            let mut fates = Fates::default();
+            let mut outcomes = Outcomes::default();
             let rows = truth(device, node_id);
-            rows.iter().for_each(|row| compare(name, row, node.as_mut(), &mut fates));
+            rows.iter().for_each(|row| compare(name, row, node.as_mut(), &mut outcomes));
             assert_eq!(
                 node.capacity(),
-                rows.len() - fates.left_out.len(),
+                rows.len() - outcomes.left_out.len(),
                 "{name}: entries that nobody described"
             );
             assert!(node.refuses_more(), "{name}");
-            assert_eq!(counted(&fates.left_out), noted(&notes, "is omitted: the crate supports"), "{name}");
-            assert_eq!(counted(&fates.octets), noted(&notes, "stored as an octet string"), "{name}");
-            same += fates.same;
+            assert_eq!(
+                counted(&outcomes.left_out),
+                noted(&notes, "is omitted: the crate supports"),
+                "{name}"
+            );
+            assert_eq!(counted(&outcomes.octets), noted(&notes, "stored as an octet string"), "{name}");
+            same += outcomes.same;
         }
     }
     assert!(same > 3000, "only {same} entries were compared");

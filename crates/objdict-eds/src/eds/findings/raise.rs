@@ -41,7 +41,7 @@ fn remove_line(item: &Item<'_>, same: bool) -> Fix {
 
 /// How a section relates to an earlier one of the same name.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::eds) enum Twin {
+pub(in crate::eds) enum DuplicateKind {
     /// Both are merged.
     Joined,
     /// The second one is equal and not read.
@@ -51,17 +51,22 @@ pub(in crate::eds) enum Twin {
 }
 
 /// Reports a repeated section; `first` is the place of the earlier one in the model.
-pub(in crate::eds) fn duplicate_section(name: &str, at: Span, first: Place, twin: Twin) -> Diagnostic {
-    let read = if twin == Twin::Joined { "both are read" } else { "the first one is read" };
+pub(in crate::eds) fn duplicate_section(
+    name: &str,
+    at: Span,
+    first: Place,
+    kind: DuplicateKind,
+) -> Diagnostic {
+    let read = if kind == DuplicateKind::Joined { "both are read" } else { "the first one is read" };
     let finding =
         Diagnostic::new(&DUPLICATE_SECTION, at, say!("section `[{}]` is defined twice; {}", name, read))
             .label(first, "first here")
             .help("remove one of the two sections");
     let title = "remove the second, unread section";
-    match twin {
-        Twin::Joined => finding,
-        Twin::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))),
-        Twin::Other => finding.fix(Fix::risky(title).with(Change::RemoveSection(at))),
+    match kind {
+        DuplicateKind::Joined => finding,
+        DuplicateKind::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))),
+        DuplicateKind::Other => finding.fix(Fix::risky(title).with(Change::RemoveSection(at))),
     }
 }
 

@@ -118,7 +118,7 @@ impl Together {
         }
     }
 
-    fn mend(&mut self, at: Span, text: impl Into<String>) {
+    fn fix(&mut self, at: Span, text: impl Into<String>) {
         self.edits.push((at, text.into()));
     }
 

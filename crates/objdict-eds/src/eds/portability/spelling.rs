@@ -49,7 +49,7 @@ impl Spellings {
             let at = section.header.name;
             self.sections
                 .add(at, || say!("`[{}]` is spelled `[{}]` in the standard", section.name, standard));
-            self.sections.mend(at, standard);
+            self.sections.fix(at, standard);
         }
     }
 
@@ -64,7 +64,7 @@ impl Spellings {
         };
         if standard != line.name {
             self.keys.add(line.name_at, || say!("`{}` is spelled `{}` in the standard", line.name, standard));
-            self.keys.mend(line.name_at, standard);
+            self.keys.fix(line.name_at, standard);
         }
     }
 
@@ -82,7 +82,7 @@ impl Spellings {
         };
         let together = &mut self.empty[number];
         together.add(line.name_at, || say!("`{}` has no value", line.name));
-        together.mend(whole_line(section.text, line), "");
+        together.fix(whole_line(section.text, line), "");
     }
 }
 

@@ -108,7 +108,7 @@ pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
                     let start = at.start - (shown.len() - shown.trim_start_matches(';').len()) as u32;
                     let span = Span::new(start, start + shown.len() as u32);
                     together.add(span, || say!("keys follow the commented header `{}`", shown.trim_end()));
-                    together.mend(at, " ");
+                    together.fix(at, " ");
                 }
             }
             LineKind::Blank | LineKind::Junk => {}

@@ -5,7 +5,7 @@ use super::{Item, Items, Reader};
 use crate::eds::findings;
 use crate::ini;
 use crate::literal::{self, Quirks};
-use crate::model::{Compact, DataType, Extra, Field, Misfits, Part, Value};
+use crate::model::{Compact, DataType, Extra, Field, InvalidValues, Part, Value};
 
 /// A section that can only be read when its object is known, which may stand further down.
 pub(super) struct PendingCompact {
@@ -68,7 +68,7 @@ fn read_compact(items: &mut Items<'_>, part: &Part, data_type: Option<DataType>,
             Part::CompactNames(_) => compact.names.push((sub, items.text(item).into())),
             Part::CompactDenotations(_) => compact.denotations.push((sub, items.text(item).into())),
             _ => {
-                if let Some(value) = compact_value(items, item, data_type, &mut compact.misfits) {
+                if let Some(value) = compact_value(items, item, data_type, &mut compact.invalid_values) {
                     compact.values.push((sub, value));
                 }
             }
@@ -84,7 +84,7 @@ fn compact_value(
     items: &mut Items<'_>,
     item: &Item<'_>,
     data_type: Option<DataType>,
-    misfits: &mut Misfits,
+    invalid_values: &mut InvalidValues,
 ) -> Option<Value> {
     if item.value.is_empty() {
         return None;
@@ -94,5 +94,5 @@ fn compact_value(
     if let Ok(value) = &value {
         findings::quirks(item, quirks, Some(value), items.findings);
     }
-    value.map_err(|reason| misfits.push(item.to_field(), item.value, reason)).ok()
+    value.map_err(|reason| invalid_values.push(item.to_field(), item.value, reason)).ok()
 }

@@ -4,7 +4,7 @@ use super::lists::check_count;
 use super::modules::index_range;
 use super::{Items, Reader};
 use crate::ini;
-use crate::model::{DataType, DynamicChannels, Extra, Field, Misfits, Segment, ToolCommand};
+use crate::model::{DataType, DynamicChannels, Extra, Field, InvalidValues, Segment, ToolCommand};
 
 /// So many segments are read; a device has a handful. A larger number in a key is a key that is not known.
 const MAX_SEGMENTS: usize = 1024;
@@ -28,12 +28,13 @@ impl Reader<'_> {
             let segment = &mut channels.segments[number - 1];
             match word {
                 SegmentKey::Type => {
-                    segment.data_type = items.integer(item, (0, 0xFFFF), &mut channels.misfits).map(DataType);
+                    segment.data_type =
+                        items.integer(item, (0, 0xFFFF), &mut channels.invalid_values).map(DataType);
                 }
                 SegmentKey::Direction => segment.direction = Some(item.value.into()),
                 SegmentKey::Range => match index_range(item.value) {
                     Ok(range) => segment.range = Some(range),
-                    Err(reason) => channels.misfits.push(item.to_field(), item.value, reason),
+                    Err(reason) => channels.invalid_values.push(item.to_field(), item.value, reason),
                 },
                 SegmentKey::Offset => segment.offset = Some(item.value.into()),
             }
@@ -45,15 +46,15 @@ impl Reader<'_> {
     pub(super) fn tools(&mut self, section: &ini::Section) {
         let mut extra = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
-        let mut misfits = Misfits::default();
+        let mut invalid_values = InvalidValues::default();
         items.each(|items, item| match item.field() {
             Some(Field::Items) => {
-                let _: Option<u32> = items.integer(item, (0, u64::from(u32::MAX)), &mut misfits);
+                let _: Option<u32> = items.integer(item, (0, u64::from(u32::MAX)), &mut invalid_values);
             }
             _ => items.unknown(item, &mut extra),
         });
-        for misfit in misfits.iter() {
-            extra.push(&misfit.field.name(), &misfit.text);
+        for invalid in invalid_values.iter() {
+            extra.push(&invalid.field.name(), &invalid.text);
         }
         self.keep("Tools", &extra);
     }

@@ -3,7 +3,8 @@
 use super::{Item, Items, Reader};
 use crate::ini;
 use crate::model::{
-    ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, Misfits, Reason,
+    ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, InvalidValues,
+    Reason,
 };
 
 const U8: (i64, u64) = (0, u8::MAX as u64);
@@ -19,15 +20,19 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match item.field() {
             Some(Field::FileName) => info.file_name = Some(items.text(item).to_owned()),
-            Some(Field::FileVersion) => info.file_version = items.integer(item, U8, &mut info.misfits),
-            Some(Field::FileRevision) => info.file_revision = items.integer(item, U8, &mut info.misfits),
+            Some(Field::FileVersion) => info.file_version = items.integer(item, U8, &mut info.invalid_values),
+            Some(Field::FileRevision) => {
+                info.file_revision = items.integer(item, U8, &mut info.invalid_values);
+            }
             Some(Field::EdsVersion) => info.eds_version = Some(items.text(item).to_owned()),
             Some(Field::Description) => info.description = Some(items.text(item).to_owned()),
-            Some(Field::CreationTime) => info.creation_time = clock_time(item, &mut info.misfits),
-            Some(Field::CreationDate) => info.creation_date = date(item, &mut info.misfits),
+            Some(Field::CreationTime) => info.creation_time = clock_time(item, &mut info.invalid_values),
+            Some(Field::CreationDate) => info.creation_date = date(item, &mut info.invalid_values),
             Some(Field::CreatedBy) => info.created_by = Some(items.text(item).to_owned()),
-            Some(Field::ModificationTime) => info.modification_time = clock_time(item, &mut info.misfits),
-            Some(Field::ModificationDate) => info.modification_date = date(item, &mut info.misfits),
+            Some(Field::ModificationTime) => {
+                info.modification_time = clock_time(item, &mut info.invalid_values);
+            }
+            Some(Field::ModificationDate) => info.modification_date = date(item, &mut info.invalid_values),
             Some(Field::ModifiedBy) => info.modified_by = Some(items.text(item).to_owned()),
             Some(Field::LastEds) => info.last_eds = Some(items.text(item).to_owned()),
             _ => items.unknown(item, &mut info.extra),
@@ -47,7 +52,7 @@ impl Reader<'_> {
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match dummy_type(item.name) {
             Some(data_type) => {
-                if let Some(allowed) = items.boolean(item, &mut usage.misfits) {
+                if let Some(allowed) = items.boolean(item, &mut usage.invalid_values) {
                     usage.types.insert(data_type, allowed);
                 }
             }
@@ -68,16 +73,16 @@ impl Reader<'_> {
         let mut node = Commissioning::default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match item.field() {
-            Some(Field::NodeId) => node.node_id = items.integer(item, U8, &mut node.misfits),
+            Some(Field::NodeId) => node.node_id = items.integer(item, U8, &mut node.invalid_values),
             Some(Field::NodeName) => node.node_name = Some(items.text(item).to_owned()),
             Some(Field::NodeRefd) => node.node_reference_designator = Some(items.text(item).to_owned()),
-            Some(Field::Baudrate) => node.baud_rate = items.integer(item, U16, &mut node.misfits),
-            Some(Field::NetNumber) => node.net_number = items.integer(item, U32, &mut node.misfits),
+            Some(Field::Baudrate) => node.baud_rate = items.integer(item, U16, &mut node.invalid_values),
+            Some(Field::NetNumber) => node.net_number = items.integer(item, U32, &mut node.invalid_values),
             Some(Field::NetworkName) => node.network_name = Some(items.text(item).to_owned()),
             Some(Field::NetRefd) => node.net_reference_designator = Some(items.text(item).to_owned()),
-            Some(Field::CanOpenManager) => node.manager = items.boolean(item, &mut node.misfits),
+            Some(Field::CanOpenManager) => node.manager = items.boolean(item, &mut node.invalid_values),
             Some(Field::LssSerialNumber) => {
-                node.lss_serial_number = items.integer(item, U32, &mut node.misfits);
+                node.lss_serial_number = items.integer(item, U32, &mut node.invalid_values);
             }
             _ => items.unknown(item, &mut node.extra),
         });
@@ -86,36 +91,36 @@ impl Reader<'_> {
 }
 
 fn device_info_item<'a>(info: &mut DeviceInfo, items: &mut Items<'a>, item: &Item<'a>) {
-    let misfits = &mut info.misfits;
+    let invalid_values = &mut info.invalid_values;
     let rates = &mut info.baud_rates;
     match item.field() {
         Some(Field::VendorName) => info.vendor_name = Some(items.text(item).to_owned()),
-        Some(Field::VendorNumber) => info.vendor_number = items.integer(item, U32, misfits),
+        Some(Field::VendorNumber) => info.vendor_number = items.integer(item, U32, invalid_values),
         Some(Field::ProductName) => info.product_name = Some(items.text(item).to_owned()),
-        Some(Field::ProductNumber) => info.product_number = items.integer(item, U32, misfits),
-        Some(Field::RevisionNumber) => info.revision_number = items.integer(item, U32, misfits),
+        Some(Field::ProductNumber) => info.product_number = items.integer(item, U32, invalid_values),
+        Some(Field::RevisionNumber) => info.revision_number = items.integer(item, U32, invalid_values),
         Some(Field::OrderCode) => info.order_code = Some(items.text(item).to_owned()),
-        Some(Field::BaudRate10) => rates.kbit_10 = items.boolean(item, misfits),
-        Some(Field::BaudRate20) => rates.kbit_20 = items.boolean(item, misfits),
-        Some(Field::BaudRate50) => rates.kbit_50 = items.boolean(item, misfits),
-        Some(Field::BaudRate125) => rates.kbit_125 = items.boolean(item, misfits),
-        Some(Field::BaudRate250) => rates.kbit_250 = items.boolean(item, misfits),
-        Some(Field::BaudRate500) => rates.kbit_500 = items.boolean(item, misfits),
-        Some(Field::BaudRate800) => rates.kbit_800 = items.boolean(item, misfits),
-        Some(Field::BaudRate1000) => rates.kbit_1000 = items.boolean(item, misfits),
-        Some(Field::BaudRateAuto) => rates.auto = items.boolean(item, misfits),
-        Some(Field::SimpleBootUpMaster) => info.simple_boot_up_master = items.boolean(item, misfits),
-        Some(Field::SimpleBootUpSlave) => info.simple_boot_up_slave = items.boolean(item, misfits),
-        Some(Field::Granularity) => info.granularity = items.integer(item, GRANULARITY, misfits),
+        Some(Field::BaudRate10) => rates.kbit_10 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate20) => rates.kbit_20 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate50) => rates.kbit_50 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate125) => rates.kbit_125 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate250) => rates.kbit_250 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate500) => rates.kbit_500 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate800) => rates.kbit_800 = items.boolean(item, invalid_values),
+        Some(Field::BaudRate1000) => rates.kbit_1000 = items.boolean(item, invalid_values),
+        Some(Field::BaudRateAuto) => rates.auto = items.boolean(item, invalid_values),
+        Some(Field::SimpleBootUpMaster) => info.simple_boot_up_master = items.boolean(item, invalid_values),
+        Some(Field::SimpleBootUpSlave) => info.simple_boot_up_slave = items.boolean(item, invalid_values),
+        Some(Field::Granularity) => info.granularity = items.integer(item, GRANULARITY, invalid_values),
         Some(Field::DynamicChannelsSupported) => {
-            info.dynamic_channels_supported = items.integer(item, U8, misfits);
+            info.dynamic_channels_supported = items.integer(item, U8, invalid_values);
         }
-        Some(Field::GroupMessaging) => info.group_messaging = items.boolean(item, misfits),
-        Some(Field::NrOfRxPdo) => info.rpdo_count = items.integer(item, PDO_COUNT, misfits),
-        Some(Field::NrOfTxPdo) => info.tpdo_count = items.integer(item, PDO_COUNT, misfits),
-        Some(Field::LssSupported) => info.lss_supported = items.boolean(item, misfits),
-        Some(Field::CompactPdo) => info.compact_pdo = items.integer(item, U8, misfits),
-        Some(Field::CanOpenSafetySupported) => info.safety_supported = items.boolean(item, misfits),
+        Some(Field::GroupMessaging) => info.group_messaging = items.boolean(item, invalid_values),
+        Some(Field::NrOfRxPdo) => info.rpdo_count = items.integer(item, PDO_COUNT, invalid_values),
+        Some(Field::NrOfTxPdo) => info.tpdo_count = items.integer(item, PDO_COUNT, invalid_values),
+        Some(Field::LssSupported) => info.lss_supported = items.boolean(item, invalid_values),
+        Some(Field::CompactPdo) => info.compact_pdo = items.integer(item, U8, invalid_values),
+        Some(Field::CanOpenSafetySupported) => info.safety_supported = items.boolean(item, invalid_values),
         _ if DeviceInfo::is_reserved(item.name) => info.extra.push(item.name, item.value),
         _ => items.unknown(item, &mut info.extra),
     }
@@ -147,18 +152,18 @@ pub(super) fn comment_lines(items: &mut Items<'_>, extra: &mut Extra) -> Vec<Str
 }
 
 /// `mm-dd-yyyy`.
-fn date(item: &Item<'_>, misfits: &mut Misfits) -> Option<Date> {
+fn date(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<Date> {
     let parse = || {
         let mut parts = item.value.split('-').map(digits);
         let (month, day, year) = (parts.next()??, parts.next()??, parts.next()??);
         let complete = parts.next().is_none() && item.value.len() == 10;
         Date::new(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).filter(|_| complete)
     };
-    or_misfit(item, parse(), Reason::NotADate, misfits)
+    or_invalid(item, parse(), Reason::NotADate, invalid_values)
 }
 
 /// `hh:mmAM`, twelve hours.
-fn clock_time(item: &Item<'_>, misfits: &mut Misfits) -> Option<ClockTime> {
+fn clock_time(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<ClockTime> {
     let parse = || {
         let time = Some(item.value).filter(|text| text.len() == 7 && text.is_ascii())?;
         let (hour, minute) = (digits(&time[..2])?, digits(&time[3..5])?);
@@ -171,7 +176,7 @@ fn clock_time(item: &Item<'_>, misfits: &mut Misfits) -> Option<ClockTime> {
         ClockTime::new(u8::try_from(hour % 12 + afternoon).ok()?, u8::try_from(minute).ok()?)
             .filter(|_| valid)
     };
-    or_misfit(item, parse(), Reason::NotAClockTime, misfits)
+    or_invalid(item, parse(), Reason::NotAClockTime, invalid_values)
 }
 
 fn digits(text: &str) -> Option<u16> {
@@ -179,9 +184,14 @@ fn digits(text: &str) -> Option<u16> {
     if only_digits { text.parse().ok() } else { None }
 }
 
-fn or_misfit<T>(item: &Item<'_>, value: Option<T>, reason: Reason, misfits: &mut Misfits) -> Option<T> {
+fn or_invalid<T>(
+    item: &Item<'_>,
+    value: Option<T>,
+    reason: Reason,
+    invalid_values: &mut InvalidValues,
+) -> Option<T> {
     if value.is_none() && !item.value.is_empty() {
-        misfits.push(item.to_field(), item.value, reason);
+        invalid_values.push(item.to_field(), item.value, reason);
     }
     value
 }

@@ -10,7 +10,7 @@ use crate::eds::section::SectionName;
 use crate::eds::{findings, misspelt};
 use crate::ini;
 use crate::literal::{self, Quirks};
-use crate::model::{Extra, Field, Misfits, Part, Reason};
+use crate::model::{Extra, Field, InvalidValues, Part, Reason};
 use crate::source::Span;
 
 /// A key with its value.
@@ -150,11 +150,11 @@ impl<'a> Items<'a> {
         &mut self,
         item: &Item<'a>,
         (low, high): (i64, u64),
-        misfits: &mut Misfits,
+        invalid_values: &mut InvalidValues,
     ) -> Option<T> {
         match literal::small_number(item.value.as_bytes()) {
             Some(number) if low <= i64::from(number) && u64::from(number) <= high => T::try_from(number).ok(),
-            _ => self.any_integer(item, (low, high), misfits),
+            _ => self.any_integer(item, (low, high), invalid_values),
         }
     }
 
@@ -162,7 +162,7 @@ impl<'a> Items<'a> {
         &mut self,
         item: &Item<'a>,
         range: (i64, u64),
-        misfits: &mut Misfits,
+        invalid_values: &mut InvalidValues,
     ) -> Option<T> {
         if item.value.is_empty() {
             return None;
@@ -177,7 +177,7 @@ impl<'a> Items<'a> {
                 T::try_from(number).ok()
             }
             Err(reason) => {
-                misfits.push(item.to_field(), item.value, reason);
+                invalid_values.push(item.to_field(), item.value, reason);
                 None
             }
         }
@@ -193,8 +193,8 @@ impl<'a> Items<'a> {
     }
 
     /// 0 or 1.
-    pub(crate) fn boolean(&mut self, item: &Item<'a>, misfits: &mut Misfits) -> Option<bool> {
-        self.integer::<u8>(item, (0, 1), misfits).map(|number| number == 1)
+    pub(crate) fn boolean(&mut self, item: &Item<'a>, invalid_values: &mut InvalidValues) -> Option<bool> {
+        self.integer::<u8>(item, (0, 1), invalid_values).map(|number| number == 1)
     }
 
     /// A word out of a list; what `find` does not know becomes a misfit.
@@ -202,7 +202,7 @@ impl<'a> Items<'a> {
         &mut self,
         item: &Item<'a>,
         find: impl Fn(&str) -> Option<T>,
-        misfits: &mut Misfits,
+        invalid_values: &mut InvalidValues,
     ) -> Option<T> {
         if item.value.is_empty() {
             return None;
@@ -214,7 +214,7 @@ impl<'a> Items<'a> {
         let word = find(literal::strip_comment(item.value, &mut quirks));
         match word {
             Some(_) => findings::quirks(item, quirks, None, self.findings),
-            None => misfits.push(item.to_field(), item.value, Reason::UnknownWord),
+            None => invalid_values.push(item.to_field(), item.value, Reason::UnknownWord),
         }
         word
     }

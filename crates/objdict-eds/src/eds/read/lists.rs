@@ -63,7 +63,7 @@ pub(super) fn numbered<'a, T>(
     let mut expected = 1;
     // the entries behind the first wrong one are wrong for the same cause
     let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
-    let can_be_mended = items.len() <= MAX_FIX_LINES;
+    let can_be_fixed = items.len() <= MAX_FIX_LINES;
     let mut entries = 0;
     let mut list = Vec::new();
     items.each(|items, item| {
@@ -77,7 +77,7 @@ pub(super) fn numbered<'a, T>(
         if item.number() != Some(expected) {
             let first = || (*item, expected, Fix::safe("number the entries 1, 2, 3 …"));
             let (first, number, fix) = wrong.take().unwrap_or_else(first);
-            let fix = if can_be_mended { fix.replace(item.name_at, expected.to_string()) } else { fix };
+            let fix = if can_be_fixed { fix.replace(item.name_at, expected.to_string()) } else { fix };
             wrong = Some((first, number, fix));
         }
         expected += 1;

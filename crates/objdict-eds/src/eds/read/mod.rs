@@ -15,11 +15,11 @@ use std::hash::{BuildHasher, RandomState};
 use self::compact::PendingCompact;
 use self::dictionary::Dictionary;
 pub(crate) use self::items::{Item, Items};
-use super::findings::{self, Twin};
+use super::findings::{self, DuplicateKind};
 use super::section::{SectionName, Spelling};
 use crate::diagnostic::Findings;
 use crate::ini::{self, Document};
-use crate::model::CARRIED_SECTION;
+use crate::model::EMBEDDED_SECTION;
 use crate::model::{Device, DeviceKind, Extra, ExtraSection, Part, Place};
 use crate::source::Span;
 
@@ -95,8 +95,8 @@ impl<'a> Reader<'a> {
         let is_list = matches!(part, Part::List(_));
         if !self.seen.insert(part.clone()) {
             let (name, at) = self.header_of(section);
-            let twin = if is_list { Twin::Joined } else { Twin::Other };
-            self.findings.push(findings::duplicate_section(name, at, Place::of(part.clone()), twin));
+            let kind = if is_list { DuplicateKind::Joined } else { DuplicateKind::Other };
+            self.findings.push(findings::duplicate_section(name, at, Place::of(part.clone()), kind));
             if !is_list {
                 return;
             }
@@ -145,13 +145,13 @@ impl<'a> Reader<'a> {
     fn unknown_section(&mut self, section: &ini::Section) {
         let (name, at) = self.header_of(section);
         let lower = name.to_ascii_lowercase();
-        if name == CARRIED_SECTION {
+        if name == EMBEDDED_SECTION {
             // not ours to know: the reader of carried data takes it
         } else if self.unknown.insert(self.hasher.hash_one(&lower)) {
             self.findings.push(findings::unknown_section(name, at));
         } else {
             let first = Place::of(Part::Section(lower.into()));
-            self.findings.push(findings::duplicate_section(name, at, first, Twin::Joined));
+            self.findings.push(findings::duplicate_section(name, at, first, DuplicateKind::Joined));
         }
         let mut entries = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);

@@ -20,7 +20,9 @@ impl Reader<'_> {
         let mut modules = self.device.modules.take().unwrap_or_default();
         let mut items = Items::new(self.text, section, &mut self.findings);
         items.each(|items, item| match item.field() {
-            Some(Field::NrOfEntries) => modules.declared = items.integer(item, U16, &mut modules.misfits),
+            Some(Field::NrOfEntries) => {
+                modules.declared = items.integer(item, U16, &mut modules.invalid_values);
+            }
             _ => items.unknown(item, &mut modules.extra),
         });
         self.device.modules = Some(modules);
@@ -28,10 +30,10 @@ impl Reader<'_> {
 
     pub(super) fn connected_modules(&mut self, section: &ini::Section) {
         let mut modules = self.device.modules.take().unwrap_or_default();
-        let misfits = &mut modules.misfits;
+        let invalid_values = &mut modules.invalid_values;
         let mut items = Items::new(self.text, section, &mut self.findings);
         let connected = numbered(&mut items, &Field::NrOfEntries, &mut modules.extra, |items, item, _| {
-            items.integer(item, U16, misfits)
+            items.integer(item, U16, invalid_values)
         });
         modules.connected = Some(connected);
         self.device.modules = Some(modules);
@@ -77,9 +79,11 @@ impl Reader<'_> {
 fn module_info(module: &mut Module, items: &mut Items<'_>) {
     items.each(|items, item| match item.field() {
         Some(Field::ProductName) => module.product_name = Some(items.text(item).to_owned()),
-        Some(Field::ProductVersion) => module.product_version = items.integer(item, U8, &mut module.misfits),
+        Some(Field::ProductVersion) => {
+            module.product_version = items.integer(item, U8, &mut module.invalid_values);
+        }
         Some(Field::ProductRevision) => {
-            module.product_revision = items.integer(item, U8, &mut module.misfits);
+            module.product_revision = items.integer(item, U8, &mut module.invalid_values);
         }
         Some(Field::OrderCode) => module.order_code = Some(items.text(item).to_owned()),
         _ => items.unknown(item, &mut module.extra),

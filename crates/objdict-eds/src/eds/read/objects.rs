@@ -1,11 +1,11 @@
 //! The sections of objects and sub-indexes.
 
 use super::{Item, Items, Reader};
-use crate::eds::findings::{self, Twin};
+use crate::eds::findings::{self, DuplicateKind};
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, Compact, Configured, DataType, Entry, ExtensionCount, Field, Misfits, ObjFlags, Object,
+    Access, Compact, Configured, DataType, Entry, ExtensionCount, Field, InvalidValues, ObjFlags, Object,
     ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
 };
 
@@ -59,8 +59,8 @@ impl Reader<'_> {
 
     fn duplicate_object(&mut self, section: &ini::Section, first: Place, is_equal: bool) {
         let (name, at) = self.header_of(section);
-        let twin = if is_equal { Twin::Equal } else { Twin::Other };
-        self.findings.push(findings::duplicate_section(name, at, first, twin));
+        let kind = if is_equal { DuplicateKind::Equal } else { DuplicateKind::Other };
+        self.findings.push(findings::duplicate_section(name, at, first, kind));
     }
 }
 
@@ -93,16 +93,16 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
         Some(Field::ParameterValue) => values.configured = Some(*item),
         Some(Field::ParameterName) => entry.name = items.text(item).into(),
         Some(Field::SubNumber) if kind == SectionKind::Object => {
-            read.sub_number = items.integer(item, (0, 255), &mut entry.misfits);
+            read.sub_number = items.integer(item, (0, 255), &mut entry.invalid_values);
         }
         Some(Field::CompactSubObj) if kind == SectionKind::Object => {
-            read.compact_count = compact_count(items, item, &mut entry.misfits);
+            read.compact_count = compact_count(items, item, &mut entry.invalid_values);
         }
         Some(Field::Count) if kind == SectionKind::Extension => {
-            read.count = extension_count(item, &mut entry.misfits);
+            read.count = extension_count(item, &mut entry.invalid_values);
         }
         Some(Field::ObjExtend) if kind == SectionKind::Extension => {
-            read.obj_extend = items.integer(item, (0, 255), &mut entry.misfits);
+            read.obj_extend = items.integer(item, (0, 255), &mut entry.invalid_values);
         }
         Some(field) => entry_item(entry, field, items, item),
         None => items.unknown(item, &mut entry.extra),
@@ -132,24 +132,28 @@ fn drop_empty(entry: &mut Entry) {
 }
 
 fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item: &Item<'a>) {
-    let misfits = &mut entry.misfits;
+    let invalid_values = &mut entry.invalid_values;
     match field {
-        Field::ObjectType => entry.object_type = object_type(items, item, misfits),
-        Field::DataType => entry.data_type = items.integer(item, (0, 0xFFFF), misfits).map(DataType),
-        Field::AccessType => entry.access = items.word(item, Access::from_name, misfits),
+        Field::ObjectType => entry.object_type = object_type(items, item, invalid_values),
+        Field::DataType => entry.data_type = items.integer(item, (0, 0xFFFF), invalid_values).map(DataType),
+        Field::AccessType => entry.access = items.word(item, Access::from_name, invalid_values),
         Field::PdoMapping => {
-            let mappable = items.boolean(item, misfits);
+            let mappable = items.boolean(item, invalid_values);
             entry.pdo_mapping = mappable.map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
         }
-        Field::ObjFlags => entry.flags = items.integer(item, (0, u64::from(u32::MAX)), misfits).map(ObjFlags),
+        Field::ObjFlags => {
+            entry.flags = items.integer(item, (0, u64::from(u32::MAX)), invalid_values).map(ObjFlags);
+        }
         Field::Denotation => entry.configured_mut().denotation = text(items, item),
         Field::UploadFile => entry.configured_mut().upload_file = text(items, item),
         Field::DownloadFile => entry.configured_mut().download_file = text(items, item),
         Field::ParamRefd => entry.configured_mut().reference_designator = text(items, item),
-        Field::SrdoMapping => entry.safety_mut().srdo_mapping = items.boolean(item, &mut entry.misfits),
+        Field::SrdoMapping => {
+            entry.safety_mut().srdo_mapping = items.boolean(item, &mut entry.invalid_values);
+        }
         Field::InvertedSrad => {
             entry.safety_mut().inverted_srad =
-                items.integer(item, (0, u64::from(u32::MAX)), &mut entry.misfits);
+                items.integer(item, (0, u64::from(u32::MAX)), &mut entry.invalid_values);
         }
         _ => items.unknown(item, &mut entry.extra),
     }
@@ -160,22 +164,30 @@ fn text<'a>(items: &mut Items<'a>, item: &Item<'a>) -> Option<Box<str>> {
     Some(items.text(item)).filter(|text| !text.is_empty()).map(Into::into)
 }
 
-fn object_type<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfits) -> Option<ObjectType> {
-    let code: u8 = items.integer(item, (0, 255), misfits)?;
+fn object_type<'a>(
+    items: &mut Items<'a>,
+    item: &Item<'a>,
+    invalid_values: &mut InvalidValues,
+) -> Option<ObjectType> {
+    let code: u8 = items.integer(item, (0, 255), invalid_values)?;
     let object_type = ObjectType::from_code(code);
     if object_type.is_none() {
-        misfits.push(Field::ObjectType, item.value, Reason::UnknownWord);
+        invalid_values.push(Field::ObjectType, item.value, Reason::UnknownWord);
     }
     object_type
 }
 
 /// 1 to 254; 0 means that the object is not stored compactly.
-fn compact_count<'a>(items: &mut Items<'a>, item: &Item<'a>, misfits: &mut Misfits) -> Option<u8> {
-    items.integer(item, (0, 254), misfits).filter(|&count| count > 0)
+fn compact_count<'a>(
+    items: &mut Items<'a>,
+    item: &Item<'a>,
+    invalid_values: &mut InvalidValues,
+) -> Option<u8> {
+    items.integer(item, (0, 254), invalid_values).filter(|&count| count > 0)
 }
 
 /// `n`, or `0;b`.
-fn extension_count(item: &Item<'_>, misfits: &mut Misfits) -> Option<ExtensionCount> {
+fn extension_count(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<ExtensionCount> {
     let integer = |text: &str| literal::integer(text.trim_ascii(), 0, 255, &mut Quirks::default()).ok();
     let number = |text| u8::try_from(integer(text)?).ok().filter(|&number| number > 0);
     let count = match item.value.split_once(';') {
@@ -184,7 +196,7 @@ fn extension_count(item: &Item<'_>, misfits: &mut Misfits) -> Option<ExtensionCo
         None => number(item.value).map(ExtensionCount::Subs),
     };
     if count.is_none() && !item.value.is_empty() {
-        misfits.push(Field::Count, item.value, Reason::Malformed);
+        invalid_values.push(Field::Count, item.value, Reason::Malformed);
     }
     count
 }
@@ -220,7 +232,7 @@ fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Opti
             Some(value)
         }
         Err(reason) => {
-            entry.misfits.push(item.to_field(), item.value, reason);
+            entry.invalid_values.push(item.to_field(), item.value, reason);
             None
         }
     }

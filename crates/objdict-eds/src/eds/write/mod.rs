@@ -4,22 +4,22 @@
 mod info;
 mod modules;
 mod objects;
-mod sheet;
+mod section_writer;
 
-use self::sheet::Sheet;
+use self::section_writer::SectionWriter;
 use crate::eds::Style;
 use crate::model::Device;
 
 /// The canonical text of a device in the encoding of the options. What the format or the encoding cannot carry is written
 /// as something near: whoever reads it back sees what was lost.
 pub fn write(device: &Device, options: &Style) -> Vec<u8> {
-    let mut sheet = Sheet::new(options, &device.extra);
+    let mut sections = SectionWriter::new(options, &device.extra);
     let writer = Writer { device };
-    writer.general(&mut sheet);
-    writer.modules(&mut sheet);
-    writer.objects(&mut sheet);
-    sheet.rest(&device.extra);
-    let text = sheet.finish();
+    writer.general(&mut sections);
+    writer.modules(&mut sections);
+    writer.objects(&mut sections);
+    sections.rest(&device.extra);
+    let text = sections.finish();
     let bytes = options.encoding.and_then(|encoding| encoding.encode(&text).ok());
     bytes.unwrap_or(text.into_bytes())
 }

@@ -3,61 +3,61 @@
 use super::Writer;
 use super::info::comments;
 use super::objects::{Parts, index_text};
-use super::sheet::Sheet;
+use super::section_writer::SectionWriter;
 use crate::model::{Field, Module, ModulePart, Part};
 
 impl Writer<'_> {
     /// What modules there may be, and which are plugged in.
-    pub(super) fn modules(&self, sheet: &mut Sheet<'_>) {
+    pub(super) fn modules(&self, sections: &mut SectionWriter<'_>) {
         let Some(modules) = &self.device.modules else { return };
         let counted = u16::try_from(modules.supported.len()).ok();
-        let declared = match modules.misfits.get(&Field::NrOfEntries) {
+        let declared = match modules.invalid_values.get(&Field::NrOfEntries) {
             Some(_) => modules.declared,
             None => modules.declared.or(counted),
         };
-        sheet.open(Part::SupportedModules);
-        sheet.put_number(&Field::NrOfEntries, declared);
-        sheet.extra(modules.extra.iter());
-        sheet.misfits(&modules.misfits);
-        sheet.close();
+        sections.open(Part::SupportedModules);
+        sections.put_number(&Field::NrOfEntries, declared);
+        sections.extra(modules.extra.iter());
+        sections.invalid_values(&modules.invalid_values);
+        sections.close();
         for (&number, module) in &modules.supported {
-            self.module(sheet, number, module);
+            self.module(sections, number, module);
         }
         if let Some(connected) = &modules.connected {
-            sheet.open(Part::ConnectedModules);
-            sheet.list(&Field::NrOfEntries, connected.iter().map(u16::to_string));
-            sheet.close();
+            sections.open(Part::ConnectedModules);
+            sections.list(&Field::NrOfEntries, connected.iter().map(u16::to_string));
+            sections.close();
         }
     }
 
-    fn module(&self, sheet: &mut Sheet<'_>, number: u16, module: &Module) {
+    fn module(&self, sections: &mut SectionWriter<'_>, number: u16, module: &Module) {
         let part = |part| Part::Module(number, part);
-        sheet.open(part(ModulePart::Info));
-        sheet.put_some(&Field::ProductName, module.product_name.as_ref());
-        sheet.put_number(&Field::ProductVersion, module.product_version);
-        sheet.put_number(&Field::ProductRevision, module.product_revision);
-        sheet.put_some(&Field::OrderCode, module.order_code.as_ref());
-        sheet.extra(module.extra.iter());
-        sheet.misfits(&module.misfits);
-        sheet.close();
+        sections.open(part(ModulePart::Info));
+        sections.put_some(&Field::ProductName, module.product_name.as_ref());
+        sections.put_number(&Field::ProductVersion, module.product_version);
+        sections.put_number(&Field::ProductRevision, module.product_revision);
+        sections.put_some(&Field::OrderCode, module.order_code.as_ref());
+        sections.extra(module.extra.iter());
+        sections.invalid_values(&module.invalid_values);
+        sections.close();
         if !module.comments.is_empty() {
-            comments(sheet, part(ModulePart::Comments), &module.comments);
+            comments(sections, part(ModulePart::Comments), &module.comments);
         }
         if !module.fixed_list.is_empty() {
-            sheet.open(part(ModulePart::FixedObjects));
-            sheet.list(&Field::NrOfEntries, module.fixed_list.iter().map(index_text));
-            sheet.close();
+            sections.open(part(ModulePart::FixedObjects));
+            sections.list(&Field::NrOfEntries, module.fixed_list.iter().map(index_text));
+            sections.close();
         }
         for (&index, object) in &module.fixed {
-            self.object(sheet, index, object, Parts::Module(number));
+            self.object(sections, index, object, Parts::Module(number));
         }
         if !module.extension_list.is_empty() {
-            sheet.open(part(ModulePart::SubExtends));
-            sheet.list(&Field::NrOfEntries, module.extension_list.iter().map(index_text));
-            sheet.close();
+            sections.open(part(ModulePart::SubExtends));
+            sections.list(&Field::NrOfEntries, module.extension_list.iter().map(index_text));
+            sections.close();
         }
         for (&index, extension) in &module.extensions {
-            self.extension(sheet, part(ModulePart::SubExt(index)), index, extension);
+            self.extension(sections, part(ModulePart::SubExt(index)), index, extension);
         }
     }
 }

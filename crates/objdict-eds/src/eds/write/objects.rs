@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::Writer;
-use super::sheet::Sheet;
+use super::section_writer::SectionWriter;
 use crate::literal::{self, Spelling};
 use crate::model::{
     Access, Compact, DataType, Device, Entry, Extension, ExtensionCount, Field, ModulePart, Object,
@@ -52,41 +52,41 @@ pub(super) fn index_text(index: &u16) -> String {
 
 impl Writer<'_> {
     /// The lists, each with its objects behind it: data types first, what no list names last.
-    pub(super) fn objects(&self, sheet: &mut Sheet<'_>) {
+    pub(super) fn objects(&self, sections: &mut SectionWriter<'_>) {
         let lists = lists(self.device);
         let listed: BTreeSet<u16> = lists.iter().map(|(_, index)| index).collect();
         let (types, others): (Vec<u16>, Vec<u16>) = {
             let unlisted = self.device.objects.keys().filter(|index| !listed.contains(index));
             unlisted.partition(|&&index| index < 0x1000)
         };
-        self.objects_of(sheet, &types, &mut BTreeSet::new());
+        self.objects_of(sections, &types, &mut BTreeSet::new());
         let mut written = BTreeSet::new();
         for list in ObjectList::ALL {
             if let Some(indexes) = stated(&lists, list) {
-                sheet.open(Part::List(list));
-                sheet.list(&Field::SupportedObjects, indexes.iter().map(index_text));
-                sheet.close();
-                self.objects_of(sheet, indexes, &mut written);
+                sections.open(Part::List(list));
+                sections.list(&Field::SupportedObjects, indexes.iter().map(index_text));
+                sections.close();
+                self.objects_of(sections, indexes, &mut written);
             }
         }
-        self.objects_of(sheet, &others, &mut written);
+        self.objects_of(sections, &others, &mut written);
     }
 
-    fn objects_of(&self, sheet: &mut Sheet<'_>, indexes: &[u16], written: &mut BTreeSet<u16>) {
+    fn objects_of(&self, sections: &mut SectionWriter<'_>, indexes: &[u16], written: &mut BTreeSet<u16>) {
         for &index in indexes {
             if let Some(object) = self.device.object(index).filter(|_| written.insert(index)) {
-                self.object(sheet, index, object, Parts::Device);
+                self.object(sections, index, object, Parts::Device);
             }
         }
     }
 
     /// An object with all sections that belong to it.
-    pub(super) fn object(&self, sheet: &mut Sheet<'_>, index: u16, object: &Object, parts: Parts) {
+    pub(super) fn object(&self, sections: &mut SectionWriter<'_>, index: u16, object: &Object, parts: Parts) {
         let stays_compact = |compact: &Compact| {
             // only a device's own objects have sections for the names and values of compact entries
             let named =
                 !compact.names.is_empty() || !compact.values.is_empty() || !compact.denotations.is_empty();
-            sheet.options.compact && (parts == Parts::Device || !named)
+            sections.options.compact && (parts == Parts::Device || !named)
         };
         let unknown = object.compact.as_ref().map(|compact| &compact.extra);
         let object = match &object.compact {
@@ -99,122 +99,134 @@ impl Writer<'_> {
                 compact: object.compact.as_ref().map(|compact| compact.count),
                 ..Own::default()
             };
-            self.entry(sheet, parts.object(index), index, &object.main, &own);
+            self.entry(sections, parts.object(index), index, &object.main, &own);
         }
         for (sub, entry) in object.subs.iter() {
-            self.entry(sheet, parts.entry(index, sub), index, entry, &Own::default());
+            self.entry(sections, parts.entry(index, sub), index, entry, &Own::default());
         }
         if parts == Parts::Device {
             if let Some(compact) = &object.compact {
-                self.compact(sheet, index, &object, compact);
+                self.compact(sections, index, &object, compact);
             } else if let Some(unknown) = unknown.filter(|unknown| !unknown.is_empty()) {
-                sheet.open(Part::CompactValues(index));
-                sheet.extra(unknown.iter());
-                sheet.close();
+                sections.open(Part::CompactValues(index));
+                sections.extra(unknown.iter());
+                sections.close();
             }
             if !object.links.is_empty() {
-                sheet.open(Part::Links(index));
-                sheet.list(&Field::ObjectLinks, object.links.iter().map(index_text));
-                sheet.close();
+                sections.open(Part::Links(index));
+                sections.list(&Field::ObjectLinks, object.links.iter().map(index_text));
+                sections.close();
             }
         }
     }
 
     /// The sub-indexes that a module adds to an object.
-    pub(super) fn extension(&self, sheet: &mut Sheet<'_>, part: Part, index: u16, extension: &Extension) {
+    pub(super) fn extension(
+        &self,
+        sections: &mut SectionWriter<'_>,
+        part: Part,
+        index: u16,
+        extension: &Extension,
+    ) {
         let Extension { entry, count, obj_extend } = extension;
         let own = Own { count: *count, obj_extend: *obj_extend, ..Own::default() };
-        self.entry(sheet, part, index, entry, &own);
+        self.entry(sections, part, index, entry, &own);
     }
 
-    fn entry(&self, sheet: &mut Sheet<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
-        let spelling = spelling(sheet, index, entry.data_type);
+    fn entry(&self, sections: &mut SectionWriter<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
+        let spelling = spelling(sections, index, entry.data_type);
         // a key without a value says nothing; an empty string is in quotes
         let value = |value: Option<&Value>| {
             value.map(|value| literal::print(value, spelling)).filter(|text| !text.trim().is_empty())
         };
         let text = |text: Option<&Box<str>>| text.filter(|text| !text.trim().is_empty()).cloned();
-        sheet.open(part);
-        sheet.put(&Field::ParameterName, &entry.name);
-        sheet.put_some(
+        sections.open(part);
+        sections.put(&Field::ParameterName, &entry.name);
+        sections.put_some(
             &Field::ObjectType,
             entry.object_type.map(|object_type| format!("0x{:X}", object_type.code())),
         );
-        sheet.put_number(&Field::SubNumber, own.sub_number);
+        sections.put_number(&Field::SubNumber, own.sub_number);
         for (name, value) in entry.stack.iter().flat_map(|stack| stack.settings()) {
-            sheet.comment(if name == "CO_storageGroup" { "StorageLocation" } else { name }, &value);
+            sections.comment(if name == "CO_storageGroup" { "StorageLocation" } else { name }, &value);
         }
-        sheet.put_some(&Field::DataType, entry.data_type.map(|data_type| format!("0x{:04X}", data_type.0)));
-        sheet.put_some(&Field::AccessType, entry.access.map(Access::name));
-        sheet.put_some(&Field::DefaultValue, value(entry.default.as_ref()));
-        sheet.put_flag(&Field::PdoMapping, entry.pdo_mapping.map(PdoMapping::is_mappable));
-        sheet.put_some(&Field::LowLimit, value(entry.low_limit.as_ref()));
-        sheet.put_some(&Field::HighLimit, value(entry.high_limit.as_ref()));
-        sheet.put_some(&Field::ObjFlags, entry.flags.map(|flags| format!("0x{:X}", flags.0)));
-        sheet.put_number(&Field::CompactSubObj, own.compact);
-        sheet.put_some(&Field::Count, own.count.map(count_text));
-        sheet.put_number(&Field::ObjExtend, own.obj_extend);
+        sections
+            .put_some(&Field::DataType, entry.data_type.map(|data_type| format!("0x{:04X}", data_type.0)));
+        sections.put_some(&Field::AccessType, entry.access.map(Access::name));
+        sections.put_some(&Field::DefaultValue, value(entry.default.as_ref()));
+        sections.put_flag(&Field::PdoMapping, entry.pdo_mapping.map(PdoMapping::is_mappable));
+        sections.put_some(&Field::LowLimit, value(entry.low_limit.as_ref()));
+        sections.put_some(&Field::HighLimit, value(entry.high_limit.as_ref()));
+        sections.put_some(&Field::ObjFlags, entry.flags.map(|flags| format!("0x{:X}", flags.0)));
+        sections.put_number(&Field::CompactSubObj, own.compact);
+        sections.put_some(&Field::Count, own.count.map(count_text));
+        sections.put_number(&Field::ObjExtend, own.obj_extend);
         if let Some(safety) = &entry.safety {
-            sheet.put_flag(&Field::SrdoMapping, safety.srdo_mapping);
-            sheet.put_some(&Field::InvertedSrad, safety.inverted_srad.map(|srad| format!("0x{srad:06X}")));
+            sections.put_flag(&Field::SrdoMapping, safety.srdo_mapping);
+            sections.put_some(&Field::InvertedSrad, safety.inverted_srad.map(|srad| format!("0x{srad:06X}")));
         }
         if let Some(configured) = &entry.configured {
-            sheet.put_some(&Field::ParameterValue, value(configured.value.as_ref()));
-            sheet.put_some(&Field::Denotation, text(configured.denotation.as_ref()));
-            sheet.put_some(&Field::UploadFile, text(configured.upload_file.as_ref()));
-            sheet.put_some(&Field::DownloadFile, text(configured.download_file.as_ref()));
-            sheet.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
+            sections.put_some(&Field::ParameterValue, value(configured.value.as_ref()));
+            sections.put_some(&Field::Denotation, text(configured.denotation.as_ref()));
+            sections.put_some(&Field::UploadFile, text(configured.upload_file.as_ref()));
+            sections.put_some(&Field::DownloadFile, text(configured.download_file.as_ref()));
+            sections.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
-        sheet.extra(entry.extra.iter());
-        sheet.misfits(&entry.misfits);
-        sheet.close();
+        sections.extra(entry.extra.iter());
+        sections.invalid_values(&entry.invalid_values);
+        sections.close();
     }
 
     /// Names of all entries, for readers do not make them up; values and denotations of those that have them.
-    fn compact(&self, sheet: &mut Sheet<'_>, index: u16, object: &Object, compact: &Compact) {
+    fn compact(&self, sections: &mut SectionWriter<'_>, index: u16, object: &Object, compact: &Compact) {
         let subs = 1..=compact.count;
         let name = |sub| match compact.names.iter().find(|(named, _)| *named == sub) {
             Some((_, name)) => name.to_string(),
             None => format!("{}{sub}", object.main.name),
         };
         let names: Vec<(u8, String)> = subs.map(|sub| (sub, name(sub))).collect();
-        sub_section(sheet, Part::CompactNames(index), &names, String::clone);
-        let spelling = spelling(sheet, index, object.main.data_type);
-        let is_kept = !compact.extra.is_empty() || !compact.misfits.is_empty();
+        sub_section(sections, Part::CompactNames(index), &names, String::clone);
+        let spelling = spelling(sections, index, object.main.data_type);
+        let is_kept = !compact.extra.is_empty() || !compact.invalid_values.is_empty();
         if !compact.values.is_empty() || is_kept {
-            sub_section(sheet, Part::CompactValues(index), &compact.values, |value| {
+            sub_section(sections, Part::CompactValues(index), &compact.values, |value| {
                 literal::print(value, spelling)
             });
-            sheet.extra(compact.extra.iter());
-            sheet.misfits(&compact.misfits);
+            sections.extra(compact.extra.iter());
+            sections.invalid_values(&compact.invalid_values);
         }
         if !compact.denotations.is_empty() {
-            sub_section(sheet, Part::CompactDenotations(index), &compact.denotations, ToString::to_string);
+            sub_section(sections, Part::CompactDenotations(index), &compact.denotations, ToString::to_string);
         }
     }
 }
 
 /// A section with an item for each of some sub-indexes.
-fn sub_section<T>(sheet: &mut Sheet<'_>, part: Part, list: &[(u8, T)], print: impl Fn(&T) -> String) {
-    sheet.open(part);
-    sheet.put(&Field::NrOfEntries, list.len().to_string());
+fn sub_section<T>(
+    sections: &mut SectionWriter<'_>,
+    part: Part,
+    list: &[(u8, T)],
+    print: impl Fn(&T) -> String,
+) {
+    sections.open(part);
+    sections.put(&Field::NrOfEntries, list.len().to_string());
     for (sub, item) in list {
-        sheet.put(&Field::Item((*sub).into()), print(item));
+        sections.put(&Field::Item((*sub).into()), print(item));
     }
-    sheet.close();
+    sections.close();
 }
 
 /// Identifiers, mappings and other communication parameters are read in hex.
-fn spelling(sheet: &Sheet<'_>, index: u16, data_type: Option<DataType>) -> Spelling {
+fn spelling(sections: &SectionWriter<'_>, index: u16, data_type: Option<DataType>) -> Spelling {
     let hex = (0x1000..=0x1FFF).contains(&index) && data_type == Some(DataType::UNSIGNED32);
-    Spelling { real: sheet.options.real, quote_strings: sheet.options.quote_strings, hex }
+    Spelling { real: sections.options.real, quote_strings: sections.options.quote_strings, hex }
 }
 
 /// `SubNumber`: as stated, else the number of described entries where the standard asks for it.
 fn sub_number(object: &Object) -> Option<u8> {
     let is_due = object.object_type().has_subs()
         && object.compact.is_none()
-        && object.main.misfits.get(&Field::SubNumber).is_none();
+        && object.main.invalid_values.get(&Field::SubNumber).is_none();
     let described = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
     object.sub_number.or_else(|| u8::try_from(described).ok().filter(|_| is_due))
 }

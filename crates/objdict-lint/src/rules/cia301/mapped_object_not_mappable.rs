@@ -17,7 +17,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         let Target::Entry(entry) = &mapped.target else { continue };
         // a type without a fixed length has its own rule
         let is_variable = mapped.variable_type().is_some();
-        if entry.is_mappable() || is_variable || entry.misfits.get(&Field::PdoMapping).is_some() {
+        if entry.is_mappable() || is_variable || entry.invalid_values.get(&Field::PdoMapping).is_some() {
             continue;
         }
         let (index, sub) = (mapped.object.index, mapped.object.sub);

@@ -15,7 +15,7 @@ rule! {
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
     let Some(access @ (Access::Rwr | Access::Rww)) = entry.access else { return };
-    if entry.is_mappable() || !at.holds_value() || stated::is_misfit(entry, &Field::PdoMapping) {
+    if entry.is_mappable() || !at.holds_value() || stated::is_invalid(entry, &Field::PdoMapping) {
         return;
     }
     let pdo = if access == Access::Rwr { "a TPDO" } else { "an RPDO" };

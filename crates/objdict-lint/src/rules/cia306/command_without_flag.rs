@@ -23,7 +23,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     };
     if object.orphan
         || object.main.flags().refuses_write()
-        || stated::is_misfit(&object.main, &Field::ObjFlags)
+        || stated::is_invalid(&object.main, &Field::ObjFlags)
     {
         return;
     }
@@ -44,7 +44,7 @@ fn unguarded(index: u16, object: &Object) -> Vec<(Place, u32)> {
     let is_unguarded = |entry: &Entry| {
         entry.access.is_some_and(Access::is_writable)
             && !entry.flags().refuses_write()
-            && !stated::is_misfit(entry, &Field::ObjFlags)
+            && !stated::is_invalid(entry, &Field::ObjFlags)
     };
     let subs = object.subs.iter().filter(|&(sub, entry)| sub > 0 && is_unguarded(entry));
     let places: Vec<_> = subs.map(|(sub, entry)| (Place::entry(index, sub), entry.flags().0)).collect();

@@ -37,7 +37,7 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let field = info.baud_rates.iter().find(|(other, ..)| *other == rate).map(|(_, field, _)| field);
-    if field.as_ref().is_some_and(|field| info.misfits.get(field).is_some()) {
+    if field.as_ref().is_some_and(|field| info.invalid_values.get(field).is_some()) {
         return;
     }
     let message = say!("`{Baudrate}` is {}, which the device does not support", rate);

@@ -22,7 +22,7 @@ fn check(device: &Device, findings: &mut Findings) {
             None => return,
         },
         Some(number) => say!("`{NodeID}` is {}, but node-IDs are 1 to 127", number),
-        None if is_misfit(node) => return,
+        None if is_invalid(node) => return,
         None => say!("`{NodeID}` is missing").to_owned(),
     };
     findings.push(
@@ -31,8 +31,8 @@ fn check(device: &Device, findings: &mut Findings) {
     );
 }
 
-fn is_misfit(node: &Commissioning) -> bool {
-    node.misfits.get(&Field::NodeId).is_some()
+fn is_invalid(node: &Commissioning) -> bool {
+    node.invalid_values.get(&Field::NodeId).is_some()
 }
 
 fn report_unknown(place: Place, formula: Place, findings: &mut Findings) {

@@ -38,7 +38,7 @@ fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, find
         .into_iter()
         .filter(|(_, stated)| !stated)
         .map(|(word, _)| field(word, number))
-        .filter(|field| channels.misfits.get(field).is_none())
+        .filter(|field| channels.invalid_values.get(field).is_none())
         .collect();
     if missing.is_empty() {
         return;

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Argument, Diagnostic, Findings, Severity, Text, joined, say};
-use crate::model::{Access, DataType, Device, Field, Misfit, Place, Reason};
+use crate::model::{Access, DataType, Device, Field, InvalidValue, Place, Reason};
 use crate::{nearest_access, respell, rule};
 
 rule! {
@@ -13,16 +13,16 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    for (part, misfits) in device.misfits() {
-        for misfit in misfits.iter() {
-            let data_type = device.data_type_of(&part, &misfit.field);
-            let place = Place::of(part.clone()).field(misfit.field.clone());
-            let fix = respell(misfit, data_type, place.clone());
-            let finding = Diagnostic::new(&RULE.info, place, message(misfit, data_type));
-            let is_date = matches!(misfit.reason, Reason::NotADate | Reason::NotAClockTime);
+    for (part, invalid_values) in device.invalid_values() {
+        for invalid in invalid_values.iter() {
+            let data_type = device.data_type_of(&part, &invalid.field);
+            let place = Place::of(part.clone()).field(invalid.field.clone());
+            let fix = respell(invalid, data_type, place.clone());
+            let finding = Diagnostic::new(&RULE.info, place, message(invalid, data_type));
+            let is_date = matches!(invalid.reason, Reason::NotADate | Reason::NotAClockTime);
             // tools do not depend on dates
             let severity = if is_date { Severity::Warning } else { Severity::Error };
-            let finding = finding.severity(severity).help(help(misfit, data_type));
+            let finding = finding.severity(severity).help(help(invalid, data_type));
             findings.push(match fix {
                 Some(fix) => finding.fix(fix),
                 None => finding,
@@ -31,8 +31,8 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-fn message(misfit: &Misfit, data_type: Option<DataType>) -> Text {
-    let Misfit { field, text, reason } = misfit;
+fn message(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
+    let InvalidValue { field, text, reason } = invalid;
     let what = match data_type {
         Some(data_type) => say!("`{}` of type {}", field, data_type),
         None => say!("`{}`", field),
@@ -59,9 +59,9 @@ fn message(misfit: &Misfit, data_type: Option<DataType>) -> Text {
     }
 }
 
-fn help(misfit: &Misfit, data_type: Option<DataType>) -> Text {
-    match (&misfit.field, &misfit.reason) {
-        (Field::AccessType, _) => match nearest_access(&misfit.text) {
+fn help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
+    match (&invalid.field, &invalid.reason) {
+        (Field::AccessType, _) => match nearest_access(&invalid.text) {
             Some(access) => say!("did you mean `{}`? write one of {}", access, access_names()),
             None => say!("write one of the access types {}", access_names()),
         },
@@ -87,7 +87,7 @@ fn help(misfit: &Misfit, data_type: Option<DataType>) -> Text {
         }
         (_, Reason::OutOfRange { low: 0, high: 1 }) => "write 0 or 1".into(),
         (_, Reason::OutOfRange { low, high }) => say!("write a number from {} to {}", low, high),
-        (field, Reason::NotANumber) if data_type.is_none() => match switch(&misfit.text) {
+        (field, Reason::NotANumber) if data_type.is_none() => match switch(&invalid.text) {
             Some(number) => say!("write `{}`", Argument::setting(field, number)),
             None => "write a number in decimal or hex, such as `10` or `0xA`".into(),
         },

@@ -23,7 +23,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         at.sub.is_none() && at.object.compact.as_ref().is_some_and(|compact| !compact.values.is_empty());
     let domain = at.object_type() == Some(ObjectType::Domain)
         || entry.data_type.is_none_or(|data_type| data_type.kind() == TypeKind::Domain);
-    if varies || count || values || domain || !entry.misfits.is_empty() {
+    if varies || count || values || domain || !entry.invalid_values.is_empty() {
         return;
     }
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), "the constant has no value")

@@ -16,7 +16,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.device_info else { return };
     let missing: Vec<Field> = stated(info)
         .into_iter()
-        .filter(|(field, stated)| !stated && info.misfits.get(field).is_none())
+        .filter(|(field, stated)| !stated && info.invalid_values.get(field).is_none())
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };

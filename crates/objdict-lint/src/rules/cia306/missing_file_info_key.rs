@@ -15,7 +15,8 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.file_info else { return };
     let missing = |fields: &[(Field, bool)]| -> Vec<Field> {
-        let missing = fields.iter().filter(|(field, stated)| !stated && info.misfits.get(field).is_none());
+        let missing =
+            fields.iter().filter(|(field, stated)| !stated && info.invalid_values.get(field).is_none());
         missing.map(|(field, _)| field.clone()).collect()
     };
     let creation = missing(&creation(info));

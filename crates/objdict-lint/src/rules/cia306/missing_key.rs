@@ -38,7 +38,7 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     let stated = [(Field::DataType, entry.data_type.is_some()), (Field::AccessType, has_access)];
     let missing: Vec<Field> = stated
         .into_iter()
-        .filter(|(field, stated)| !stated && !stated::is_misfit(entry, field))
+        .filter(|(field, stated)| !stated && !stated::is_invalid(entry, field))
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
@@ -61,7 +61,7 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
 }
 
 fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {
-    if at.object.sub_number.is_some() || stated::is_misfit(at.entry, &Field::SubNumber) {
+    if at.object.sub_number.is_some() || stated::is_invalid(at.entry, &Field::SubNumber) {
         return;
     }
     let described = stated::described_subs(at.object);
@@ -80,7 +80,7 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
 /// The object type is unknown: missing, or invalid, which another rule reports.
 fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     let in_doubt = at.sub.is_none() && stated::is_structured(at.object);
-    if !in_doubt || at.entry.object_type.is_some() || !at.entry.misfits.is_empty() {
+    if !in_doubt || at.entry.object_type.is_some() || !at.entry.invalid_values.is_empty() {
         return;
     }
     let message =

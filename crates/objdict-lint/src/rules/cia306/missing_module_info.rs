@@ -40,7 +40,7 @@ fn missing(module: &Module) -> Vec<Field> {
         (Field::ProductRevision, module.product_revision.is_some()),
         (Field::OrderCode, module.order_code.is_some()),
     ];
-    let is_missing = |(field, stated): &(Field, bool)| !stated && module.misfits.get(field).is_none();
+    let is_missing = |(field, stated): &(Field, bool)| !stated && module.invalid_values.get(field).is_none();
     stated.into_iter().filter(is_missing).map(|(field, _)| field).collect()
 }
 

@@ -14,7 +14,7 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(modules) = &device.modules else { return };
-    if modules.misfits.get(&Field::NrOfEntries).is_some() {
+    if modules.invalid_values.get(&Field::NrOfEntries).is_some() {
         return;
     }
     let described = modules.supported.len();

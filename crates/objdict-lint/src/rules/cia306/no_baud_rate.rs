@@ -15,7 +15,7 @@ rule! {
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.device_info else { return };
     let rates = &info.baud_rates;
-    let is_known = |field: &Field| info.misfits.get(field).is_none();
+    let is_known = |field: &Field| info.invalid_values.get(field).is_none();
     let unreadable = rates.iter().any(|(_, field, _)| !is_known(&field)) || !is_known(&Field::BaudRateAuto);
     if rates.supported().next().is_some() || rates.auto == Some(true) || unreadable {
         return;

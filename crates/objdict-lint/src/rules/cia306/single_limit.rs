@@ -21,7 +21,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     let is_number = entry.data_type.is_some_and(DataType::is_numeric);
     let is_domain = at.object_type() == Some(ObjectType::Domain);
-    if !is_number || is_domain || !at.holds_value() || stated::is_misfit(entry, &missing) {
+    if !is_number || is_domain || !at.holds_value() || stated::is_invalid(entry, &missing) {
         return;
     }
     let message = say!("`{}` is set without `{}`", stated, missing);

@@ -59,7 +59,7 @@ fn explained_by_sub_number(object: &Object, value: i128) -> bool {
 }
 
 fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings) {
-    if !sub_0.misfits.is_empty() || sub_0.data_type.is_none() {
+    if !sub_0.invalid_values.is_empty() || sub_0.data_type.is_none() {
         return;
     }
     let message = say!("sub-index 0 of {:04X}h has no value", index);

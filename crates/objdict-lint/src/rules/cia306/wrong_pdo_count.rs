@@ -35,8 +35,8 @@ fn check(device: &Device, findings: &mut Findings) {
 fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, findings: &mut Findings) {
     let Pdos { name, field, low, high } = pdos;
     let described = device.objects.range(low..=high).filter(|(_, object)| !object.orphan).count();
-    let compact =
-        info.compact_pdo.is_some_and(|mask| mask != 0) || info.misfits.get(&Field::CompactPdo).is_some();
+    let compact = info.compact_pdo.is_some_and(|mask| mask != 0)
+        || info.invalid_values.get(&Field::CompactPdo).is_some();
     if stated == described || compact && stated > described {
         return;
     }

@@ -19,7 +19,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     {
         let has_pdos = facts.pdos.iter().any(|facts| facts.pdo.kind == kind);
         let Some(entry) = drive.variable(index).filter(|_| has_pdos) else { continue };
-        if entry.is_mappable() || entry.misfits.get(&Field::PdoMapping).is_some() {
+        if entry.is_mappable() || entry.invalid_values.get(&Field::PdoMapping).is_some() {
             continue;
         }
         let message = say!("{} ({}) is not mappable, so no {} can carry it", drive.name(index), name, kind);

@@ -17,7 +17,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let drive = Drive::new(facts, applied);
     for (bit, index, mode) in [(7, 0x607A, "position"), (8, 0x60FF, "velocity"), (9, 0x6071, "torque")] {
         let Some(entry) = drive.variable(index) else { continue };
-        let is_readable = entry.misfits.get(&Field::PdoMapping).is_none();
+        let is_readable = entry.invalid_values.get(&Field::PdoMapping).is_none();
         if drive.supports(bit) == Some(true) && is_readable && !entry.is_mappable() {
             let name = drive.name(index);
             let message =

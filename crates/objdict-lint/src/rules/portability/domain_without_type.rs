@@ -21,7 +21,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         (Field::AccessType, "rw", at.entry.access.is_some()),
     ];
     let missing =
-        stated.into_iter().filter(|(field, _, stated)| !stated && !stated::is_misfit(at.entry, field));
+        stated.into_iter().filter(|(field, _, stated)| !stated && !stated::is_invalid(at.entry, field));
     let missing: Vec<(Field, &str)> = missing.map(|(field, value, _)| (field, value)).collect();
     if missing.is_empty() {
         return;

@@ -213,9 +213,9 @@ fn check_missing(
 fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &mut Findings) {
     for name in [n::fileName, n::fileVersion, n::fileCreator, n::fileCreationDate, n::fileCreationTime] {
         let (Some(there), Some(here)) = (device.attribute(name), network.attribute(name)) else { continue };
-        let (said_there, said_here) = (there.value(), here.value());
-        if said_there.trim_ascii() != said_here.trim_ascii() {
-            let places = [(there.value_span(), &*said_there), (here.value_span(), &*said_here)];
+        let (text_there, text_here) = (there.value(), here.value());
+        if text_there.trim_ascii() != text_here.trim_ascii() {
+            let places = [(there.value_span(), &*text_there), (here.value_span(), &*text_here)];
             let finding = contradiction(&CONTRADICTING_FILE_ATTRIBUTE, name, places);
             findings.push(finding.help("write the same value to both"));
         }
@@ -226,10 +226,10 @@ fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &m
 fn contradiction(
     rule: &'static RuleInfo,
     name: Name,
-    [(there, said_there), (here, said_here)]: [(Span, &str); 2],
+    [(there, text_there), (here, text_here)]: [(Span, &str); 2],
 ) -> Diagnostic {
     let message =
-        format!("`{}` is `{said_here}` here, but `{said_there}` in the device profile", name.text());
+        format!("`{}` is `{text_here}` here, but `{text_there}` in the device profile", name.text());
     Diagnostic::new(rule, here, message).label(there, "there")
 }
 
@@ -239,11 +239,11 @@ pub(super) fn check_identities(walk: &mut Walk<'_, '_>) {
     let (Some(device), Some(network)) = (find(n::DeviceIdentity), find(n::identity)) else { return };
     for name in [n::vendorID, n::productID] {
         let (Some(there), Some(here)) = (device.child(name), network.child(name)) else { continue };
-        let (said_there, said_here) = (there.text(), here.text());
-        let (Some(a), Some(b)) = (id_number(&said_there), id_number(&said_here)) else { continue };
+        let (text_there, text_here) = (there.text(), here.text());
+        let (Some(a), Some(b)) = (id_number(&text_there), id_number(&text_here)) else { continue };
         if a != b {
             let places =
-                [(there.text_span(), said_there.trim_ascii()), (here.text_span(), said_here.trim_ascii())];
+                [(there.text_span(), text_there.trim_ascii()), (here.text_span(), text_here.trim_ascii())];
             let finding = contradiction(&CONTRADICTING_IDENTITY, name, places);
             walk.findings.push(finding.help("write the same number to both"));
         }

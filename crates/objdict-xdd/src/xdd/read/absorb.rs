@@ -77,10 +77,10 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
         ParameterAccess::ReadWriteOutput => Some(Access::Rww),
         ParameterAccess::NoAccess => None,
     };
-    let is_misfit = entry.misfits.get(&Field::AccessType).is_some();
+    let is_invalid = entry.invalid_values.get(&Field::AccessType).is_some();
     match (entry.access, access) {
         (Some(Access::Rw), Some(Access::Rwr | Access::Rww)) => entry.access = access,
-        (None, _) if !is_misfit => entry.access = access,
+        (None, _) if !is_invalid => entry.access = access,
         _ => {}
     }
     if entry.access.is_some_and(|access| parameter.access == Some(written_access(access))) {
@@ -132,9 +132,9 @@ impl Values<'_> {
             return;
         }
         // both of them, whatever the first one says
-        let is_said = self.fill(Slots::Low, min) & self.fill(Slots::High, max);
+        let is_stated = self.fill(Slots::Low, min) & self.fill(Slots::High, max);
         let is_own = stated.template.is_none();
-        if is_said && is_own {
+        if is_stated && is_own {
             *allowed = None;
         }
     }
@@ -143,8 +143,8 @@ impl Values<'_> {
     fn fill(&mut self, slot: Slots, value: &ScaledValue) -> bool {
         let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
         let Some(text) = value_text(&value.value, self.data_type) else { return is_plain };
-        if let Some(misfit) = self.entry.misfits.get(&slot.field()) {
-            return is_plain && &*misfit.text == text;
+        if let Some(invalid) = self.entry.invalid_values.get(&slot.field()) {
+            return is_plain && &*invalid.text == text;
         }
         let mut quirks = Quirks::default();
         let read = literal::value(text, self.data_type, &mut quirks);
@@ -157,7 +157,7 @@ impl Values<'_> {
                 literal::spelling(text, at, quirks, Some(&value), self.findings);
                 slot.set(self.entry, value);
             }
-            Err(reason) => self.entry.misfits.push(slot.field(), text, reason),
+            Err(reason) => self.entry.invalid_values.push(slot.field(), text, reason),
         }
         is_plain
     }

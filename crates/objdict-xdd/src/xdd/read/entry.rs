@@ -96,7 +96,7 @@ impl<'a> EntryAttributes<'a> {
             match text.value(data_type, findings) {
                 Ok(Some(value)) => place.set(entry, value),
                 Ok(None) => {}
-                Err(reason) => entry.misfits.push(place.field(), &text.text, reason),
+                Err(reason) => entry.invalid_values.push(place.field(), &text.text, reason),
             }
         }
     }

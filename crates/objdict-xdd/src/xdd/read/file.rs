@@ -2,7 +2,7 @@
 
 use super::Reader;
 use crate::diagnostic::Findings;
-use crate::model::{FileInfo, Misfits, ProfileHeader};
+use crate::model::{FileInfo, InvalidValues, ProfileHeader};
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, Text};
 use crate::xdd::layout::{Profile, ProfileClass};
@@ -82,7 +82,11 @@ fn difference(network: FileInfo, device: &FileInfo) -> FileInfo {
         modified_by: other(network.modified_by, &device.modified_by),
         languages: if network.languages == device.languages { Vec::new() } else { network.languages },
         device_class: other(network.device_class, &device.device_class),
-        misfits: if network.misfits == device.misfits { Misfits::default() } else { network.misfits },
+        invalid_values: if network.invalid_values == device.invalid_values {
+            InvalidValues::default()
+        } else {
+            network.invalid_values
+        },
         ..FileInfo::default()
     }
 }

@@ -87,7 +87,7 @@ fn numbers(element: Element<'_>, info: &mut DeviceInfo, findings: &mut Findings)
         let text = Text::in_element(element.child(name)?);
         let read = text.integer(u64::from(u32::MAX), findings);
         read.unwrap_or_else(|reason| {
-            info.misfits.push(field, &text.text, reason);
+            info.invalid_values.push(field, &text.text, reason);
             None
         })
     };

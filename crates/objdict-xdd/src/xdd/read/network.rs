@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
                     usage.types.insert(data_type, value == "1");
                 }
                 (Some(_), value) if !value.is_empty() => {
-                    usage.misfits.push(Field::Named(key.into()), value, Reason::NotANumber);
+                    usage.invalid_values.push(Field::Named(key.into()), value, Reason::NotANumber);
                 }
                 _ => usage.extra.push(key, value),
             }
@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
                 }
             };
             if let Err(reason) = is_read {
-                channels.misfits.push(channel_field(attribute.tag(), number), &text.text, reason);
+                channels.invalid_values.push(channel_field(attribute.tag(), number), &text.text, reason);
             }
         }
         segment.range = first.zip(last);
@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
                 let text = Text::of(attribute);
                 match text.word(default_rate, Reason::UnknownWord) {
                     Ok(rate) => info.default_baud_rate = rate,
-                    Err(reason) => info.misfits.push(default_rate_field(), &text.text, reason),
+                    Err(reason) => info.invalid_values.push(default_rate_field(), &text.text, reason),
                 }
             }
             for supported in rate.children() {
@@ -316,7 +316,7 @@ fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
     };
     match place {
         Some(supported) => *supported = Some(true),
-        None => info.misfits.push(supported_field(), &text.text, Reason::UnknownWord),
+        None => info.invalid_values.push(supported_field(), &text.text, Reason::UnknownWord),
     }
 }
 

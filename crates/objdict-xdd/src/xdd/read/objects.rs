@@ -6,8 +6,8 @@ use super::entry::EntryAttributes;
 use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
 use crate::diagnostic::Findings;
 use crate::model::{
-    ApplicationProcess, DataTypeRef, Device, Entry, Field, Misfit, Misfits, Object, ObjectList, ObjectLists,
-    ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    ApplicationProcess, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues, Object, ObjectList,
+    ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 use crate::xdd::fact::Text;
 use crate::xdd::leftovers::Leftovers;
@@ -79,7 +79,7 @@ impl<'t> Entries<'t, '_> {
         if let Some(text) = attributes.get(n::subNumber).map(Text::of) {
             match text.integer(255, self.findings) {
                 Ok(number) => object.sub_number = number,
-                Err(reason) => object.main.misfits.push(Field::SubNumber, &text.text, reason),
+                Err(reason) => object.main.invalid_values.push(Field::SubNumber, &text.text, reason),
             }
         }
         for child in element.children() {
@@ -137,7 +137,7 @@ impl<'t> Entries<'t, '_> {
             (_, Some(id)) if reference != Reference::None => entry.extra.push(id.name(), &id.value()),
             _ => {}
         }
-        in_order(&mut entry.misfits);
+        in_order(&mut entry.invalid_values);
         entry
     }
 
@@ -180,16 +180,16 @@ impl Source {
     }
 }
 
-/// Puts misfits into the order of their fields: attributes come before parameters, and both may have some.
-fn in_order(misfits: &mut Misfits) {
-    if misfits.iter().is_sorted_by_key(|misfit| &misfit.field) {
+/// Puts invalid_values into the order of their fields: attributes come before parameters, and both may have some.
+fn in_order(invalid_values: &mut InvalidValues) {
+    if invalid_values.iter().is_sorted_by_key(|invalid| &invalid.field) {
         return;
     }
-    let mut all: Vec<Misfit> = misfits.iter().cloned().collect();
+    let mut all: Vec<InvalidValue> = invalid_values.iter().cloned().collect();
     all.sort_by(|a, b| a.field.cmp(&b.field));
-    *misfits = Misfits::default();
-    for Misfit { field, text, reason } in all {
-        misfits.push(field, &text, reason);
+    *invalid_values = InvalidValues::default();
+    for InvalidValue { field, text, reason } in all {
+        invalid_values.push(field, &text, reason);
     }
 }
 

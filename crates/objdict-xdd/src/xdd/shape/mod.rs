@@ -21,8 +21,8 @@ pub(crate) use self::parts::{Part, Parts};
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::Text;
 use super::leftovers::Leftovers;
-use super::markup::Markup;
 use super::schema::{self, At, Child, Need};
+use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
 /// What an element says.
@@ -145,13 +145,13 @@ impl<'a> Reader<'_, 'a> {
 }
 
 /// Writes a part as an element.
-pub(crate) fn write(part: &dyn Any, schema: &'static schema::Element, out: &mut Markup) {
+pub(crate) fn write(part: &dyn Any, schema: &'static schema::Element, out: &mut XddWriter) {
     out.open(schema);
     write_content(part, schema, out);
     out.close();
 }
 
-fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Markup) {
+fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut XddWriter) {
     let text_of = |attribute: &schema::Attribute| match attribute.at {
         At::Text(lens) => (lens.get)(part).and_then(TextField::text),
         _ => None,
@@ -168,7 +168,7 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Mar
         for (element, kept) in slot.kept() {
             // what the standard demands stands there even when it is empty
             let is_demanded = slot.least > 0 && slot.of.len() == 1;
-            let open = |out: &mut Markup, element| match slot.need {
+            let open = |out: &mut XddWriter, element| match slot.need {
                 Need::Stray => out.open_local(element),
                 _ => out.open(element),
             };

@@ -3,12 +3,12 @@
 use super::Writer;
 use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label, Labels};
 use crate::xdd::defaults;
-use crate::xdd::markup::Markup;
 use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xdd::xdd_writer::XddWriter;
 
 impl Writer<'_> {
-    pub(super) fn device_body(&self, out: &mut Markup) {
+    pub(super) fn device_body(&self, out: &mut XddWriter) {
         let device = self.device;
         if let Some(identity) = self.identity() {
             shape::write(&identity, &DEVICE_IDENTITY, out);
@@ -37,7 +37,7 @@ impl Writer<'_> {
         }
         let hex = |number: Option<u32>, field: Field| -> Option<Box<str>> {
             let number = number.map(|number| format!("0x{number:08X}").into());
-            number.or_else(|| info.misfits.get(&field).map(|misfit| misfit.text.clone()))
+            number.or_else(|| info.invalid_values.get(&field).map(|invalid| invalid.text.clone()))
         };
         let text = |text: &Option<String>| text.as_deref().map(|text| MarkedText::from(Box::from(text)));
         let order_code = text(&info.order_code);
@@ -65,7 +65,7 @@ impl Writer<'_> {
     }
 
     /// The application processes; the first one has the parameters of the entries and the types of their objects.
-    fn application(&self, out: &mut Markup) {
+    fn application(&self, out: &mut XddWriter) {
         let mut processes = self.device.application.iter();
         let mut first = processes.next().cloned().unwrap_or_default();
         first.data_types.extend(self.parameters.types.iter().cloned());

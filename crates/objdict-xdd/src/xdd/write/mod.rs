@@ -9,11 +9,11 @@ mod types;
 
 use self::parameters::EntryParameters;
 use super::layout::ProfileClass;
-use super::markup::Markup;
 use super::schema::PROFILE;
 use super::version::XddVersion;
+use super::xdd_writer::XddWriter;
 use super::{defaults, fact, shape};
-use crate::model::{Device, FileInfo, Misfit};
+use crate::model::{Device, FileInfo, InvalidValue};
 use crate::xml::n;
 
 /// The canonical text of a device in a version of CiA 311, in UTF-8. What is configured for a node is written; of a device
@@ -22,7 +22,7 @@ pub fn write(device: &Device, version: XddVersion) -> String {
     let device = device.expanded();
     let parameters = EntryParameters::of(&device);
     let writer = Writer { device: &device, parameters: &parameters };
-    let mut out = Markup::new(version);
+    let mut out = XddWriter::new(version);
     out.open_container();
     writer.profile(ProfileClass::Device, &mut out);
     writer.profile(ProfileClass::Network, &mut out);
@@ -37,7 +37,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn profile(&self, class: ProfileClass, out: &mut Markup) {
+    fn profile(&self, class: ProfileClass, out: &mut XddWriter) {
         let headers = &self.device.headers;
         let header = match class {
             ProfileClass::Device => &headers.device,
@@ -63,15 +63,15 @@ impl Writer<'_> {
         let device = self.device.file_info.clone().unwrap_or_default();
         let own = self.device.headers.network_file.as_deref().filter(|_| class == ProfileClass::Network);
         let Some(own) = own.cloned() else { return device };
-        let mut misfits = own.misfits;
-        for Misfit { field, text, reason } in device
-            .misfits
+        let mut invalid_values = own.invalid_values;
+        for InvalidValue { field, text, reason } in device
+            .invalid_values
             .iter()
-            .filter(|misfit| misfits.get(&misfit.field).is_none())
+            .filter(|invalid| invalid_values.get(&invalid.field).is_none())
             .cloned()
             .collect::<Vec<_>>()
         {
-            misfits.push(field, &text, reason);
+            invalid_values.push(field, &text, reason);
         }
         FileInfo {
             file_name: own.file_name.or(device.file_name),
@@ -84,7 +84,7 @@ impl Writer<'_> {
             modification_date: own.modification_date.or(device.modification_date),
             modified_by: own.modified_by.or(device.modified_by),
             languages: if own.languages.is_empty() { device.languages } else { own.languages },
-            misfits,
+            invalid_values,
             ..FileInfo::default()
         }
     }

@@ -2,11 +2,10 @@
 
 use super::Writer;
 use crate::model::{
-    DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Misfits, NetworkIdentity, Segment,
+    DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, InvalidValues, NetworkIdentity, Segment,
 };
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, hex as hex_number};
-use crate::xdd::markup::Markup;
 use crate::xdd::read::{DIRECTIONS, channel_field, default_rate_field, range_length, supported_field};
 use crate::xdd::schema::{
     APPLICATION_LAYERS, BAUD_RATE, DEVICE_COMMISSIONING, DUMMY, DUMMY_USAGE, DYNAMIC_CHANNEL,
@@ -15,13 +14,14 @@ use crate::xdd::schema::{
 };
 use crate::xdd::shape::{self, Identity, MarkedText};
 use crate::xdd::version::XddVersion;
+use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{Name, n};
 
 /// The data types that may stand in `dummyUsage`.
 const DUMMIES: std::ops::RangeInclusive<u16> = 1..=7;
 
 impl Writer<'_> {
-    pub(super) fn network_body(&self, out: &mut Markup) {
+    pub(super) fn network_body(&self, out: &mut XddWriter) {
         let unknown = DeviceInfo::default();
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
         self.application_layers(info, out);
@@ -29,7 +29,7 @@ impl Writer<'_> {
         self.network_management(info, out);
     }
 
-    fn application_layers(&self, info: &DeviceInfo, out: &mut Markup) {
+    fn application_layers(&self, info: &DeviceInfo, out: &mut XddWriter) {
         out.open(&APPLICATION_LAYERS);
         put(&fact::texts(info, &APPLICATION_LAYERS, false), out);
         if let Some(identity) = &self.device.network_identity {
@@ -50,7 +50,7 @@ impl Writer<'_> {
         out.close();
     }
 
-    fn network_management(&self, info: &DeviceInfo, out: &mut Markup) {
+    fn network_management(&self, info: &DeviceInfo, out: &mut XddWriter) {
         let mut general = fact::texts(info, &GENERAL_FEATURES, false);
         let master = fact::texts(info, &MASTER_FEATURES, false);
         let node = self.device.commissioning.as_ref();
@@ -76,11 +76,11 @@ impl Writer<'_> {
     }
 }
 
-fn put(attributes: &[(Name, String)], out: &mut Markup) {
+fn put(attributes: &[(Name, String)], out: &mut XddWriter) {
     attributes.iter().for_each(|(name, text)| out.attribute(*name, text));
 }
 
-fn network_identity(identity: &NetworkIdentity, out: &mut Markup) {
+fn network_identity(identity: &NetworkIdentity, out: &mut XddWriter) {
     let mut rest = identity.identity.clone();
     let read_only = std::mem::take(&mut rest.read_only);
     let mut identity = Identity {
@@ -92,12 +92,13 @@ fn network_identity(identity: &NetworkIdentity, out: &mut Markup) {
     shape::write(&identity, &IDENTITY, out);
 }
 
-fn dummy_usage(usage: &DummyUsage, out: &mut Markup) {
+fn dummy_usage(usage: &DummyUsage, out: &mut XddWriter) {
     out.open_unless_empty(&DUMMY_USAGE);
     let types = usage.types.iter().filter(|(data_type, _)| DUMMIES.contains(&data_type.0));
     let types = types.map(|(data_type, allowed)| format!("Dummy{:04X}={}", data_type.0, u8::from(*allowed)));
-    let misfits = usage.misfits.iter().map(|misfit| format!("{}={}", misfit.field, misfit.text));
-    for entry in types.chain(misfits) {
+    let invalid_values =
+        usage.invalid_values.iter().map(|invalid| format!("{}={}", invalid.field, invalid.text));
+    for entry in types.chain(invalid_values) {
         out.open(&DUMMY);
         out.attribute(n::entry, &entry);
         out.close();
@@ -105,17 +106,17 @@ fn dummy_usage(usage: &DummyUsage, out: &mut Markup) {
     out.close();
 }
 
-fn dynamic_channels(channels: &DynamicChannels, out: &mut Markup) {
+fn dynamic_channels(channels: &DynamicChannels, out: &mut XddWriter) {
     out.open_unless_empty(&DYNAMIC_CHANNELS);
     for (number, segment) in (1..).zip(&channels.segments) {
         out.open(&DYNAMIC_CHANNEL);
-        dynamic_channel(number, segment, &channels.misfits, out);
+        dynamic_channel(number, segment, &channels.invalid_values, out);
         out.close();
     }
     out.close();
 }
 
-fn dynamic_channel(number: usize, segment: &Segment, misfits: &Misfits, out: &mut Markup) {
+fn dynamic_channel(number: usize, segment: &Segment, invalid_values: &InvalidValues, out: &mut XddWriter) {
     let hex = |index: u16| format!("{index:04X}");
     let word =
         |eds: &str| DIRECTIONS.iter().find(|(_, known)| *known == eds).map_or(eds, |(xdd, _)| xdd).to_owned();
@@ -129,8 +130,8 @@ fn dynamic_channel(number: usize, segment: &Segment, misfits: &Misfits, out: &mu
         (n::addressOffset, segment.offset.as_deref().map(address_offset)),
         (n::bitAlignment, segment.bit_alignment.map(|bits| bits.to_string())),
     ] {
-        let misfit = || Some(misfits.get(&channel_field(name, number))?.text.to_string());
-        if let Some(text) = text.or_else(misfit) {
+        let invalid = || Some(invalid_values.get(&channel_field(name, number))?.text.to_string());
+        if let Some(text) = text.or_else(invalid) {
             out.attribute(name, &text);
         }
     }
@@ -152,7 +153,7 @@ fn address_offset(text: &str) -> String {
     }
 }
 
-fn transport_layers(info: &DeviceInfo, out: &mut Markup) {
+fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     let rates = &info.baud_rates;
     let supported = rates.iter().filter(|(.., supported)| *supported == Some(true)).map(|(rate, ..)| rate);
     let mut supported: Vec<u16> = supported.chain((rates.kbit_100 == Some(true)).then_some(100)).collect();
@@ -160,8 +161,8 @@ fn transport_layers(info: &DeviceInfo, out: &mut Markup) {
     let mut words: Vec<String> = supported.into_iter().map(bit_rate).collect();
     words.extend((rates.auto == Some(true)).then(|| AUTO.to_owned()));
     let field = supported_field();
-    let misfits = info.misfits.iter().filter(|misfit| misfit.field == field);
-    words.extend(misfits.map(|misfit| misfit.text.to_string()));
+    let invalid_values = info.invalid_values.iter().filter(|invalid| invalid.field == field);
+    words.extend(invalid_values.map(|invalid| invalid.text.to_string()));
     if words.is_empty() {
         words.push(bit_rate(defaults::BIT_RATE));
     }
@@ -172,8 +173,8 @@ fn transport_layers(info: &DeviceInfo, out: &mut Markup) {
         DefaultBaudRate::Kbit(kbit) => bit_rate(kbit),
         DefaultBaudRate::Auto => AUTO.to_owned(),
     });
-    let misfit = || Some(info.misfits.get(&default_rate_field())?.text.to_string());
-    if let Some(default) = default.or_else(misfit) {
+    let invalid = || Some(info.invalid_values.get(&default_rate_field())?.text.to_string());
+    if let Some(default) = default.or_else(invalid) {
         out.attribute(n::defaultValue, &default);
     }
     for word in words {

@@ -3,9 +3,9 @@
 use super::Writer;
 use crate::literal::{self, Spelling};
 use crate::model::{DataType, Entry, Field, Object, ObjectList, Value};
-use crate::xdd::markup::Markup;
 use crate::xdd::read::{count, count_attribute};
 use crate::xdd::schema::{At, Attribute, Element, OBJECT, OBJECT_LIST, SUB_OBJECT};
+use crate::xdd::xdd_writer::XddWriter;
 use crate::xdd::{defaults, fact};
 use crate::xml::n;
 
@@ -14,7 +14,7 @@ pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
 impl Writer<'_> {
     /// `CANopenObjectList`, with the number of objects of each kind.
-    pub(super) fn object_list(&self, out: &mut Markup) {
+    pub(super) fn object_list(&self, out: &mut XddWriter) {
         let objects = &self.device.objects;
         out.open(&OBJECT_LIST);
         for list in ObjectList::ALL {
@@ -40,9 +40,9 @@ impl Writer<'_> {
         (index, sub): (u16, Option<u8>),
         entry: &Entry,
         object: Option<&Object>,
-        out: &mut Markup,
+        out: &mut XddWriter,
     ) {
-        let misfit = |field: &Field| entry.misfits.get(field).map(|misfit| misfit.text.to_string());
+        let invalid = |field: &Field| entry.invalid_values.get(field).map(|invalid| invalid.text.to_string());
         let text = |attribute: &Attribute| match attribute.name {
             n::index => Some(format!("{index:04X}")),
             n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
@@ -59,7 +59,7 @@ impl Writer<'_> {
             n::rangeSelector => entry.extra.get(attribute.name.text()).map(str::to_owned),
             n::subNumber => {
                 let number = object?.sub_number.map(|number| number.to_string());
-                number.or_else(|| misfit(&Field::SubNumber))
+                number.or_else(|| invalid(&Field::SubNumber))
             }
             _ => match attribute.at {
                 At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
@@ -78,7 +78,7 @@ impl Writer<'_> {
 pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
     match value {
         Some(value) => Some(print(index, entry.data_type, value)),
-        None => entry.misfits.get(field).map(|misfit| misfit.text.to_string()),
+        None => entry.invalid_values.get(field).map(|invalid| invalid.text.to_string()),
     }
 }
 

@@ -93,7 +93,7 @@ impl Maker<'_> {
     fn parameter(&self) -> Option<Parameter> {
         let entry = self.entry;
         let mut parameter = self.start()?;
-        let has_access = entry.access.is_some() || entry.misfits.get(&Field::AccessType).is_some();
+        let has_access = entry.access.is_some() || entry.invalid_values.get(&Field::AccessType).is_some();
         let is_special = matches!(entry.access, Some(Access::Rwr | Access::Rww));
         if !(entry.data_type.is_some() && has_access || is_special || self.says_more(&parameter)) {
             return None;

@@ -33,13 +33,13 @@ fn in_body<T: Default + 'static>(body: &str, schema: &'static Element) -> (T, Ve
 }
 
 /// What is written in a `ProfileBody`, as if it were not indented there. Texts must not have line ends with two blanks.
-fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut Markup)) -> String {
+fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     format!("\n{}", written(version, body, put)).replace("\n  ", "\n").trim_start_matches('\n').to_owned()
 }
 
 /// What is written in a `ProfileBody`, without what surrounds it.
-fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut Markup)) -> String {
-    let mut out = Markup::new(version);
+fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
+    let mut out = XddWriter::new(version);
     out.open_body(body);
     put(&mut out);
     out.close_body();
@@ -181,7 +181,7 @@ impl Dice {
         }
     }
 
-    fn element(&mut self, element: &'static Element, depth: u32, out: &mut Markup) {
+    fn element(&mut self, element: &'static Element, depth: u32, out: &mut XddWriter) {
         out.open(element);
         for attribute in element.attributes {
             if attribute.need == Need::Key || self.roll(2) == 0 {

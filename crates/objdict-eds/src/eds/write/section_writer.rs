@@ -1,0 +1,217 @@
+//! Sections in the making: every text passes here, so that none can leave its line.
+
+use std::borrow::Cow;
+
+use crate::eds::Style;
+use crate::eds::section::{SectionName, section_name};
+use crate::model::{Extra, ExtraSection, Field, InvalidValues, Part};
+use crate::source::transliterate;
+
+/// The sections of a description, in order.
+pub(super) struct SectionWriter<'a> {
+    pub(super) options: &'a Style,
+    sections: Vec<Section>,
+    /// Keys that the model has no field for, by the known section that they stand in.
+    extras: Vec<(Part, Extra)>,
+}
+
+/// A section; keys and values are clean.
+struct Section {
+    part: Part,
+    /// Empty for the keys before the first section.
+    name: String,
+    entries: Vec<(String, String)>,
+}
+
+impl<'a> SectionWriter<'a> {
+    /// No sections yet; `extra` are the sections that the model does not know, and keys of others.
+    pub(super) fn new(options: &'a Style, extra: &[ExtraSection]) -> Self {
+        let extras = extra.iter().map(|section| (SectionName::parse(section.name()).part, section));
+        let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_)));
+        let extras = extras.map(|(part, section)| (part, section.entries().collect())).collect();
+        Self { options, sections: Vec::new(), extras }
+    }
+
+    /// Starts the section of a part; what is put comes into it.
+    pub(super) fn open(&mut self, part: Part) {
+        let name = section_name(&part).unwrap_or_default();
+        self.sections.push(Section { part, name, entries: Vec::new() });
+    }
+
+    /// A key with its value. One that is among the section's unknown keys already is not written twice: the text that
+    /// somebody wrote comes before what we would.
+    pub(super) fn put(&mut self, field: &Field, value: impl AsRef<str>) {
+        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
+        let key = field.name().into_owned();
+        if self.is_taken(&part, &key) {
+            return;
+        }
+        let value = self.clean(value.as_ref());
+        self.push(key, value);
+    }
+
+    /// A key with its value, where there is one.
+    pub(super) fn put_some(&mut self, field: &Field, value: Option<impl AsRef<str>>) {
+        if let Some(value) = value {
+            self.put(field, value);
+        }
+    }
+
+    /// A key with 0 or 1, where that is known.
+    pub(super) fn put_flag(&mut self, field: &Field, flag: Option<bool>) {
+        self.put_some(field, flag.map(|flag| if flag { "1" } else { "0" }));
+    }
+
+    /// A key with a decimal number, where there is one.
+    pub(super) fn put_number(&mut self, field: &Field, number: Option<impl Into<u64>>) {
+        self.put_some(field, number.map(|number| number.into().to_string()));
+    }
+
+    /// A comment that says something to a tool: `;StorageLocation=RAM`.
+    pub(super) fn comment(&mut self, name: &str, value: &str) {
+        let value = self.clean(value);
+        // what starts with a semicolon is written like a key and read as a comment
+        self.push(format!(";{name}"), value);
+    }
+
+    /// A count and numbered items.
+    pub(super) fn list(&mut self, counter: &Field, items: impl ExactSizeIterator<Item = String>) {
+        let taken = self.sections.last().and_then(|section| self.extra_of(&section.part));
+        let taken =
+            taken.map_or(0, |extra| extra.iter().filter(|(key, _)| Field::item(key).is_some()).count());
+        self.put(counter, (items.len() + taken).to_string());
+        let mut number = 0;
+        for item in items {
+            number += 1;
+            while self
+                .sections
+                .last()
+                .is_some_and(|section| self.is_taken(&section.part, &number.to_string()))
+            {
+                number += 1;
+            }
+            self.put(&Field::Item(number), item);
+        }
+    }
+
+    /// Keys that the model does not know.
+    pub(super) fn extra<'b>(&mut self, extra: impl Iterator<Item = (&'b str, &'b str)>) {
+        for (key, value) in extra {
+            let (key, value) = (self.clean_key(key), self.clean(value));
+            self.push(key, value);
+        }
+    }
+
+    /// Texts that are no values of their fields, as they were written.
+    pub(super) fn invalid_values(&mut self, invalid_values: &InvalidValues) {
+        for invalid in invalid_values.iter() {
+            self.put(&invalid.field, &invalid.text);
+        }
+    }
+
+    /// Ends the section: the keys that the model keeps for it elsewhere come last.
+    pub(super) fn close(&mut self) {
+        let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
+        while let Some(position) = self.extras.iter().position(|(other, _)| *other == part) {
+            let (_, extra) = self.extras.remove(position);
+            self.extra(extra.iter());
+        }
+    }
+
+    /// Sections that the model does not know, and what was kept for known ones that were not written.
+    pub(super) fn rest(&mut self, extra: &[ExtraSection]) {
+        for section in extra {
+            let part = SectionName::parse(section.name()).part;
+            match part {
+                Part::Section(_) => {
+                    let name = self.clean_name(section.name());
+                    self.sections.push(Section { part, name, entries: Vec::new() });
+                    self.extra(section.entries());
+                }
+                part if self.extras.iter().any(|(other, _)| *other == part) => {
+                    self.open(part);
+                    self.close();
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The text, with the keys of no section first, for no header can come before them.
+    pub(super) fn finish(mut self) -> String {
+        const END: &str = "\r\n";
+        self.sections.sort_by_key(|section| !section.name.is_empty());
+        let mut text = String::new();
+        let mut has_keys = false;
+        for Section { name, entries, .. } in &self.sections {
+            if has_keys && !entries.is_empty() && !name.is_empty() {
+                text.push_str(END);
+            }
+            has_keys |= !entries.is_empty();
+            if !name.is_empty() {
+                text.extend(["[", name, "]", END]);
+            }
+            for (key, value) in entries {
+                text.extend([key, "=", value, END]);
+            }
+        }
+        text
+    }
+
+    fn push(&mut self, key: String, value: String) {
+        if let Some(section) = self.sections.last_mut() {
+            section.entries.push((key, value));
+        }
+    }
+
+    fn extra_of(&self, part: &Part) -> Option<&Extra> {
+        self.extras.iter().find(|(other, _)| other == part).map(|(_, extra)| extra)
+    }
+
+    fn is_taken(&self, part: &Part, key: &str) -> bool {
+        self.extra_of(part).is_some_and(|extra| extra.get(key).is_some())
+    }
+
+    /// A text that stays in its line and its encoding, and is read as it is written.
+    fn clean(&self, text: &str) -> String {
+        self.clean_characters(text).trim_matches(BLANKS).to_owned()
+    }
+
+    /// A key that is read as one.
+    fn clean_key(&self, key: &str) -> String {
+        let clean = self.clean_characters(key).replace('=', " ");
+        let trimmed = clean.trim_matches(BLANKS);
+        let is_key =
+            !trimmed.is_empty() && !trimmed.starts_with([';', '#', '[']) && !trimmed.starts_with("//");
+        if is_key { trimmed.to_owned() } else { format!("_{trimmed}") }
+    }
+
+    /// A section name that is read as one. An empty one is that of the keys before the first section.
+    fn clean_name(&self, name: &str) -> String {
+        let written = self.clean_characters(name).replace(']', " ").trim_matches(BLANKS).to_owned();
+        if written.is_empty() && !name.is_empty() { "_".to_owned() } else { written }
+    }
+
+    fn clean_characters<'t>(&self, text: &'t str) -> Cow<'t, str> {
+        if text.bytes().all(|byte| (0x20..0x7F).contains(&byte) || byte == b'\t') {
+            return Cow::Borrowed(text);
+        }
+        let mut written = String::with_capacity(text.len());
+        for c in text.chars() {
+            match c {
+                c if is_control(c) => written.push(' '),
+                c if self.options.can_write(c) => written.push(c),
+                c => written.push_str(transliterate(c).unwrap_or("?")),
+            }
+        }
+        written.into()
+    }
+}
+
+/// What a reader takes away at the ends of keys and values.
+const BLANKS: [char; 2] = [' ', '\t'];
+
+/// Whether some reader would end the line at this character, or the text.
+fn is_control(c: char) -> bool {
+    (c < ' ' && c != '\t') || matches!(c, '\u{7F}' | '\u{85}' | '\u{2028}' | '\u{2029}')
+}

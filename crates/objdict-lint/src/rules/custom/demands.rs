@@ -1,0 +1,89 @@
+//! The requirements of loaded profiles: one row per rule that uses a check of [`crate::demands`].
+
+use crate::demands::{
+    misplaced_object, missing_entry, missing_object, undefined_sub_index, wrong_access, wrong_data_type,
+    wrong_default, wrong_mapping, wrong_object_type, wrong_value,
+};
+use crate::rule::demands;
+
+demands! {
+    "custom/misplaced-object", Warning, Against(misplaced_object);
+    summary: "a custom profile defines the object for other devices only",
+    checks: "Whether the condition in `only` of a loaded profile holds.",
+    why: "The object has no meaning in this device, or the description of the device is wrong.",
+    example: r#"`only = "if 1000h[16]"` in the profile, and a device type with bit 16 clear"#,
+    remedy: "Remove the object, or correct the values that the condition depends on.",
+    source: "the loaded profile",
+
+    "custom/missing-object", Error, Applied(missing_object);
+    summary: "an object that a custom profile requires is missing",
+    checks: "Whether the device has the objects that a profile loaded with `--profile` or `profiles` in `objdict.toml` makes mandatory, always or under a condition that holds for the device. Objects that a module of a modular device may add are not reported.",
+    why: "Project software relies on the object.",
+    example: r#"`need = "mandatory"` in the profile, and no `[2000]` in the description"#,
+    remedy: "Describe the object and implement it in the device; or correct the condition in the profile.",
+    source: "the loaded profile",
+
+    "custom/missing-sub-index", Error, Against(missing_entry);
+    summary: "a sub-index that a custom profile requires is missing",
+    checks: "Whether the objects of the device have the sub-indexes that a loaded profile makes mandatory, always or under a condition that holds for the device.",
+    why: "Project software relies on the sub-index.",
+    example: r#"`{ sub = 3, need = "mandatory" }` in the profile, and no `[2000sub3]`"#,
+    remedy: "Describe the sub-index and implement it in the device.",
+    source: "the loaded profile",
+
+    "custom/undefined-sub-index", Error, Against(undefined_sub_index);
+    summary: "an object has a sub-index that a custom profile does not define",
+    checks: "Whether a loaded profile lists each sub-index of an object. If it lists none, any sub-index is allowed.",
+    why: "Project tools do not show the sub-index, and a later edition of the profile may define it differently.",
+    example: "`[2000sub3]` where the profile ends with sub-index 2",
+    remedy: "Move it to an object of its own, or add it to the profile.",
+    source: "the loaded profile",
+
+    "custom/wrong-access", Error, Expected(wrong_access), fix Unsafe;
+    summary: "an entry has an access type that a custom profile does not allow",
+    checks: "The access types of the entries that a loaded profile defines. `ro` and `const` are equivalent; `rwr` and `rww` count as `rw`.",
+    why: "The device rejects a write that the profile allows, or a constant can be changed.",
+    example: "`AccessType=ro` where the profile says `rw`",
+    remedy: "Use the access type of the profile, in the description and in the device.",
+    source: "the loaded profile",
+
+    "custom/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
+    summary: "an entry has a data type other than that of a custom profile",
+    checks: "The data types of the entries that a loaded profile defines.",
+    why: "The device rejects a write with the length of the profile.",
+    example: "`DataType=0x0005` where the profile says `UNSIGNED16`",
+    remedy: "Use the data type of the profile, in the description and in the device.",
+    source: "the loaded profile",
+
+    "custom/wrong-default", Warning, Expected(wrong_default), fix Unsafe;
+    summary: "an entry has a default other than that of a custom profile",
+    checks: "Whether the default of an entry is that of a loaded profile.",
+    why: "An unconfigured node behaves differently from the others.",
+    example: "`DefaultValue=100` where the profile says `default = 50`",
+    remedy: "Use the default of the profile, in the description and in the device.",
+    source: "the loaded profile",
+
+    "custom/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
+    summary: "an entry that a custom profile keeps out of PDOs is marked as mappable",
+    checks: r#"Whether `PDOMapping` is set for an entry that has `mapping = "no"` in a loaded profile."#,
+    why: "A configuration tool offers the entry for a PDO, and the device rejects the mapping.",
+    example: r#"`PDOMapping=1` where the profile says `mapping = "no"`"#,
+    remedy: "Write `PDOMapping=0`.",
+    source: "the loaded profile",
+
+    "custom/wrong-object-type", Error, Against(wrong_object_type);
+    summary: "an object has an object type other than that of a custom profile",
+    checks: "The object types of the objects that a loaded profile defines. If the profile accepts several, any but the first is a warning.",
+    why: "A tool that knows the profile does not find the sub-indexes.",
+    example: "`ObjectType=0x8` where the profile says `RECORD`",
+    remedy: "Use the object type of the profile.",
+    source: "the loaded profile",
+
+    "custom/wrong-value", Error, Expected(wrong_value);
+    summary: "an entry has a value that a custom profile does not allow",
+    checks: "Whether a loaded profile allows the configured or default value of an entry.",
+    why: "The device rejects the value, or its behaviour is undefined.",
+    example: "`DefaultValue=300` where the profile says `values = [[0, 200]]`",
+    remedy: "Use a value of the profile.",
+    source: "the loaded profile",
+}

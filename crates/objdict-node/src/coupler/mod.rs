@@ -1,0 +1,227 @@
+//! A coupler and the modules that are plugged into it, as one dictionary (CiA 306-1 chapter 6).
+//!
+//! ```
+//! use objdict_eds::{eds, ini};
+//! use objdict_model::model::DeviceKind;
+//! use objdict_model::source::SourceFile;
+//! use objdict_node::coupler::flatten;
+//!
+//! let text = "[SupportedModules]\nNrOfEntries=1\n[M1ModuleInfo]\nProductName=DI8\n\
+//!     [M1SubExtends]\nNrOfEntries=1\n1=0x6000\n\
+//!     [M1SubExt6000]\nParameterName=Inputs\nDataType=0x0005\nAccessType=ro\nPDOMapping=1\nCount=1\n";
+//! let document = ini::Document::new(SourceFile::from_text("coupler.eds", text));
+//! let (coupler, _) = eds::read(&document, DeviceKind::Type);
+//!
+//! let plugged = flatten(&coupler, &[1, 1]).expect("module 1 is supported");
+//! assert_eq!(plugged.object(0x6000).map(|inputs| inputs.subs.len()), Some(3));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod growth;
+mod mapping;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+use self::growth::Growth;
+use crate::model::{Device, DeviceKind, Module, ObjectList};
+
+/// Why modules cannot be plugged in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ModuleProblem {
+    /// The description has no modules.
+    NotModular,
+    /// The coupler does not support a module of this number.
+    Unknown {
+        /// The number.
+        number: u16,
+        /// Those that there are.
+        known: Vec<u16>,
+    },
+    /// A module's own object is an object of the coupler, too.
+    Taken {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// Two modules describe an object that there is once differently.
+    Conflict {
+        /// The modules.
+        numbers: (u16, u16),
+        /// The object.
+        index: u16,
+    },
+    /// A module lists an object that it does not describe.
+    NotDescribed {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// An extension does not say how many sub-indexes it brings, or of which type.
+    Incomplete {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// The sub-indexes go on in the next object, and that is another one.
+    NoRoom {
+        /// The module.
+        number: u16,
+        /// The object that is extended.
+        index: u16,
+        /// The object that is in the way.
+        next: u16,
+    },
+}
+
+impl fmt::Display for ModuleProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotModular => f.write_str("the description has no modules"),
+            Self::Unknown { number, known } => {
+                let known: Vec<String> = known.iter().map(u16::to_string).collect();
+                write!(f, "unknown module `{number}`; the modules are {}", known.join(", "))
+            }
+            Self::Taken { number, index } => {
+                write!(f, "module {number} adds the object `{index:04X}`, which the coupler already has")
+            }
+            Self::Conflict { numbers: (first, second), index } => {
+                write!(f, "the modules {first} and {second} describe the object `{index:04X}` differently")
+            }
+            Self::NotDescribed { number, index } => {
+                write!(f, "module {number} lists the object `{index:04X}` but does not describe it")
+            }
+            Self::Incomplete { number, index } => {
+                write!(
+                    f,
+                    "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing"
+                )
+            }
+            Self::NoRoom { number, index, next } => write!(
+                f,
+                "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ModuleProblem {}
+
+/// The dictionary of a coupler with these modules, in their physical order: the numbers that [`Device::modules`] has them
+/// under.
+///
+/// Fixed objects are there once, however many modules bring them. Each module adds its sub-indexes behind those that are
+/// there; what it shares with others bit by bit begins a new sub-index when the last is full; behind `ObjExtend` the next
+/// object goes on. Sub-index 0 counts them. PDOs whose default mapping names an entry that is not there end before it, and
+/// do not exist where that is the first one. The result is the description of a node and states `ConnectedModules`.
+///
+/// # Errors
+/// Everything that keeps a module from being plugged in.
+pub fn flatten(device: &Device, connected: &[u16]) -> Result<Device, Vec<ModuleProblem>> {
+    let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) else {
+        return Err(vec![ModuleProblem::NotModular]);
+    };
+    let known: Vec<u16> = modules.supported.keys().copied().collect();
+    let unknown: BTreeSet<u16> =
+        connected.iter().copied().filter(|number| !modules.supported.contains_key(number)).collect();
+    if !unknown.is_empty() {
+        let problem = |number| ModuleProblem::Unknown { number, known: known.clone() };
+        return Err(unknown.into_iter().map(problem).collect());
+    }
+    let mut rack =
+        Rack { coupler: device, device: device.clone(), growths: BTreeMap::new(), problems: Vec::new() };
+    let mut plugged = BTreeMap::new();
+    for &number in connected {
+        let Some(module) = modules.supported.get(&number) else { continue };
+        if plugged.insert(number, module).is_none() {
+            rack.fix(number, module, &plugged);
+        }
+        rack.extend(number, module);
+    }
+    if !rack.problems.is_empty() {
+        rack.problems.dedup();
+        return Err(rack.problems);
+    }
+    Ok(rack.finish(connected))
+}
+
+/// The coupler with the modules so far.
+struct Rack<'a> {
+    coupler: &'a Device,
+    device: Device,
+    /// How far the extended objects are, by the index that modules name.
+    growths: BTreeMap<u16, Growth>,
+    problems: Vec<ModuleProblem>,
+}
+
+impl Rack<'_> {
+    /// Puts the objects that a module brings once.
+    fn fix(&mut self, number: u16, module: &Module, plugged: &BTreeMap<u16, &Module>) {
+        for &index in module.fixed_list.iter().filter(|index| !module.fixed.contains_key(index)) {
+            self.problems.push(ModuleProblem::NotDescribed { number, index });
+        }
+        for (&index, object) in &module.fixed {
+            if self.coupler.objects.contains_key(&index) {
+                self.problems.push(ModuleProblem::Taken { number, index });
+                continue;
+            }
+            let other =
+                plugged.iter().find(|(other, module)| **other != number && module.fixed.contains_key(&index));
+            match other.map(|(&first, module)| (first, &module.fixed[&index])) {
+                Some((first, other)) if other != object => {
+                    self.problems.push(ModuleProblem::Conflict { numbers: (first, number), index });
+                }
+                _ => {
+                    self.device.objects.insert(index, object.clone());
+                }
+            }
+        }
+    }
+
+    /// Adds the sub-indexes that a module brings.
+    fn extend(&mut self, number: u16, module: &Module) {
+        for &index in module.extension_list.iter().filter(|index| !module.extensions.contains_key(index)) {
+            self.problems.push(ModuleProblem::NotDescribed { number, index });
+        }
+        for (&index, extension) in &module.extensions {
+            let mut growth = self.growths.remove(&index).unwrap_or_else(|| Growth::of(&self.device, index));
+            let taken = |next: u16| self.coupler.objects.contains_key(&next);
+            if let Err(problem) = growth.add(&mut self.device, number, extension, taken) {
+                self.problems.push(problem);
+            }
+            self.growths.insert(index, growth);
+        }
+    }
+
+    fn finish(mut self, connected: &[u16]) -> Device {
+        self.growths.values().for_each(|growth| growth.count(&mut self.device));
+        mapping::shorten(&mut self.device);
+        self.list();
+        if let Some(modules) = &mut self.device.modules {
+            modules.connected = Some(connected.to_vec());
+        }
+        self.device.kind = DeviceKind::Node;
+        self.device
+    }
+
+    /// Names the new objects in the lists.
+    fn list(&mut self) {
+        let new = self.device.objects.keys().filter(|index| !self.coupler.objects.contains_key(index));
+        for &index in &new.copied().collect::<Vec<u16>>() {
+            let list = match index {
+                0x2000..=0x5FFF => ObjectList::Manufacturer,
+                _ => ObjectList::Optional,
+            };
+            if self.device.lists.contains(index) {
+                continue;
+            }
+            let indexes = self.device.lists.get_mut(list).get_or_insert_default();
+            let position = indexes.iter().position(|&other| other > index).unwrap_or(indexes.len());
+            indexes.insert(position, index);
+        }
+    }
+}

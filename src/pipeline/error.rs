@@ -1,0 +1,210 @@
+//! Why nothing was generated.
+
+use std::fmt::{self, Display};
+use std::io;
+use std::path::PathBuf;
+
+use crate::diagnostic::one_line;
+use crate::format::ReadError;
+use crate::generate::{ChoiceError, GenerateError, Note};
+use crate::model::Place;
+#[cfg(feature = "lint")]
+use crate::profile::OpenError;
+use crate::report::{plural, problem};
+use crate::source::SourceError;
+
+/// Why a build script generated nothing.
+///
+/// `Display` is one sentence, and `Debug` is what a reader of the build's output needs: the sentence, the findings with
+/// their places and what to do. So `fn main() -> Result<(), Error>` reports all of it.
+#[derive(thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The description cannot be read.
+    #[error(transparent)]
+    Input(#[from] ReadError),
+    /// A configuration cannot be opened.
+    #[error(transparent)]
+    Config(#[from] SourceError),
+    /// A profile cannot be used.
+    #[cfg(feature = "lint")]
+    #[error(transparent)]
+    Profile(#[from] OpenError),
+    /// There are errors in the description or in the configuration.
+    #[error("`{file}` has {}, so nothing was generated", plural(*count, noun))]
+    Findings {
+        /// The file that the errors are in.
+        file: String,
+        /// How many errors there are.
+        count: usize,
+        /// `error`, or `finding` if a lower severity stops the generation.
+        noun: &'static str,
+        /// The errors with their places: excerpts, or a line each where the crate is built without the feature `cli`.
+        report: String,
+    },
+    /// No rule and no group has this name.
+    #[error("there is no rule or group `{name}`")]
+    UnknownRule {
+        /// The name.
+        name: String,
+    },
+    /// The file of names cannot be used.
+    #[error("{file}{}: {error}", error.line.map(|line| format!(":{line}")).unwrap_or_default())]
+    Names {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        error: ChoiceError,
+    },
+    /// An option has a value that it cannot have.
+    #[error(transparent)]
+    Choice(#[from] ChoiceError),
+    /// A file that an option names cannot be read.
+    #[error("cannot read `{}`: {error}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// A target cannot express the device.
+    #[error("target `{target}`: {error}")]
+    Target {
+        /// The target.
+        target: &'static str,
+        /// Why.
+        error: GenerateError,
+    },
+    /// The tables take more than they may.
+    #[error("target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}")]
+    TooLarge {
+        /// The target.
+        target: &'static str,
+        /// `flash` or `RAM`.
+        memory: &'static str,
+        /// What they take.
+        bytes: usize,
+        /// What they may take.
+        most: usize,
+    },
+    /// The tables may take only so much, and what they take is known of none of the targets.
+    #[error("target `{target}`: the size of the tables is unknown and cannot be limited: {why}")]
+    NotMeasured {
+        /// The first of the targets.
+        target: &'static str,
+        /// Why it is not known.
+        why: &'static str,
+    },
+    /// Two targets would write the same file.
+    #[error("the targets `{first}` and `{second}` both write `{path}`")]
+    SameFile {
+        /// The target that was asked for first.
+        first: &'static str,
+        /// The other one.
+        second: &'static str,
+        /// The file below the output folder.
+        path: String,
+    },
+    /// A file cannot be written.
+    #[error("cannot write `{}`: {error}", path.display())]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// No output folder is set.
+    #[error("the variable `OUT_DIR` is not set")]
+    NoOutDir,
+    /// The output to Cargo failed.
+    #[error("cannot write to Cargo: {0}")]
+    Cargo(#[source] io::Error),
+}
+
+impl Error {
+    /// What to do about it, where that is known.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Input(ReadError::SeveralDevices { .. }) => {
+                Some("choose one with `device`, counted from 1".to_owned())
+            }
+            Self::Input(error) => error.help(),
+            #[cfg(feature = "lint")]
+            Self::Profile(error) => error.help(),
+            Self::Findings { .. } => Some(
+                "fix them, lower the severity of a rule with `severity`, or generate anyway with `force`"
+                    .to_owned(),
+            ),
+            Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => "`objdict rules` lists all".to_owned(),
+            }),
+            Self::Names { .. } => {
+                Some("write a line as `\"2000sub1\" = \"target speed\"` for each name".to_owned())
+            }
+            Self::TooLarge { .. } => {
+                Some("`objdict generate --report size` shows what each object takes".to_owned())
+            }
+            Self::NotMeasured { .. } => Some("see the map file of the linker".to_owned()),
+            Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
+            Self::NoOutDir => {
+                Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
+            }
+            Self::Config(_)
+            | Self::Choice(_)
+            | Self::Unreadable { .. }
+            | Self::Target { .. }
+            | Self::Unwritable { .. }
+            | Self::Cargo(_) => None,
+        }
+    }
+
+    /// What is wrong, with its places and lines; `None` where the sentence says all.
+    pub fn report(&self) -> Option<String> {
+        match self {
+            Self::Findings { report, .. } => Some(report.clone()),
+            #[cfg(feature = "lint")]
+            Self::Profile(OpenError::Invalid { source_file, error }) => {
+                let help = error.help.as_deref();
+                error.span.map(|span| problem(source_file, span, &error.message, help))
+            }
+            Self::Target { target, error: GenerateError::NoEntries { notes } } if !notes.is_empty() => {
+                Some(notes.iter().map(|note| report_lines(target, note)).collect())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A note with its advice, as lines.
+pub(crate) fn report_lines(target: &str, note: &Note) -> String {
+    let mut text = format!("{}: {target}: {}\n", note.severity, placed(note));
+    if let Some(help) = &note.help {
+        text.push_str(&format!("  help: {help}\n"));
+    }
+    text
+}
+
+/// The message of a note with its place; a note about the whole device has none.
+pub(crate) fn placed(note: &Note) -> String {
+    if note.place == Place::device() { note.message.clone() } else { note.to_string() }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines = |f: &mut fmt::Formatter<'_>, text: &dyn Display| -> fmt::Result {
+            let text = text.to_string();
+            text.trim_end().lines().try_for_each(|line| writeln!(f, "{}", one_line(line)))
+        };
+        lines(f, self)?;
+        if let Some(report) = self.report() {
+            writeln!(f)?;
+            lines(f, &report)?;
+            writeln!(f)?;
+        }
+        match self.help() {
+            Some(help) => write!(f, "  help: {}", one_line(&help)),
+            None => Ok(()),
+        }
+    }
+}

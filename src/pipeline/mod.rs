@@ -1,0 +1,408 @@
+//! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
+//! the configuration says, generating, writing. Only who asks, and how it is told, is theirs.
+
+#[cfg(feature = "cli")]
+mod depfile;
+mod error;
+mod save;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+#[cfg(feature = "cli")]
+pub(crate) use self::depfile::depfile;
+pub use self::error::Error;
+pub(crate) use self::error::placed;
+#[cfg(feature = "cli")]
+pub(crate) use self::error::report_lines;
+#[cfg(feature = "cli")]
+pub(crate) use self::save::Saved;
+pub(crate) use self::save::save;
+#[cfg(feature = "lint")]
+use crate::config::{Config, Project};
+use crate::diagnostic::one_line;
+use crate::diagnostic::{At, Diagnostic, Findings, Severity};
+use crate::format::Description;
+use crate::format::ReadError;
+use crate::format::input::{Input, Reading};
+use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files_of, without_effect};
+use crate::lint::{self, Severities};
+use crate::model::{Address, Device, Place};
+use crate::profile::{self, Profile};
+use crate::report::{Location, Subject, listed};
+use crate::source::hash;
+
+/// So many errors are shown of a file; the rest is counted.
+const MAX_SHOWN: usize = 50;
+
+/// What is to be made of a description.
+#[derive(Debug, Default)]
+pub(crate) struct Request {
+    /// The description; its bytes may come from elsewhere.
+    pub(crate) file: PathBuf,
+    /// How it is read.
+    pub(crate) reading: Reading,
+    /// The settings of the check.
+    pub(crate) judging: Judging,
+    /// Whether the PDOs are described that `CompactPDO` implies.
+    pub(crate) implicit_pdos: bool,
+    /// Whether to generate although there are errors.
+    pub(crate) force: bool,
+    /// The lowest severity of a finding that stops it; without it, errors.
+    pub(crate) deny: Option<Severity>,
+    /// What to generate; what is there twice counts once.
+    pub(crate) targets: Vec<Target>,
+    /// The options; the names of files, those in the file of names, and the hash are found out.
+    pub(crate) options: Options,
+    /// Whether the size of the tables is reported.
+    pub(crate) sizes: bool,
+    /// The bytes of flash and of RAM that the tables of a target may take at most.
+    pub(crate) room: Room,
+}
+
+/// The settings of a check.
+#[derive(Debug, Default)]
+pub(crate) struct Judging {
+    #[cfg(feature = "lint")]
+    pub(crate) config: Configuration,
+    pub(crate) severities: Severities,
+    /// Profiles to check against beside that of the device: numbers, or paths of files.
+    #[cfg(feature = "lint")]
+    pub(crate) profiles: Vec<String>,
+}
+
+/// Which configuration applies.
+#[cfg(feature = "lint")]
+#[derive(Debug, Default)]
+pub(crate) enum Configuration {
+    /// The nearest, in the folder of the description or above.
+    #[default]
+    Nearest,
+    /// That of a path.
+    At(PathBuf),
+    /// None.
+    Off,
+}
+
+/// A description that was read and checked.
+#[derive(Debug)]
+pub(crate) struct Judged {
+    /// What reports call it.
+    name: String,
+    described: Described,
+    /// What is wrong with it.
+    pub(crate) findings: Findings,
+    /// What is wrong with the configuration, no errors among it; a line each.
+    pub(crate) of_config: Vec<String>,
+}
+
+/// A device, with its text where it has one.
+#[derive(Debug)]
+enum Described {
+    Text(Box<Description>),
+    #[cfg(feature = "json")]
+    Model(Box<Device>),
+}
+
+/// What tables may take at most, in bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Room {
+    pub(crate) flash: Option<usize>,
+    pub(crate) ram: Option<usize>,
+}
+
+/// The files of a product, before they are written.
+#[derive(Debug)]
+pub(crate) struct Generation {
+    /// How many objects the device has.
+    pub(crate) objects: usize,
+    /// How many entries they have.
+    pub(crate) entries: usize,
+    /// What was made, in the order of the targets.
+    pub(crate) outputs: Vec<(Target, Generated)>,
+    /// What the tables take; empty where nobody wants to know.
+    pub(crate) sizes: Vec<(Target, Sizes)>,
+}
+
+impl Request {
+    /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
+    /// to `files`, whatever becomes of it.
+    #[cfg_attr(not(feature = "lint"), expect(clippy::ptr_arg, reason = "configuration and profiles join it"))]
+    pub(crate) fn judge(
+        &self,
+        name: &str,
+        bytes: Vec<u8>,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<Judged, Error> {
+        let (kind, input) = self.reading.read_one(name, bytes)?;
+        let described = match input {
+            Input::Description(description) => Described::Text(description),
+            #[cfg(feature = "json")]
+            Input::Device(device) => Described::Model(device),
+            #[cfg(feature = "json")]
+            _ => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
+        };
+        #[cfg(feature = "lint")]
+        let (mut options, of_config) = self.configured(files)?;
+        #[cfg(not(feature = "lint"))]
+        let (mut options, of_config) = (lint::Options::default(), Vec::new());
+        options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
+        let findings = match &described {
+            Described::Text(description) => crate::check_with(description, &options),
+            #[cfg(feature = "json")]
+            Described::Model(device) => options.severities.apply(lint::check(device, &options)),
+        };
+        Ok(Judged { name: name.to_owned(), described, findings, of_config })
+    }
+
+    /// The options of the check, and what is wrong with the configuration that they come from.
+    #[cfg(feature = "lint")]
+    fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
+        let severities = &self.judging.severities;
+        let Some(project) = self.project(files)? else {
+            let options = lint::Options { severities: severities.clone(), ..lint::Options::default() };
+            return Ok((self.with_profiles(options, files)?, Vec::new()));
+        };
+        let mut options = project.config.options(&self.file, severities);
+        options.profiles.extend(project.profiles.iter().cloned());
+        let options = self.with_profiles(options, files)?;
+        let findings = config_findings(&project, &options)?;
+        Ok((options, findings))
+    }
+
+    #[cfg(feature = "lint")]
+    fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
+        let path = match &self.judging.config {
+            Configuration::Off => return Ok(None),
+            Configuration::At(path) => Some(path.clone()),
+            Configuration::Nearest => {
+                let folder = self.file.parent().filter(|folder| *folder != Path::new(""));
+                Config::find(folder.unwrap_or(Path::new(".")))
+            }
+        };
+        let Some(path) = path else { return Ok(None) };
+        files.push(path.clone());
+        let mut project = Project::open(&path)?;
+        files.extend(project.files());
+        if !project.failures.is_empty() {
+            return Err(project.failures.swap_remove(0).into());
+        }
+        Ok(Some(project))
+    }
+
+    #[cfg(feature = "lint")]
+    fn with_profiles(
+        &self,
+        mut options: lint::Options,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<lint::Options, Error> {
+        for name in &self.judging.profiles {
+            options.profiles.push(self.profile(name, files)?);
+        }
+        Ok(options)
+    }
+
+    #[cfg(feature = "lint")]
+    fn profile(&self, name: &str, files: &mut Vec<PathBuf>) -> Result<Arc<Profile>, Error> {
+        if profile::named(name).is_none() && Path::new(name).is_file() {
+            files.push(name.into());
+        }
+        Ok(profile::open(name, Path::new(""))?)
+    }
+
+    /// Everything that is to be written, before anything is.
+    ///
+    /// # Errors
+    /// When there are errors in the description and `force` is not set, or a target cannot express the device.
+    pub(crate) fn produce(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Generation, Error> {
+        if !self.force {
+            judged.refuse(self.deny.unwrap_or(Severity::Error))?;
+        }
+        let device = judged.device();
+        let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
+        let options = self.options(judged, files)?;
+        let mut outputs: Vec<(Target, Generated)> = Vec::new();
+        let mut sizes = Vec::new();
+        let mut paths: BTreeMap<String, &'static str> = BTreeMap::new();
+        for &target in &self.targets {
+            if outputs.iter().any(|(other, _)| other.name() == target.name()) {
+                continue;
+            }
+            let refused = |error| Error::Target { target: target.name(), error };
+            let mut generated = files_of(&device, target, &options).map_err(refused)?;
+            if self.sizes || self.room.is_limited() {
+                let size = generate::size(&device, target, &options).map_err(refused)?;
+                generated.notes.extend(self.room.admit(target, &size)?);
+                sizes.push((target, size));
+            }
+            for file in &generated.files {
+                if let Some(first) = paths.insert(file.path.clone(), target.name()) {
+                    let (second, path) = (target.name(), file.path.clone());
+                    return Err(Error::SameFile { first, second, path });
+                }
+            }
+            outputs.push((target, generated));
+        }
+        self.room.is_measured(&sizes)?;
+        if let Some((_, first)) = outputs.first_mut() {
+            first.notes.splice(0..0, without_effect(&self.targets, &options));
+        }
+        let entries = device.objects.values().map(|object| object.entries().count()).sum();
+        Ok(Generation { objects: device.objects.len(), entries, outputs, sizes })
+    }
+
+    fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
+        let mut options = self.options.clone();
+        options.file_stem = stem(&self.file);
+        options.source_hash = match &judged.described {
+            Described::Text(description) => Some(hash(description.source().text().as_bytes())),
+            #[cfg(feature = "json")]
+            Described::Model(_) => None,
+        };
+        files.extend(options.template.clone());
+        #[cfg(feature = "lint")]
+        if let Some(path) = options.rename.take() {
+            files.push(path.clone());
+            options.renamed.extend(names_in(&path)?);
+        }
+        Ok(options)
+    }
+}
+
+impl Room {
+    fn is_limited(self) -> bool {
+        self.flash.is_some() || self.ram.is_some()
+    }
+
+    /// Refuses tables that take more; a note where that is not known.
+    fn admit(self, target: Target, sizes: &Sizes) -> Result<Option<Note>, Error> {
+        let Size { flash, ram } = match sizes {
+            Sizes::Known(report) => report.total,
+            Sizes::Unknown(why) if self.is_limited() => {
+                let text = format!("the size of the tables is unknown and so not limited: {why}");
+                let note = Note::new(Place::device(), text);
+                return Ok(Some(note.help("see the map file of the linker")));
+            }
+            Sizes::Unknown(_) => return Ok(None),
+        };
+        for (memory, bytes, most) in [("flash", flash, self.flash), ("RAM", ram, self.ram)] {
+            if let Some(most) = most.filter(|&most| bytes > most) {
+                return Err(Error::TooLarge { target: target.name(), memory, bytes, most });
+            }
+        }
+        Ok(None)
+    }
+
+    /// Refuses limits that hold for none of the targets.
+    fn is_measured(self, sizes: &[(Target, Sizes)]) -> Result<(), Error> {
+        match sizes.first() {
+            Some((target, Sizes::Unknown(why)))
+                if self.is_limited() && sizes.iter().all(|(_, sizes)| matches!(sizes, Sizes::Unknown(_))) =>
+            {
+                Err(Error::NotMeasured { target: target.name(), why })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Judged {
+    fn device(&self) -> &Device {
+        match &self.described {
+            Described::Text(description) => description.device(),
+            #[cfg(feature = "json")]
+            Described::Model(device) => device,
+        }
+    }
+
+    /// The findings of `deny` or above as a reason to stop.
+    fn refuse(&self, deny: Severity) -> Result<(), Error> {
+        refusal(&self.name, &self.findings, deny, |errors| match &self.described {
+            Described::Text(description) => text_of((&**description).into(), errors),
+            #[cfg(feature = "json")]
+            Described::Model(_) => {
+                errors.iter().map(|error| without_text(&self.name, error) + "\n").collect()
+            }
+        })
+    }
+
+    /// A finding in a line: where it is, the rule, and what is wrong.
+    pub(crate) fn line(&self, finding: &Diagnostic) -> String {
+        match &self.described {
+            Described::Text(description) => line((&**description).into(), finding),
+            #[cfg(feature = "json")]
+            Described::Model(_) => without_text(&self.name, finding),
+        }
+    }
+}
+
+/// What is wrong with a configuration, a line each; errors are a reason to stop whatever is forced, for nobody knows what
+/// was to be checked.
+#[cfg(feature = "lint")]
+fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
+    let findings = options.severities.apply(project.findings.clone());
+    let subject = Subject::Text(project.config.source());
+    refusal(subject.source().name(), &findings, Severity::Error, |errors| text_of(subject, errors))?;
+    let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
+    Ok(warnings.map(|finding| line(subject, finding)).collect())
+}
+
+/// The error that findings of `deny` or above are.
+fn refusal(
+    file: &str,
+    findings: &Findings,
+    deny: Severity,
+    shown: impl FnOnce(&Findings) -> String,
+) -> Result<(), Error> {
+    if findings.worst() < Some(deny) {
+        return Ok(());
+    }
+    let errors = || findings.iter().filter(|finding| finding.severity >= deny);
+    let mut first = Findings::new();
+    errors().take(MAX_SHOWN).for_each(|error| first.push(error.clone()));
+    let mut report = shown(&first);
+    let count = errors().count();
+    if count > MAX_SHOWN {
+        report.push_str(&format!("{} more findings are not shown\n", count - MAX_SHOWN));
+    }
+    let noun = if deny == Severity::Error { "error" } else { "finding" };
+    Err(Error::Findings { file: file.to_owned(), count, noun, report })
+}
+
+fn text_of(subject: Subject<'_>, findings: &Findings) -> String {
+    listed(subject, findings).unwrap_or_else(|error| format!("the findings cannot be shown: {error}\n"))
+}
+
+/// A finding of a text in a line.
+fn line(subject: Subject<'_>, finding: &Diagnostic) -> String {
+    let start = Location::start_of(subject, finding);
+    let (name, rule, severity) = (subject.source().name(), finding.rule.id, finding.severity);
+    let message = &finding.message;
+    one_line(&format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column))
+}
+
+/// A finding of a device that has no text.
+fn without_text(name: &str, finding: &Diagnostic) -> String {
+    let place = match finding.labels.first().map(|label| &label.at) {
+        Some(At::Place(place)) => place.to_string(),
+        _ => Place::device().to_string(),
+    };
+    let (rule, severity, message) = (finding.rule.id, finding.severity, &finding.message);
+    one_line(&format!("{name}: {severity} {rule}: {place}: {message}"))
+}
+
+/// The names that a file gives to objects and entries.
+#[cfg(feature = "lint")]
+fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
+    let text =
+        std::fs::read_to_string(path).map_err(|error| Error::Unreadable { path: path.to_owned(), error })?;
+    generate::renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
+}
+
+/// The file's name without its last ending.
+fn stem(file: &Path) -> String {
+    let stem = file.file_stem().filter(|_| file != Path::new("-"));
+    stem.map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}

@@ -1,0 +1,114 @@
+//! Fixes: what they leave alone, and that nothing new is wrong afterwards. Every file of the fixtures is fixed, the
+//! damaged ones before all.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use objdict::diagnostic::{Applicability, Findings, Fix};
+use objdict::format::{self, Description};
+use objdict::source::{Edits, SourceFile, SourceOptions};
+use objdict::{Fixed, check, fix};
+
+use crate::support;
+
+fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        if path.is_dir() {
+            folders(&path, files);
+        } else if ["eds", "dcf", "xdd", "xdc", "nxdd"].contains(&ending) {
+            files.push(path);
+        }
+    }
+}
+
+/// All descriptions of the fixtures.
+fn descriptions() -> Vec<Description> {
+    let mut files = Vec::new();
+    folders(&support::fixtures(), &mut files);
+    assert!(files.len() > 300);
+    files.iter().filter_map(|path| format::open(path, &SourceOptions::default()).ok()).collect()
+}
+
+fn copy(description: &Description) -> Description {
+    read(description, description.source().to_bytes())
+}
+
+fn read(like: &Description, bytes: Vec<u8>) -> Description {
+    let mut options = SourceOptions::default();
+    options.encoding = Some(like.source().encoding());
+    format::read(SourceFile::from_bytes(like.source().name(), bytes, &options).unwrap(), like.format())
+}
+
+fn counts(findings: &Findings) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    findings.iter().for_each(|finding| *counts.entry(finding.rule.id).or_default() += 1);
+    counts
+}
+
+/// What fixing a description did, held against what it promises.
+fn assert_fixed(description: &Description, safety: Applicability, before: &BTreeMap<&str, usize>) -> Fixed {
+    let fixed = fix(copy(description), safety, check);
+    let name = description.source().name();
+    let after = counts(&fixed.findings);
+    for (rule, count) in &after {
+        assert!(Some(count) <= before.get(rule), "{name}: {rule} {count} times, {before:?} before");
+    }
+    for rule in fixed.applied.iter().map(|repair| repair.rule).collect::<BTreeSet<_>>() {
+        assert!(after.get(rule) < before.get(rule), "{name}: {rule} is still there");
+    }
+    let bytes = fixed.bytes();
+    assert_eq!(fixed.applied.is_empty(), bytes == description.print(), "{name}");
+    let again = read(&fixed.description, bytes);
+    assert_eq!(again.device(), fixed.description.device(), "{name}: what is written is read the same");
+    fixed
+}
+
+#[test]
+fn findings_go_and_none_come() {
+    for description in descriptions() {
+        let findings = check(&description);
+        let before = counts(&findings);
+        for safety in [Applicability::Safe, Applicability::Unsafe] {
+            let is_fixable = |fix: &Fix| fix.safety == safety && description.can_fix(fix);
+            if !findings.iter().filter_map(|finding| finding.fix.as_ref()).any(is_fixable) {
+                continue;
+            }
+            let fixed = assert_fixed(&description, safety, &before);
+            let again = fix(copy(&fixed.description), safety, check);
+            let name = description.source().name();
+            assert!(again.applied.is_empty(), "{name}: fixed again: {:?}", again.applied);
+        }
+    }
+}
+
+#[test]
+fn each_fix_alone_fixes_its_finding() {
+    let mut failures = String::new();
+    for description in descriptions() {
+        let findings = check(&description);
+        let before = counts(&findings);
+        let mut seen = BTreeSet::new();
+        for finding in &findings {
+            let Some(fix) = &finding.fix else { continue };
+            assert!(finding.rule.fix >= Some(fix.safety), "{} does not declare its fix", finding.rule.id);
+            let Some(edits) = description.edits(fix).filter(|_| seen.insert(finding.rule.id)) else {
+                continue;
+            };
+            assert!(edits.windows(2).all(|pair| pair[0].0.end <= pair[1].0.start), "the edits are in order");
+            let mut text = Edits::new(description.source());
+            edits.iter().for_each(|(span, new)| text.replace(*span, new.as_str()));
+            let fixed = read(&description, text.to_bytes().unwrap());
+            let after = counts(&check(&fixed));
+            let name = description.source().name();
+            if after.get(finding.rule.id) >= before.get(finding.rule.id) {
+                writeln!(failures, "{name}: {}: {}", finding.rule.id, finding.message).unwrap();
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
