@@ -62,7 +62,7 @@
 //! // a text that is no value of its type is kept, and never taken for a number
 //! let brightness = description.device().entry(0x2000, 0).expect("the entry is there");
 //! assert_eq!(brightness.default, None);
-//! assert_eq!(brightness.invalid_values.iter().next().map(|misfit| &*misfit.text), Some("300"));
+//! assert_eq!(brightness.invalid_values.iter().next().map(|invalid| &*invalid.text), Some("300"));
 //! ```
 //!
 //! [`report`] renders findings, [`registry`] lists the rules with their pages.

@@ -192,7 +192,7 @@ impl InvalidValues {
         self.0.as_ref().map_or(&[][..], |invalid_values| invalid_values.as_slice()).iter()
     }
 
-    /// The misfit of a field.
+    /// The invalid value of a field.
     pub fn get(&self, field: &Field) -> Option<&InvalidValue> {
         self.iter().find(|invalid| invalid.field == *field)
     }

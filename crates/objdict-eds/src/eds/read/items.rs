@@ -144,7 +144,7 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// A whole number within `low..=high`; a text that is none becomes a misfit.
+    /// A whole number within `low..=high`; a text that is none becomes an invalid value.
     #[inline]
     pub(crate) fn integer<T: TryFrom<u32> + TryFrom<i128>>(
         &mut self,
@@ -197,7 +197,7 @@ impl<'a> Items<'a> {
         self.integer::<u8>(item, (0, 1), invalid_values).map(|number| number == 1)
     }
 
-    /// A word out of a list; what `find` does not know becomes a misfit.
+    /// A word out of a list; what `find` does not know becomes an invalid value.
     pub(crate) fn word<T>(
         &mut self,
         item: &Item<'a>,

@@ -1,4 +1,4 @@
-//! EDS and DCF texts to the model. Reading never fails: what cannot be read is a finding or a misfit, and goes on.
+//! EDS and DCF texts to the model. Reading never fails: what cannot be read is a finding or an invalid value, and goes on.
 
 mod compact;
 mod dictionary;

@@ -1,4 +1,4 @@
-//! XDD and XDC texts to the model. Reading never fails: what cannot be read is a finding, a misfit or left over, and goes on.
+//! XDD and XDC texts to the model. Reading never fails: what cannot be read is a finding, an invalid value or left over, and goes on.
 
 mod absorb;
 mod entry;

@@ -73,7 +73,7 @@ pub(crate) enum At {
     Nowhere,
     /// In a field that takes texts; what it does not take is left over.
     Text(Lens<dyn TextField>),
-    /// In a field that an EDS has too; what it does not take is a misfit.
+    /// In a field that an EDS has too; what it does not take is an invalid value.
     Fact(FactAt),
     /// Among the values of an entry, which are read when the data type is known.
     Value(Slots),
