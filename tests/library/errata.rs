@@ -64,7 +64,6 @@ const DEVICES: &[Device] = &[
         main: &[
             "cia306/duplicate-section 1400sub2",
             "cia301/incomplete-pdo-parameter 0x1401",
-            "cia301/cob-id-not-predefined 0x1401sub1 / DefaultValue",
             "cia301/cob-id-collision 0x1401sub1 / DefaultValue",
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/wrong-mapping-count 0x1A01sub0 / DefaultValue",
