@@ -1,11 +1,11 @@
-//! Objects by the names that people give them.
+//! Lookup of objects and entries by name.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::model::{Address, Device, NoAddress, PdoKind};
 
-/// An address, or another text that [`resolve`] understands.
+/// An address, or any other text that [`resolve`] accepts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ObjectName {
     /// `1018:1`.
@@ -17,7 +17,7 @@ pub enum ObjectName {
 impl FromStr for ObjectName {
     type Err = NoAddress;
 
-    /// Digits that are not an address are a typing error, not a name.
+    /// Digits that are not a valid address are an error, not a name.
     fn from_str(text: &str) -> Result<Self, NoAddress> {
         let text = text.trim();
         let is_numeric = text.starts_with(|c: char| c.is_ascii_digit())
@@ -30,7 +30,7 @@ impl FromStr for ObjectName {
     }
 }
 
-/// As it was written; addresses as `1017` and `1800:2`.
+/// As written; addresses as `1017` and `1800:2`.
 impl fmt::Display for ObjectName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -41,10 +41,10 @@ impl fmt::Display for ObjectName {
     }
 }
 
-/// The objects and entries of a device that a text means: an address (`1018:1`), a PDO (`tpdo1`), an area (`communication`,
-/// `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a name. Case, blanks and punctuation of
-/// names do not count. A full name wins over a part of one, and objects win over entries. An address is returned even if the
-/// device does not have it.
+/// Finds the objects and entries that a text names: an address (`1018:1`), a PDO (`tpdo1`), an area
+/// (`communication`, `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a
+/// name. Case, spaces and punctuation of names are ignored. A full match takes precedence over a partial one,
+/// and objects over entries. An address is returned even if the device does not have it.
 pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
     find(device, text, |is_meant| {
         let found = objects_by(device, |_, name| is_meant(name));
@@ -52,8 +52,9 @@ pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
     })
 }
 
-/// Everything that a text may mean where one entry is wanted, in the order of the dictionary: as [`resolve`], but objects do not
-/// win over entries. When an object and its own entries have the name, the entries count.
+/// Finds every candidate if one entry is expected, in the order of the dictionary. Unlike [`resolve`],
+/// objects do not take precedence over entries; if an object and its own entries match, only the entries are
+/// returned.
 pub fn candidates(device: &Device, text: &str) -> Vec<Address> {
     find(device, text, |is_meant| {
         let entries = entries_by(device, is_meant);
@@ -65,7 +66,7 @@ pub fn candidates(device: &Device, text: &str) -> Vec<Address> {
     })
 }
 
-/// What a text means; `by_name` finds the names that a function accepts.
+/// Resolves a text; `by_name` finds the names that a caller accepts.
 fn find(
     device: &Device,
     text: &str,
@@ -119,7 +120,7 @@ fn entries_by(device: &Device, is_meant: &dyn Fn(&str) -> bool) -> Vec<Address> 
     entries.collect()
 }
 
-/// Communication parameter and mapping of `tpdo1`.
+/// Communication parameter and mapping parameter of `tpdo1`.
 fn pdo(name: &str) -> Option<[u16; 2]> {
     let kinds = [("tpdo", PdoKind::Tpdo), ("rpdo", PdoKind::Rpdo)];
     kinds.into_iter().find_map(|(prefix, kind)| {
@@ -128,7 +129,7 @@ fn pdo(name: &str) -> Option<[u16; 2]> {
     })
 }
 
-/// Letters and digits in lower case, and the wildcards of a pattern.
+/// Reduces a name to lower-case letters, digits and wildcards.
 fn plain(name: &str) -> String {
     let kept = name.chars().filter(|c| c.is_alphanumeric() || matches!(c, '*' | '?'));
     kept.flat_map(char::to_lowercase).collect()
@@ -137,7 +138,7 @@ fn plain(name: &str) -> String {
 /// Whether a text matches a pattern with `*` and `?`.
 fn matches(pattern: &[u8], text: &[u8]) -> bool {
     let (mut p, mut t) = (0, 0);
-    let mut star = None; // where to go on when what follows the last `*` does not match
+    let mut star = None; // where to resume when the text after the last `*` does not match
     while t < text.len() {
         match pattern.get(p) {
             Some(b'*') => {

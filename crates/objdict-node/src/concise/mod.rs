@@ -1,5 +1,5 @@
-//! Concise DCF, the stream that a CANopen manager keeps in 1F22h for each node (CiA 302-3), as texts: a table to look at,
-//! a text to review and to edit, and the spellings in which a stream gets into a program.
+//! Text and source-code forms of a concise DCF, the stream that a CANopen manager stores in 1F22h for each
+//! node (CiA 302-3).
 //!
 //! The stream itself is written and parsed by [`crate::download::ConciseDcf`].
 

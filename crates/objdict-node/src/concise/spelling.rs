@@ -1,19 +1,19 @@
-//! In which spelling a stream gets into a program or a document.
+//! Output forms of a stream: binary, hex, C or Rust.
 
 use std::fmt::Write;
 
 use crate::model::hex;
 
-/// Bytes of a line.
+/// Bytes per line.
 const PER_LINE: usize = 16;
 
-/// The spelling of a stream.
+/// The output form of a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BlobSpelling {
-    /// The bytes as they are.
+    /// The raw bytes.
     #[default]
     Binary,
-    /// Pairs of hex digits, 16 a line.
+    /// Pairs of hex digits, 16 per line.
     Hex,
     /// `const uint8_t name[]`, C99.
     C,
@@ -22,7 +22,7 @@ pub enum BlobSpelling {
 }
 
 impl BlobSpelling {
-    /// The stream in this spelling; `name` becomes an identifier where there is one.
+    /// Returns the stream in this form. C and Rust derive an identifier from `name`.
     pub fn spell(self, stream: &[u8], name: &str) -> Vec<u8> {
         match self {
             Self::Binary => stream.to_vec(),
@@ -43,7 +43,7 @@ impl BlobSpelling {
     }
 }
 
-/// The bytes of a text of hex digits with blanks and line ends between them; `None` where it is something else.
+/// Parses hex digits separated by spaces and line ends; `None` for any other text.
 pub fn of_hex(text: &str) -> Option<Vec<u8>> {
     let digits: String = text.split_whitespace().collect();
     if digits.is_empty() { None } else { hex::parse(&digits).map(Vec::from) }
@@ -53,13 +53,13 @@ fn lines(stream: &[u8], byte: impl Fn(u8) -> String, between: &str, before: &str
     let mut text = String::with_capacity(stream.len() * 6);
     for chunk in stream.chunks(PER_LINE) {
         let line: Vec<String> = chunk.iter().map(|&number| byte(number)).collect();
-        // a String takes every text
+        // writing to a String cannot fail
         let _ = writeln!(text, "{before}{}", line.join(between));
     }
     text
 }
 
-/// A name as an identifier of C and Rust, in lower case.
+/// Converts a name to a lower-case identifier of C and Rust.
 fn identifier(name: &str) -> String {
     let mut word = String::new();
     for c in name.chars() {

@@ -1,14 +1,14 @@
-//! A concise DCF as a table of its bytes.
+//! A concise DCF as a table.
 
 use std::fmt::Write;
 
 use crate::download::ConciseDcf;
 
-/// Data bytes that a line of the table shows.
+/// Data bytes shown per line.
 const SHOWN: usize = 16;
 
-/// The configuration for people: a line a download, with its offset in the stream, and what the bytes are as a number
-/// or text.
+/// Formats the configuration as a table for reading: one line per download, with its offset in the stream,
+/// its bytes and their likely meaning as a number or text.
 pub fn table(configuration: &ConciseDcf) -> String {
     let mut text = format!("{} downloads\n", configuration.0.len());
     if !configuration.0.is_empty() {
@@ -16,7 +16,7 @@ pub fn table(configuration: &ConciseDcf) -> String {
     }
     for (offset, download) in configuration.with_offsets() {
         let size = download.data.len();
-        // a String takes every text
+        // writing to a String cannot fail
         let _ = write!(text, "{offset:6}  {:04X}:{:02X}  {size:4}  ", download.index, download.sub);
         text.push_str(&data(&download.data));
         text.truncate(text.trim_end().len());
@@ -25,7 +25,7 @@ pub fn table(configuration: &ConciseDcf) -> String {
     text
 }
 
-/// Bytes in hex, and what they may stand for.
+/// The bytes in hex, followed by their likely meaning.
 fn data(data: &[u8]) -> String {
     let shown = &data[..data.len().min(SHOWN)];
     let mut text: Vec<String> = shown.iter().map(|byte| format!("{byte:02X}")).collect();
@@ -38,7 +38,7 @@ fn data(data: &[u8]) -> String {
     text.join(" ")
 }
 
-/// Up to eight bytes as the number that they most likely are, more as text where they are printable.
+/// Reads up to eight bytes as a number and longer data as text, if printable.
 fn meaning(data: &[u8]) -> Option<String> {
     let printable = data.iter().all(|byte| (0x20..0x7F).contains(byte));
     match data.len() {

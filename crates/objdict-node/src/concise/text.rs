@@ -1,4 +1,5 @@
-//! The text of a concise DCF: a line a download, for review and version control, from which the same bytes come back.
+//! The text form of a concise DCF for review and version control: one line per download. Parsing it gives the
+//! same bytes.
 //!
 //! ```text
 //! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: does not exist
@@ -13,49 +14,49 @@ use crate::download::{ConciseDcf, Download};
 use crate::literal::{self, Quirks, Spelling};
 use crate::model::{Address, DataType, TypeKind, Value, hex};
 
-/// The word for bytes whose type is not known, or that are no value of it.
+/// Type keyword for bytes of unknown type or bytes that are not valid for their type.
 const BYTES: &str = "BYTES";
 
-/// Bytes that a line shows; more go on in lines that start with blanks.
+/// Bytes per line; further bytes continue in indented lines.
 const PER_LINE: usize = 32;
 
-/// The room of a data type; longer ones push the value to the right.
+/// Column width of the data type; longer names push the value to the right.
 const TYPE_WIDTH: usize = 11;
 
-/// Where the comments start, where the values leave room.
+/// Column of the comments, unless the value is longer.
 const COMMENT_COLUMN: usize = 40;
 
-/// What is said of a download beside its bytes.
+/// Type and comment of a download.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Annotation {
-    /// The data type that the bytes are shown in; `None`: as bytes.
+    /// The data type used to print the bytes; `None` prints raw bytes.
     pub data_type: Option<DataType>,
-    /// What stands in the comment: the name of the entry, what the value means.
+    /// The comment: name of the entry, meaning of the value.
     pub comment: String,
 }
 
-/// A line that is no download.
+/// A line that is not a valid download.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {message}")]
 pub struct TextError {
     /// The line, counted from 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// Description of the error.
     pub message: String,
-    /// What to write.
+    /// How to fix it.
     pub help: &'static str,
 }
 
-/// Why a text is no concise DCF: all lines that are no download.
+/// All lines of a text that are not valid downloads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextErrors(
-    /// At least one, by line.
+    /// At least one, ordered by line.
     pub Vec<TextError>,
 );
 
 impl std::error::Error for TextErrors {}
 
-/// A line a line, with what to write behind it.
+/// One error per line, each followed by its help.
 impl fmt::Display for TextErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (number, error) in self.0.iter().enumerate() {
@@ -66,14 +67,14 @@ impl fmt::Display for TextErrors {
     }
 }
 
-/// The text of a configuration; `annotate` says what is known of each download.
+/// Prints a configuration; `annotate` supplies type and comment of each download.
 pub fn print(configuration: &ConciseDcf, annotate: impl Fn(&Download) -> Annotation) -> String {
     let mut text = String::new();
     for download in &configuration.0 {
         let Annotation { data_type, comment } = annotate(download);
         let (word, value) = spelled(download, data_type);
         let start = format!("{:04X}:{:02X}  {word:TYPE_WIDTH$} ", download.index, download.sub);
-        // a String takes every text
+        // writing to a String cannot fail
         let _ = write!(text, "{start}{value}");
         let comment: String = comment.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         if !comment.trim().is_empty() {
@@ -87,7 +88,7 @@ pub fn print(configuration: &ConciseDcf, annotate: impl Fn(&Download) -> Annotat
     text
 }
 
-/// The word of the type and the value, which read back as the same bytes.
+/// The type keyword and the value; parsing them gives the same bytes.
 fn spelled(download: &Download, data_type: Option<DataType>) -> (&'static str, String) {
     let typed = data_type.and_then(|data_type| {
         let word = data_type.name()?;
@@ -110,7 +111,7 @@ fn value_text(download: &Download, data_type: DataType) -> Option<String> {
     })
 }
 
-/// A text in quotes; `None` of one that does not fit into a line.
+/// Quotes a text; `None` if the text cannot be written on one line.
 fn quoted(text: &str) -> Option<String> {
     if text.chars().any(char::is_control) {
         return None;
@@ -123,10 +124,10 @@ fn byte_lines(bytes: &[u8]) -> String {
     bytes.chunks(PER_LINE).map(line).collect::<Vec<_>>().join("\n         ")
 }
 
-/// The configuration of a text. Formulas such as `$NODEID+0x180` are worked out for `node_id`.
+/// Parses the text form. Formulas such as `$NODEID+0x180` are evaluated for `node_id`.
 ///
 /// # Errors
-/// Every line that is no download.
+/// Lists every line that is not a valid download.
 pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, TextErrors> {
     let mut downloads = Vec::new();
     let mut errors = Vec::new();
@@ -139,7 +140,7 @@ pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, TextErrors> 
     if errors.is_empty() { Ok(ConciseDcf(downloads)) } else { Err(TextErrors(errors)) }
 }
 
-/// Whether a text starts as one of these, for those who ask what a file is.
+/// Whether a text looks like this format; used for format detection.
 pub fn looks_like(text: &str) -> bool {
     statements(text).next().is_some_and(|(_, statement)| {
         let mut words = statement.split_whitespace();
@@ -148,7 +149,8 @@ pub fn looks_like(text: &str) -> bool {
     })
 }
 
-/// The downloads of a text without comments, each with its line; what goes on in lines that start with blanks is joined.
+/// The statements of a text without comments, each with its line number. Indented continuation lines are
+/// joined.
 fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
     let mut lines = text.lines().map(without_comment).enumerate().peekable();
     std::iter::from_fn(move || {
@@ -164,7 +166,7 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// A line up to the `#` that stands in no quotes.
+/// The line up to the first `#` outside quotes.
 fn without_comment(line: &str) -> &str {
     let (mut is_quoted, mut is_escaped) = (false, false);
     for (at, c) in line.char_indices() {
@@ -201,14 +203,14 @@ fn download(statement: &str, node_id: Option<u8>) -> Result<Download, Wrong> {
     bytes_of(value, data_type, node_id).map(|bytes| Download::new(index, sub, bytes))
 }
 
-/// The first word and what is behind it.
+/// Splits off the first word.
 fn word(text: &str) -> (&str, &str) {
     let text = text.trim_start();
     let (word, rest) = text.split_at(text.find(char::is_whitespace).unwrap_or(text.len()));
     (word, rest.trim())
 }
 
-/// The bytes of a value of this text.
+/// Encodes the text of a value.
 fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<u8>, Wrong> {
     let value = match data_type.kind() {
         TypeKind::VisibleString | TypeKind::UnicodeString => Value::Text(unquoted(text)?.into()),
@@ -246,7 +248,7 @@ fn number(text: &str, data_type: DataType) -> Result<Value, Wrong> {
     Ok(value)
 }
 
-/// What stands in the quotes.
+/// Removes the quotes of a text.
 fn unquoted(text: &str) -> Result<String, Wrong> {
     let wrong = |what: &str| {
         Err((format!("`{text}` {what}"), "write the text in double quotes, with `\\\"` for a quote in it"))
@@ -269,7 +271,7 @@ fn unquoted(text: &str) -> Result<String, Wrong> {
     Ok(unquoted)
 }
 
-/// Pairs of hex digits, with blanks between them or not.
+/// Parses pairs of hex digits, with or without spaces between them.
 fn hex(text: &str) -> Result<Vec<u8>, Wrong> {
     let digits: String = text.split_whitespace().collect();
     match hex::parse(&digits) {

@@ -1,4 +1,4 @@
-//! The value of one entry.
+//! Setting the value of one entry.
 
 use std::borrow::Cow;
 
@@ -9,11 +9,11 @@ use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, Address, Entry, Object, ObjectType, Value};
 use crate::resolve::{ObjectName, candidates};
 
-/// So many candidates of an ambiguous name are listed.
+/// Maximum number of candidates listed for an ambiguous name.
 const MAX_CANDIDATES: usize = 8;
 
 impl<'a> Desk<'a> {
-    /// The one object or entry of a name.
+    /// Resolves a name to exactly one object or entry.
     pub(super) fn address(&self, name: &ObjectName) -> Result<Address, Wrong> {
         let text = match name {
             ObjectName::Address(address) => return Ok(*address),
@@ -45,14 +45,14 @@ impl<'a> Desk<'a> {
         format!("`{}` {of}{name}", ObjectName::Address(at))
     }
 
-    /// Gives an entry the value of a text.
+    /// Sets an entry to the value of a text.
     pub(super) fn set(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         let (sub, entry) = self.writable(at)?;
         let value = self.read(at.index, sub, text)?;
         self.put(at.index, sub, &entry, value)
     }
 
-    /// Gives an entry a value that fits its type and its limits.
+    /// Sets an entry after checking data type and limits.
     pub(super) fn put(&mut self, index: u16, sub: u8, entry: &Entry, value: Value) -> Result<(), Wrong> {
         let bytes = bytes_of(self.device, index, sub, &value, Some(self.node_id));
         bytes.map_err(|problem| Wrong::new(problem.to_string()))?;
@@ -69,7 +69,7 @@ impl<'a> Desk<'a> {
         Ok(())
     }
 
-    /// The value of a text, in the type of an entry.
+    /// Parses a text as a value of the entry's data type.
     fn read(&self, index: u16, sub: u8, text: &str) -> Result<Value, Wrong> {
         let Some(data_type) = transferred_type(self.device, index, sub) else {
             return Err(Wrong::new("the description does not state the data type of the entry"));
@@ -88,7 +88,7 @@ impl<'a> Desk<'a> {
         Ok(value)
     }
 
-    /// The entry that is meant, where a configuration may write it.
+    /// Finds the entry and checks that a configuration may write it.
     pub(super) fn writable(&self, at: Address) -> Result<(u8, Cow<'a, Entry>), Wrong> {
         let (object, sub, entry) = self.entry(at)?;
         let is_domain = entry.object_type == Some(ObjectType::Domain);
@@ -106,7 +106,7 @@ impl<'a> Desk<'a> {
         Ok((sub, entry))
     }
 
-    /// The entry that is meant.
+    /// Finds the entry.
     pub(super) fn entry(&self, at: Address) -> Result<(&'a Object, u8, Cow<'a, Entry>), Wrong> {
         let device = self.device;
         let Some(object) = device.object(at.index) else {
@@ -140,7 +140,7 @@ impl<'a> Desk<'a> {
     }
 }
 
-/// The index with two digits in another order, which is the mistake that is made most.
+/// Finds an index with two digits swapped, the most common typing error.
 fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
     let sorted = |text: &str| {
         let mut digits = text.as_bytes().to_vec();
@@ -152,7 +152,7 @@ fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
     indexes.find(|index| differing(index) == 2 && sorted(index) == sorted(wanted))
 }
 
-/// The sub-indexes of an object, those that follow each other as a range.
+/// Lists the sub-indexes of an object; consecutive ones as a range.
 fn subs(object: &Object) -> String {
     let mut ranges: Vec<(u8, u8)> = Vec::new();
     for (sub, _) in object.entries() {

@@ -1,4 +1,4 @@
-//! Settings in a file, for those who keep them under version control:
+//! Settings files, for keeping settings under version control:
 //!
 //! ```toml
 //! node-id = 5
@@ -26,12 +26,12 @@ use toml::Value as Toml;
 
 use super::{NoSetting, Setting};
 
-/// What a file of settings says.
+/// The content of a settings file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SettingsFile {
     /// `node-id`.
     pub node_id: Option<u8>,
-    /// `bit-rate` in kbit/s, `baudrate` in older files.
+    /// `bit-rate` in kbit/s; `baudrate` in older files.
     pub baud_rate: Option<u16>,
     /// `name`.
     pub name: Option<String>,
@@ -39,14 +39,14 @@ pub struct SettingsFile {
     pub settings: Vec<Setting>,
 }
 
-/// Why a file is none of settings.
+/// Why a settings file cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SettingsFileError {
-    /// It is no TOML, or has other keys.
+    /// Not valid TOML, or unknown keys.
     #[error("{}", .0.to_string().trim_end())]
     Toml(toml::de::Error),
-    /// Some of its settings are none; all of them are told.
+    /// All invalid settings of the file.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Settings(Vec<NoSetting>),
 }
@@ -69,10 +69,10 @@ struct Document {
 }
 
 impl SettingsFile {
-    /// The settings of a text in TOML.
+    /// Parses settings in TOML.
     ///
     /// # Errors
-    /// When it is no TOML, has a key that there is not, or a value that is none.
+    /// Fails on invalid TOML, unknown keys and invalid values.
     pub fn parse(text: &str) -> Result<Self, SettingsFileError> {
         let document: Document = toml::from_str(text).map_err(SettingsFileError::Toml)?;
         let values = document.set.iter().map(|(at, value)| Setting::value(&format!("{at}={}", plain(value))));
@@ -98,14 +98,14 @@ impl SettingsFile {
     }
 }
 
-/// A value as it is written behind an option.
+/// A value as written in a command-line option.
 fn plain(value: &Toml) -> String {
     match value {
         Toml::String(text) => text.clone(),
         Toml::Boolean(flag) => u8::from(*flag).to_string(),
         Toml::Integer(number) => number.to_string(),
         Toml::Float(number) => format!("{number:?}"),
-        // none of them is a setting, and what is told quotes it
+        // not a valid setting; the error message quotes it
         Toml::Array(_) => "[…]".to_owned(),
         Toml::Table(_) => "{…}".to_owned(),
         Toml::Datetime(_) => "a date".to_owned(),

@@ -1,4 +1,4 @@
-//! Heartbeats that the node watches (1016h).
+//! Heartbeat consumers (1016h).
 
 use super::{Desk, Wrong};
 use crate::model::{Address, Value};
@@ -6,7 +6,7 @@ use crate::model::{Address, Value};
 const CONSUMERS: u16 = 0x1016;
 
 impl Desk<'_> {
-    /// Watches a node: in the entry that does so already, else in the first that watches nobody.
+    /// Monitors a node: reuses the entry that already monitors it, else takes the first free one.
     pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
         if node_id == self.node_id {
             return Err(Wrong::new("a node cannot monitor its own heartbeat"));

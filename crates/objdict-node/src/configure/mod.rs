@@ -1,7 +1,7 @@
-//! A node configured: what somebody wants of it, checked against its dictionary, and the values that this makes.
+//! Configuration of a node: checks settings against the object dictionary and computes the resulting values.
 //!
-//! Nothing is written before everything was checked, and all that is wrong is told at once. The room knows no files: what
-//! becomes of a text is the business of its format.
+//! Nothing is applied before all settings are checked, and all problems are reported together. This module
+//! does not read or write files; formats do that.
 //!
 //! ```
 //! use objdict_node::configure::{Setting, configure};
@@ -38,14 +38,14 @@ use crate::model::{Assignment, Device, Value};
 pub use file::{SettingsFile, SettingsFileError};
 pub use setting::{CanId, NoSetting, PdoName, Setting};
 
-/// Why a setting cannot be made.
+/// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SettingProblem {
-    /// The setting, as it was written.
+    /// The setting as written.
     pub setting: String,
-    /// What is wrong: lower case, offending text in backticks, no full stop.
+    /// The message: lower case, offending text in backticks, no full stop.
     pub message: String,
-    /// What to do.
+    /// How to fix it.
     pub help: Option<String>,
 }
 
@@ -55,7 +55,7 @@ impl fmt::Display for SettingProblem {
     }
 }
 
-/// What is wrong with a setting, before it is known which one it is.
+/// A problem not yet assigned to its setting.
 pub(crate) struct Wrong {
     message: String,
     help: Option<String>,
@@ -72,11 +72,11 @@ impl Wrong {
     }
 }
 
-/// The values that the settings make on the node `node_id`, in ascending order of index and sub-index. A later setting of
-/// the same entry counts.
+/// Computes the values that the settings give to the node `node_id`, in ascending order of index and
+/// sub-index. If several settings write the same entry, the last one wins.
 ///
 /// # Errors
-/// Everything that stands in the way of any of them.
+/// Lists every setting that cannot be applied.
 pub fn configure(
     device: &Device,
     node_id: u8,
@@ -97,7 +97,7 @@ pub fn configure(
     Ok(values.map(|((index, sub), value)| Assignment { index, sub, value }).collect())
 }
 
-/// What was set so far.
+/// The device and the values set so far.
 struct Desk<'a> {
     device: &'a Device,
     node_id: u8,
@@ -114,7 +114,7 @@ impl Desk<'_> {
         }
     }
 
-    /// The value that an entry has with what was set so far; `None` where nobody knows.
+    /// The value of an entry, including the settings so far; `None` if unknown.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
         if let Some(value) = self.values.get(&(index, sub)) {
             return Some(value.clone());
@@ -122,7 +122,7 @@ impl Desk<'_> {
         self.device.object(index)?.value(sub).map(std::borrow::Cow::into_owned)
     }
 
-    /// The same as a number on the node.
+    /// The same value as a number, for this node-ID.
     fn number(&self, index: u16, sub: u8) -> Option<u64> {
         u64::try_from(self.value(index, sub)?.integer_for(self.node_id)?).ok()
     }

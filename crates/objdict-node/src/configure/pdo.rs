@@ -6,11 +6,12 @@ use crate::download::transferred_type;
 use crate::model::{Address, CobId, DataType, MappedObject, PdoKind, Value, restricted};
 use crate::resolve::ObjectName;
 
-/// The bits of a frame.
+/// Bits of a CAN data field.
 const FRAME: u32 = 64;
 
 impl Desk<'_> {
-    /// Maps entries into a PDO. Slots behind the last one keep what they have: the number says that they do not count.
+    /// Maps entries into a PDO. Mapping entries after the last mapped object keep their values, because the
+    /// number of mapped objects excludes them.
     pub(super) fn map(&mut self, pdo: PdoName, objects: &[ObjectName]) -> Result<(), Wrong> {
         let index = self.mapping_of(pdo)?;
         let mut bits = 0;
@@ -29,7 +30,7 @@ impl Desk<'_> {
         self.assign(pdo, index, 0, mapped.len() as u64)
     }
 
-    /// Gives an entry of a mapping its value, where it has not got it anyway.
+    /// Sets a mapping entry unless it already has the value.
     fn assign(&mut self, pdo: PdoName, index: u16, sub: u8, number: u64) -> Result<(), Wrong> {
         if self.number(index, sub) == Some(number) {
             return Ok(());
@@ -65,7 +66,7 @@ impl Desk<'_> {
         if names.is_empty() { wrong } else { wrong.help(format!("it has {}", listing(names))) }
     }
 
-    /// An entry as a mapping names it.
+    /// The mapping value for an entry.
     fn mappable(&self, kind: PdoKind, at: Address) -> Result<MappedObject, Wrong> {
         let name = ObjectName::Address(at);
         let data_type = DataType(at.index);
@@ -100,7 +101,7 @@ impl Desk<'_> {
         }
     }
 
-    /// Gives a PDO another CAN-ID. Bit 30 of a TPDO (no remote frames) stays.
+    /// Sets the CAN-ID of a PDO. Bit 30 of a TPDO (no RTR) is preserved.
     pub(super) fn cob_id(&mut self, pdo: PdoName, id: CanId) -> Result<(), Wrong> {
         let index = pdo.kind.communication_index(pdo.number);
         let Some(index) = index.filter(|index| self.device.object(*index).is_some()) else {
@@ -122,7 +123,7 @@ impl Desk<'_> {
         self.put(index, sub, &entry, cob_id.to_value())
     }
 
-    /// Refuses a CAN-ID that another service of the node has, or that no PDO may have.
+    /// Rejects a CAN-ID that another service of the node uses or that is not allowed for PDOs.
     fn free(&self, pdo: PdoName, cob_id: CobId) -> Result<(), Wrong> {
         let can_id = cob_id.can_id(self.node_id);
         if !cob_id.is_extended() && cob_id.stray_bits() != 0 {
@@ -148,7 +149,7 @@ impl Desk<'_> {
     }
 }
 
-/// A CAN-ID with bit 29, where it needs it.
+/// Sets bit 29 if the CAN-ID needs 29 bits.
 fn framed(can_id: u32) -> u32 {
     if can_id > 0x7FF { can_id | CobId::FRAME } else { can_id }
 }

@@ -1,4 +1,4 @@
-//! What somebody wants of a node.
+//! Settings of a node.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,36 +6,36 @@ use std::str::FromStr;
 use crate::model::PdoKind;
 use crate::resolve::ObjectName;
 
-/// One thing that somebody wants.
+/// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Setting {
-    /// An entry gets a value, spelled as in a DCF.
+    /// Sets an entry to a value, spelled as in a DCF.
     Value {
-        /// The entry; the object itself where it is a VAR.
+        /// The entry; for a VAR, the object.
         at: ObjectName,
         /// The value.
         text: String,
     },
-    /// A PDO carries these entries, in this order, and nothing else.
+    /// Replaces the mapping of a PDO by these entries, in this order.
     Map {
         /// The PDO.
         pdo: PdoName,
-        /// The entries; of an RPDO also data types, which fill (`0005`).
+        /// The entries; for an RPDO also data types as dummy entries (`0005`).
         objects: Vec<ObjectName>,
     },
-    /// A PDO gets another CAN-ID.
+    /// Sets the CAN-ID of a PDO.
     CobId {
         /// The PDO.
         pdo: PdoName,
         /// The CAN-ID.
         id: CanId,
     },
-    /// The node watches the heartbeat of another one.
+    /// Monitors the heartbeat of another node.
     HeartbeatConsumer {
-        /// The other node.
+        /// The monitored node.
         node_id: u8,
-        /// The time in milliseconds after which it is missed.
+        /// The consumer heartbeat time in milliseconds.
         milliseconds: u16,
     },
 }
@@ -43,30 +43,30 @@ pub enum Setting {
 /// A PDO by its name, such as `tpdo1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PdoName {
-    /// Its direction.
+    /// The direction.
     pub kind: PdoKind,
-    /// Its number, 1 to 512.
+    /// The PDO number, 1 to 512.
     pub number: u16,
 }
 
 /// The CAN-ID of a PDO.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CanId {
-    /// A number: up to 7FFh of 11 bits, above of 29.
+    /// A fixed CAN-ID: 11 bits up to 7FFh, 29 bits above.
     Number(u32),
-    /// The node-ID plus a number.
+    /// The node-ID plus an offset.
     PerNode(u32),
-    /// None: the PDO does not exist.
+    /// No CAN-ID: the PDO is not valid.
     Off,
 }
 
-/// A text that is no setting.
+/// A text that is not a valid setting.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` is not a setting: {expected}")]
 pub struct NoSetting {
     /// The text.
     text: String,
-    /// What to write.
+    /// The expected syntax.
     expected: &'static str,
 }
 
@@ -80,7 +80,7 @@ impl Setting {
     /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`.
     ///
     /// # Errors
-    /// When that is not what the text says.
+    /// Fails if the text does not match this syntax.
     pub fn value(text: &str) -> Result<Self, NoSetting> {
         let wrong =
             || NoSetting::new(text, "write an entry and its value, as in `1017=250` or `1800:2=0xFE`");
@@ -89,10 +89,10 @@ impl Setting {
         Ok(Self::Value { at, text: value.trim().to_owned() })
     }
 
-    /// `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; nothing behind the `=` maps nothing.
+    /// `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; an empty list after `=` clears the mapping.
     ///
     /// # Errors
-    /// When that is not what the text says.
+    /// Fails if the text does not match this syntax.
     pub fn map(text: &str) -> Result<Self, NoSetting> {
         let wrong = || NoSetting::new(text, "write a PDO and its mapping, as in `tpdo1=6000:1,6401:2`");
         let (pdo, objects) = text.split_once('=').ok_or_else(wrong)?;
@@ -105,7 +105,7 @@ impl Setting {
     /// `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`.
     ///
     /// # Errors
-    /// When that is not what the text says.
+    /// Fails if the text does not match this syntax.
     pub fn cob_id(text: &str) -> Result<Self, NoSetting> {
         let wrong = || NoSetting::new(text, "write a PDO and its CAN-ID, as in `rpdo2=0x2AA` or `tpdo3=off`");
         let (pdo, id) = text.split_once('=').ok_or_else(wrong)?;
@@ -116,7 +116,7 @@ impl Setting {
     /// `7=750ms`, `7=750`, `9=1.5s`.
     ///
     /// # Errors
-    /// When that is not what the text says.
+    /// Fails if the text does not match this syntax.
     pub fn heartbeat_consumer(text: &str) -> Result<Self, NoSetting> {
         let wrong = || {
             NoSetting::new(text, "write a node-ID from 1 to 127 and a time up to 65535 ms, as in `7=750ms`")
@@ -129,7 +129,7 @@ impl Setting {
     }
 }
 
-/// A decimal number, or a hexadecimal one behind `0x`.
+/// A decimal number, or a hexadecimal one with prefix `0x`.
 fn number(text: &str) -> Option<u32> {
     let text = text.trim();
     match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
@@ -210,7 +210,7 @@ impl fmt::Display for CanId {
     }
 }
 
-/// As it is written behind the option.
+/// The syntax of the command-line option.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

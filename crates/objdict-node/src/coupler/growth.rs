@@ -1,30 +1,30 @@
-//! An object that grows with each module.
+//! Objects extended by each connected module.
 
 use std::collections::BTreeMap;
 
 use super::ModuleProblem;
 use crate::model::{Access, DataType, Device, Entry, Extension, ExtensionCount, Object, ObjectType, Value};
 
-/// 1027h: the module list. Each element is the number of a module, so defaults differ from module to module.
+/// 1027h: the module list. Each element contains the number of its module, so the default values differ.
 const MODULE_LIST: u16 = 0x1027;
 
-/// The highest sub-index that an element can have.
+/// The highest sub-index available for elements.
 const LAST: u8 = 0xFE;
 
-/// How far an object is that modules extend.
+/// State of an object that modules extend.
 #[derive(Debug)]
 pub(super) struct Growth {
-    /// The index that modules name.
+    /// The index in the module descriptions.
     index: u16,
-    /// The object that gets the next element; behind `ObjExtend` it is another one.
+    /// The object that receives the next element; differs from `index` after an overflow at `ObjExtend`.
     current: u16,
-    /// The highest sub-index that it has.
+    /// The highest sub-index of `current`.
     last: u8,
-    /// Bits of the last element that are free for a module that shares it.
+    /// Unused bits of the last element, available to modules that share it.
     free: u32,
-    /// How many elements modules added so far; they are numbered in their names.
+    /// Number of elements added so far; used to number their names.
     added: u32,
-    /// The module that added the first element, and what that was.
+    /// The module that added the first element, and that element.
     first: Option<(u16, Entry)>,
 }
 
@@ -35,7 +35,7 @@ impl Growth {
         Self { index, current: index, last, free: 0, added: 0, first: None }
     }
 
-    /// Adds what one module brings.
+    /// Adds the sub-indexes of one module.
     pub(super) fn add(
         &mut self,
         device: &mut Device,
@@ -55,7 +55,7 @@ impl Growth {
         let incomplete = ModuleProblem::Incomplete { number, index };
         match extension.count {
             Some(ExtensionCount::Subs(count)) => {
-                // bits of a shared element are of no use to those that take whole ones
+                // whole elements do not use the remaining bits of a shared element
                 self.free = 0;
                 for _ in 0..count {
                     self.element(device, number, extension, &taken)?;
@@ -108,7 +108,7 @@ impl Growth {
         Ok(())
     }
 
-    /// What an object is called that modules bring; one that goes on where another ends is called like it, with a number.
+    /// The name of an added object. A continuation object has the name of the first object plus a number.
     fn object_name(&self, device: &Device, element: &Entry) -> Box<str> {
         match (self.current - self.index, device.object(self.index)) {
             (number @ 1.., Some(first)) => format!("{} {}", first.name(), number + 1).into(),
@@ -116,7 +116,7 @@ impl Growth {
         }
     }
 
-    /// Lets sub-index 0 say how many elements there are, in each object that grew.
+    /// Updates sub-index 0 of each extended object to the number of elements.
     pub(super) fn count(&self, device: &mut Device) {
         for index in self.index..=self.current {
             let Some(object) = device.objects.get_mut(&index) else { continue };
@@ -131,7 +131,7 @@ impl Growth {
     }
 }
 
-/// Whether modules that add both are one about what an element is; names differ.
+/// Whether two modules describe the elements identically, apart from the name.
 fn is_alike(index: u16, first: &Entry, second: &Entry) -> bool {
     first.data_type == second.data_type
         && first.access == second.access

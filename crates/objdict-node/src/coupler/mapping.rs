@@ -1,9 +1,9 @@
-//! PDOs of a coupler: their default mapping may name entries that no module brought.
+//! PDOs of a coupler whose default mapping names entries that no connected module provides.
 
 use crate::model::{CobId, Device, Entry, Value};
 
-/// Ends each mapping before the first entry that is not there. A PDO that is left with nothing does not exist: bit 31 of
-/// its COB-ID is set.
+/// Truncates each mapping at the first missing entry. A PDO without any mapped entry becomes not valid: bit
+/// 31 of its COB-ID is set.
 pub(super) fn shorten(device: &mut Device) {
     let mut shortened = Vec::new();
     for pdo in device.pdos() {
@@ -27,7 +27,7 @@ pub(super) fn shorten(device: &mut Device) {
     }
 }
 
-/// Gives an entry another value.
+/// Sets the value of an entry.
 fn configure(device: &mut Device, index: u16, sub: u8, value: impl Fn(Option<&Value>) -> Option<Value>) {
     let entry = device.objects.get_mut(&index).and_then(|object| object.subs.get_mut(sub));
     let Some(entry) = entry else { return };

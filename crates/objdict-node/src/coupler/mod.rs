@@ -1,4 +1,4 @@
-//! A coupler and the modules that are plugged into it, as one dictionary (CiA 306-1 chapter 6).
+//! The object dictionary of a coupler with its connected modules (CiA 306-1 chapter 6).
 //!
 //! ```
 //! use objdict_eds::{eds, ini};
@@ -26,54 +26,54 @@ use std::fmt;
 use self::growth::Growth;
 use crate::model::{Device, DeviceKind, Module, ObjectList};
 
-/// Why modules cannot be plugged in.
+/// Why modules cannot be connected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ModuleProblem {
     /// The description has no modules.
     NotModular,
-    /// The coupler does not support a module of this number.
+    /// The coupler does not support a module with this number.
     Unknown {
-        /// The number.
+        /// The requested number.
         number: u16,
-        /// Those that there are.
+        /// The supported numbers.
         known: Vec<u16>,
     },
-    /// A module's own object is an object of the coupler, too.
+    /// An object that the module adds already exists in the coupler.
     Taken {
         /// The module.
         number: u16,
         /// The object.
         index: u16,
     },
-    /// Two modules describe an object that there is once differently.
+    /// Two modules describe the same fixed or shared object differently.
     Conflict {
         /// The modules.
         numbers: (u16, u16),
         /// The object.
         index: u16,
     },
-    /// A module lists an object that it does not describe.
+    /// A module lists an object without describing it.
     NotDescribed {
         /// The module.
         number: u16,
         /// The object.
         index: u16,
     },
-    /// An extension does not say how many sub-indexes it brings, or of which type.
+    /// An extension lacks the number of sub-indexes or the data type.
     Incomplete {
         /// The module.
         number: u16,
         /// The object.
         index: u16,
     },
-    /// The sub-indexes go on in the next object, and that is another one.
+    /// The extension continues at the next index, which is already in use.
     NoRoom {
         /// The module.
         number: u16,
-        /// The object that is extended.
+        /// The extended object.
         index: u16,
-        /// The object that is in the way.
+        /// The index in use.
         next: u16,
     },
 }
@@ -111,16 +111,17 @@ impl fmt::Display for ModuleProblem {
 
 impl std::error::Error for ModuleProblem {}
 
-/// The dictionary of a coupler with these modules, in their physical order: the numbers that [`Device::modules`] has them
-/// under.
+/// Builds the object dictionary of a coupler with these modules, given by their number in [`Device::modules`]
+/// in physical order.
 ///
-/// Fixed objects are there once, however many modules bring them. Each module adds its sub-indexes behind those that are
-/// there; what it shares with others bit by bit begins a new sub-index when the last is full; behind `ObjExtend` the next
-/// object goes on. Sub-index 0 counts them. PDOs whose default mapping names an entry that is not there end before it, and
-/// do not exist where that is the first one. The result is the description of a node and states `ConnectedModules`.
+/// A fixed object is added once, even if several modules describe it. Each module appends its sub-indexes to
+/// the existing ones. Modules that share an element bit by bit start a new sub-index when the last one is
+/// full. After `ObjExtend` sub-indexes the extension continues at the next index. Sub-index 0 is updated. A
+/// default PDO mapping ends before the first missing entry; if that is its first entry, the PDO becomes not
+/// valid. The result describes a node and contains `ConnectedModules`.
 ///
 /// # Errors
-/// Everything that keeps a module from being plugged in.
+/// Lists every problem that prevents a module from being connected.
 pub fn flatten(device: &Device, connected: &[u16]) -> Result<Device, Vec<ModuleProblem>> {
     let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) else {
         return Err(vec![ModuleProblem::NotModular]);
@@ -149,17 +150,17 @@ pub fn flatten(device: &Device, connected: &[u16]) -> Result<Device, Vec<ModuleP
     Ok(rack.finish(connected))
 }
 
-/// The coupler with the modules so far.
+/// The coupler with the modules added so far.
 struct Rack<'a> {
     coupler: &'a Device,
     device: Device,
-    /// How far the extended objects are, by the index that modules name.
+    /// The extended objects, by the index in the module descriptions.
     growths: BTreeMap<u16, Growth>,
     problems: Vec<ModuleProblem>,
 }
 
 impl Rack<'_> {
-    /// Puts the objects that a module brings once.
+    /// Adds the fixed objects of a module.
     fn fix(&mut self, number: u16, module: &Module, plugged: &BTreeMap<u16, &Module>) {
         for &index in module.fixed_list.iter().filter(|index| !module.fixed.contains_key(index)) {
             self.problems.push(ModuleProblem::NotDescribed { number, index });
@@ -182,7 +183,7 @@ impl Rack<'_> {
         }
     }
 
-    /// Adds the sub-indexes that a module brings.
+    /// Adds the sub-indexes of a module.
     fn extend(&mut self, number: u16, module: &Module) {
         for &index in module.extension_list.iter().filter(|index| !module.extensions.contains_key(index)) {
             self.problems.push(ModuleProblem::NotDescribed { number, index });
@@ -208,7 +209,7 @@ impl Rack<'_> {
         self.device
     }
 
-    /// Names the new objects in the lists.
+    /// Adds the new objects to the object lists.
     fn list(&mut self) {
         let new = self.device.objects.keys().filter(|index| !self.coupler.objects.contains_key(index));
         for &index in &new.copied().collect::<Vec<u16>>() {

@@ -1,4 +1,4 @@
-//! Where two configurations differ, write by write.
+//! Differences between two configurations, write by write.
 
 use std::collections::BTreeMap;
 
@@ -12,31 +12,31 @@ pub struct Difference {
     pub index: u16,
     /// Sub-index of the entry.
     pub sub: u8,
-    /// What the first configuration writes, in its order; empty where it does not write the entry.
+    /// The writes of the first configuration, in order; empty if it does not write the entry.
     pub first: Vec<Vec<u8>>,
-    /// What the second writes.
+    /// The writes of the second configuration.
     pub second: Vec<Vec<u8>>,
 }
 
-/// What is different between two configurations.
+/// The differences between two configurations.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Differences {
-    /// The entries, in ascending order.
+    /// The entries in ascending order.
     pub entries: Vec<Difference>,
-    /// Whether the downloads that both have come in another order.
+    /// Whether the common downloads have a different order.
     pub is_reordered: bool,
 }
 
 impl Differences {
-    /// Whether both streams are the same bytes.
+    /// Whether both streams are identical.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty() && !self.is_reordered
     }
 }
 
 impl ConciseDcf {
-    /// Where `other` differs. Entries are compared by all that is written to them, one after the other, for the first
-    /// write of a COB-ID is not the last.
+    /// Compares with `other`. An entry differs if the sequence of its writes differs, because a COB-ID is
+    /// written more than once.
     pub fn differences(&self, other: &Self) -> Differences {
         let (first, second) = (self.by_entry(), other.by_entry());
         let keys: std::collections::BTreeSet<Key> = first.keys().chain(second.keys()).copied().collect();

@@ -1,8 +1,9 @@
-//! What must be written into a node to configure it: the SDO downloads in an order that a device accepts, and the
-//! concise DCF stream that carries them (CiA 302-3, object 1F22h).
+//! The SDO downloads that configure a node, in an order that devices accept, and the concise DCF stream that
+//! contains them (CiA 302-3, object 1F22h).
 //!
-//! [`ConciseDcf::plan`] looks at a device description and says what to write, and why something is left out. It knows no files: a
-//! DOMAIN whose data come from a file stays a [`Step::File`] until [`Plan::into_concise`] reads it.
+//! [`ConciseDcf::plan`] derives them from a device description and reports entries that are left out. This
+//! module does not read files: a DOMAIN with data in a file stays a [`Step::File`] until
+//! [`Plan::into_concise`] reads it.
 
 mod difference;
 mod order;
@@ -28,7 +29,7 @@ pub(crate) use transfer::{Beyond, beyond};
 pub use transfer::{bytes_of, transferred_type};
 pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
-/// One SDO download: bytes for an entry, as the transfer carries them.
+/// One SDO download: an entry and the transferred bytes.
 #[derive(Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -44,20 +45,20 @@ pub struct Download {
     pub data: Vec<u8>,
 }
 
-/// Downloads in the order in which a node gets them. The same entry may be written more than once.
+/// Downloads in the order of transmission. An entry may be written more than once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ConciseDcf(pub Vec<Download>);
 
 impl Download {
-    /// A download of these bytes.
+    /// Creates a download.
     pub fn new(index: u16, sub: u8, data: impl Into<Vec<u8>>) -> Self {
         Self { index, sub, data: data.into() }
     }
 }
 
-/// As in `1017:00 FA00`.
+/// Format: `1017:00 FA00`.
 impl fmt::Debug for Download {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:04X}:{:02X} {}", self.index, self.sub, hex::print(&self.data))

@@ -1,8 +1,8 @@
 //! The order in which a node accepts its configuration.
 //!
-//! What has an identifier is switched off by the identifier that it has, changed, and switched on again; application
-//! objects come before the PDOs that map them; the verify configuration comes after all that would clear it, and
-//! storing last.
+//! A service with an identifier is disabled using its present identifier, changed, and enabled again.
+//! Application objects precede the PDOs that map them. The verify configuration follows all writes that clear
+//! it, and storing is last.
 
 mod pdo;
 
@@ -11,19 +11,19 @@ use std::collections::BTreeSet;
 use super::settings::{Key, Settings};
 use super::{Download, Step};
 
-/// Parts of a configuration in the order in which a node gets them.
+/// Stages of a configuration, in order of transmission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Stage {
-    /// Off goes what must not run while it is changed.
+    /// Disable services that must not run while they are changed.
     SwitchOff,
     /// Communication parameters (1000h-1FFFh).
     Communication,
     /// Application objects, from 2000h on.
     Application,
     Pdo,
-    /// SYNC starts when the PDOs that wait for it are ready.
+    /// Start SYNC after the PDOs that use it are configured.
     StartSync,
-    /// Commands that were asked for.
+    /// Requested commands.
     Command,
     /// Verify configuration (1020h): any later write would clear it.
     Verify,
@@ -31,19 +31,19 @@ enum Stage {
     Store,
 }
 
-/// `1005h`: producing SYNC.
+/// `1005h`: the device generates SYNC.
 const PRODUCES_SYNC: u32 = 1 << 30;
 
-/// `1012h`: consuming and producing TIME.
+/// `1012h`: the device consumes and produces TIME.
 const USES_TIME: u32 = 0b11 << 30;
 
-/// Of an identifier of a PDO, an SDO or EMCY: it does not exist.
+/// Bit 31 of the COB-ID of a PDO, an SDO or EMCY: not valid.
 const INVALID: u32 = 1 << 31;
 
-/// The bits of an identifier that may change only while the object is off.
+/// The identifier bits, which may change only while the object is disabled.
 const IDENTIFIER: u32 = 0x3FFF_FFFF;
 
-/// The steps that bring every wanted entry to its value.
+/// Returns the steps that write every wanted entry.
 pub(super) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
     let mut wanted = settings.wanted();
     wanted.sort_by_key(|key| group(key.0));
@@ -73,7 +73,7 @@ pub(super) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
     steps.into_iter().map(|(_, step)| step).collect()
 }
 
-/// Objects that must be changed together: their stage and the first index of the group.
+/// Groups objects that must be changed together: their stage and the first index of the group.
 const fn group(index: u16) -> (Stage, u16) {
     match index {
         0x1005 | 0x1006 | 0x1019 => (Stage::Communication, 0x1005),
@@ -99,18 +99,18 @@ impl Arranger<'_, '_> {
         self.steps.push((stage, Step::Write(Download::new(index, sub, data))));
     }
 
-    /// Writes this number of 32 bits.
+    /// Writes a 32-bit number.
     fn put_number(&mut self, stage: Stage, key: Key, number: u32) {
         self.put(stage, key, number.to_le_bytes());
     }
 
-    /// Writes the value that the entry shall have, where it has one.
+    /// Writes the target value of the entry, if it has one.
     fn write(&mut self, stage: Stage, key: Key) {
         self.steps.extend(self.settings.step(key).map(|step| (stage, step)));
     }
 
-    /// 1005h, 1006h, 1019h: the identifier may change only while the node does not produce SYNC, the counter overflow
-    /// only while the period is 0.
+    /// 1005h, 1006h, 1019h: the identifier may change only while the node does not generate SYNC, the counter
+    /// overflow only while the period is 0.
     fn sync(&mut self, start: Stage) {
         const COB_ID: Key = (0x1005, 0);
         const PERIOD: Key = (0x1006, 0);
@@ -145,7 +145,8 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// 100Ch, 100Dh, 1017h: guarding and heartbeat must not run together, so what ends comes first.
+    /// 100Ch, 100Dh, 1017h: guarding and heartbeat must not run together, so the one that ends is disabled
+    /// first.
     fn error_control(&mut self) {
         let mut keys: Vec<Key> = [(0x100C, 0), (0x100D, 0), (0x1017, 0)].into();
         keys.retain(|&key| self.settings.wants(key));
@@ -155,7 +156,8 @@ impl Arranger<'_, '_> {
         keys.into_iter().for_each(|key| self.write(Stage::Communication, key));
     }
 
-    /// 1016h: a node must not be watched by two entries, so a node that moves to another entry leaves its old one first.
+    /// 1016h: two entries must not monitor the same node, so a node that moves to another entry is removed
+    /// from the old one first.
     fn heartbeat_consumers(&mut self, keys: &[Key]) {
         let mut done = BTreeSet::new();
         for &key in keys {
@@ -171,7 +173,7 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// Identifiers of which bits 0 to 29 may change only while `off` is applied: 1012h, 1014h, 1028h.
+    /// COB-IDs with bits 0 to 29 changeable only after `off` is applied: 1012h, 1014h, 1028h.
     fn identifiers(&mut self, keys: &[Key], off: impl Fn(u32) -> u32) {
         for &key in keys {
             if let Some(new) = self.settings.target_number(key) {
@@ -185,7 +187,7 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// An SDO of 1200h to 12FFh: off, its parameters, on.
+    /// An SDO of 1200h to 12FFh: disable it, write its parameters, enable it.
     fn sdo(&mut self, keys: &[Key]) {
         let (identifiers, others): (Vec<Key>, Vec<Key>) =
             keys.iter().partition(|(_, sub)| matches!(sub, 1 | 2));
@@ -206,7 +208,7 @@ impl Arranger<'_, '_> {
     }
 }
 
-/// The node that an entry of 1016h watches.
+/// The node-ID in an entry of 1016h.
 fn watched_node(consumer: u32) -> Option<u8> {
     let [time_low, time_high, node, _] = consumer.to_le_bytes();
     ((time_low | time_high) != 0 && node != 0).then_some(node)

@@ -1,39 +1,38 @@
-//! The plan: what to write into a node, in which order.
+//! The plan: the downloads and their order.
 
 use super::order::arrange;
 use super::settings::Settings;
 use super::{ConciseDcf, Download, PlanError, Skipped};
 use crate::model::Device;
 
-/// What a plan is for.
+/// Options of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanOptions {
-    /// The node that formulas such as `$NODEID+0x180` are evaluated for; without one, that of the description's
-    /// commissioning.
+    /// The node-ID for formulas such as `$NODEID+0x180`; `None` uses the commissioned node-ID of the
+    /// description.
     pub node_id: Option<u8>,
     /// Which entries are written.
     pub scope: Scope,
-    /// Whether entries whose write starts an action, such as 1010h (store), are written where the description
-    /// configures a value for them.
+    /// Whether to write configured values to entries that start an action, such as 1010h (store).
     pub commands: bool,
 }
 
 /// Which entries a plan writes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scope {
-    /// Those whose configured value differs from the default.
+    /// Entries with a configured value that differs from the default.
     #[default]
     Changed,
-    /// All that can be written and have a value.
+    /// All writable entries that have a value.
     All,
 }
 
-/// What to write into a node, in order, and what is left out.
+/// The downloads of a node in order, and the skipped entries.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Plan {
     /// The downloads.
     pub steps: Vec<Step>,
-    /// Entries that have a configured value and are not written.
+    /// Entries with a configured value that is not written.
     pub skipped: Vec<Skipped>,
 }
 
@@ -42,18 +41,18 @@ pub struct Plan {
 pub enum Step {
     /// A download whose bytes are known.
     Write(Download),
-    /// A download whose bytes are in a file.
+    /// A download with data in a file.
     File(NeededFile),
 }
 
-/// A DOMAIN whose data are in a file (`DownloadFile`, CiA 306-1 §5.3).
+/// A DOMAIN with data in a file (`DownloadFile`, CiA 306-1 §5.3).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NeededFile {
     /// Index of the object.
     pub index: u16,
     /// Sub-index of the entry.
     pub sub: u8,
-    /// The name of the file, as the description has it.
+    /// The file name in the description.
     pub name: Box<str>,
 }
 
@@ -66,10 +65,10 @@ impl Plan {
         })
     }
 
-    /// The configuration; `read` gets the data of each file.
+    /// Creates the concise DCF; `read` supplies the data of each file.
     ///
     /// # Errors
-    /// The first error of `read`.
+    /// Returns the first error of `read`.
     pub fn into_concise<E>(
         self,
         mut read: impl FnMut(&NeededFile) -> Result<Vec<u8>, E>,
@@ -83,15 +82,16 @@ impl Plan {
 }
 
 impl ConciseDcf {
-    /// What must be written into a node so that it is configured as `device` describes.
+    /// Plans the downloads that configure a node as `device` describes.
     ///
-    /// A node is taken to have its defaults. Values are those of the description: what is configured, else the default.
-    /// Read-only entries, commands, and entries that refuse a download are left out; if the description configures one of
-    /// them, the plan says so. Communication objects are switched off by the identifier that they have, changed, and
-    /// switched on again (CiA 301 §7.5.2).
+    /// The node is assumed to have its default values. The target is the configured value, else the default.
+    /// Read-only entries, commands, and entries that refuse a download are left out; those with a configured
+    /// value are listed in the plan. Services are disabled using their present identifier, changed, and
+    /// enabled again (CiA 301 §7.5.2).
     ///
     /// # Errors
-    /// Every entry whose value is unknown, does not fit its data type or its limits, or needs a node-ID that is not there.
+    /// Lists every entry with an unknown value, a value outside its data type or limits, or a missing
+    /// node-ID.
     pub fn plan(device: &Device, options: &PlanOptions) -> Result<Plan, PlanError> {
         if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
             return Err(PlanError::NodeId(node_id));

@@ -1,14 +1,14 @@
-//! Why a plan cannot be made, and what a plan leaves out.
+//! Problems that prevent a plan, and entries that a plan leaves out.
 
 use std::fmt;
 
 use crate::model::{DataType, Place, Value};
 
-/// Why there is no plan: everything that stands in the way, not just the first of it.
+/// Why there is no plan; lists all problems.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// No node has this node-ID.
+    /// The node-ID is not valid.
     NodeId(u8),
     /// Entries whose value cannot be written; at least one, in the order of the dictionary.
     Problems(Vec<Problem>),
@@ -19,17 +19,17 @@ pub enum PlanError {
 pub struct Problem {
     /// The entry.
     pub place: Place,
-    /// What stands in the way.
+    /// The reason.
     pub kind: ProblemKind,
 }
 
-/// What stands in the way of writing a value.
+/// Why a value cannot be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProblemKind {
-    /// The value is a formula, and nobody said which node it is for.
+    /// The value is a formula, and the node-ID is missing.
     NeedsNodeId(Value),
-    /// The value does not fit the entry's data type, perhaps only on this node.
+    /// The value does not fit the data type of the entry, possibly only with this node-ID.
     NotOfType {
         /// The value.
         value: Value,
@@ -50,21 +50,21 @@ pub enum ProblemKind {
         /// The limit.
         limit: Value,
     },
-    /// The description has a text that is no value of the entry's data type.
+    /// The text in the description is not a valid value of the entry's data type.
     Unreadable(Box<str>),
-    /// The data type is missing or nobody knows how long its values are, so the bytes of this value are unknown.
+    /// The data type is missing or its length is unknown, so the value cannot be encoded.
     UnknownType {
         /// The value.
         value: Value,
-        /// The data type, where there is one.
+        /// The data type, if stated.
         data_type: Option<DataType>,
     },
-    /// The PDO, SDO or other communication object must be switched off to be changed, but the description says
-    /// nothing of its COB-ID.
+    /// The PDO, SDO or other service must be disabled before it is changed, but the description does not
+    /// state its COB-ID.
     NoCobId,
 }
 
-/// An entry for which the description has a value that is not written.
+/// An entry with a value in the description that is not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Skipped {
     /// The entry.
@@ -83,18 +83,18 @@ pub enum SkipReason {
     NoAccess,
     /// `ObjFlags` bit 0: the entry must not be written by a download.
     RefusesWrite,
-    /// A write starts an action, such as storing, and is no configuration.
+    /// Writing starts an action, such as storing, and does not configure the node.
     Command,
-    /// A write to 1003h sub-index 0 clears the history of errors.
+    /// Writing 0 to 1003h sub-index 0 clears the error history.
     ClearsHistory,
     /// The object defines a data type or is NULL.
     Definition,
-    /// An entry of a PDO mapping behind the last one that is mapped, and 0.
+    /// A mapping entry of value 0 after the last mapped object.
     Unused,
 }
 
 impl PlanError {
-    /// What to do about it.
+    /// How to fix it.
     pub fn help(&self) -> Option<&'static str> {
         match self {
             Self::NodeId(_) => Some("write a node-ID from 1 to 127"),
@@ -108,7 +108,7 @@ impl PlanError {
 
 impl std::error::Error for PlanError {}
 
-/// One line a problem; entries that only miss the node-ID share one.
+/// One problem per line; entries that only need the node-ID share a line.
 impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let problems = match self {

@@ -1,11 +1,11 @@
-//! What a node shall have, seen from another description's defaults.
+//! A configuration relative to the defaults of another description.
 
 use crate::model::{Device, Entry};
 
 impl super::ConciseDcf {
-    /// `device` with the defaults of `base`: what an entry holds, be it configured or a default of its own, is configured
-    /// where `base` has another default. So a plan starts from what the node has by its EDS, whatever a tool made of the
-    /// defaults in the DCF. Entries that `base` does not have stay as they are.
+    /// Returns `device` with the default values of `base`. A value of `device`, configured or default, that
+    /// differs from the default in `base` becomes a configured value. So a plan starts from the defaults of
+    /// the EDS, even if a tool changed them in the DCF. Entries missing in `base` are unchanged.
     pub fn rebased(device: &Device, base: &Device) -> Device {
         let mut rebased = device.expanded().into_owned();
         for (&index, object) in &mut rebased.objects {

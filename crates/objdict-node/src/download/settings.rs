@@ -1,4 +1,4 @@
-//! What a description wants each entry to be: collected, resolved for the node, checked.
+//! Target values of a description: collected, resolved for the node, checked.
 
 use std::collections::BTreeMap;
 
@@ -15,9 +15,9 @@ pub(super) type Key = (u16, u8);
 /// The entries of a device that a download may write.
 pub(super) struct Settings<'a> {
     device: &'a Device,
-    /// With the node-ID that formulas are evaluated for.
+    /// Includes the node-ID for formulas.
     options: PlanOptions,
-    /// In ascending order, in which the dictionary gives them: many are looked up.
+    /// In ascending order, the order of the dictionary, for binary search.
     entries: Vec<(Key, Setting<'a>)>,
     problems: BTreeMap<Key, Problem>,
     skipped: BTreeMap<Key, Skipped>,
@@ -28,12 +28,13 @@ struct Setting<'a> {
     object: &'a Object,
     entry: &'a Entry,
     entry_type: EntryType,
-    /// Whether the plan has to bring it to its value.
+    /// Whether the plan has to write it.
     wanted: bool,
 }
 
-/// The objects that do something when they are written: store and restore (1010h, 1011h), OS commands (1023h-1026h),
-/// configure slave (1F25h), program download and control (1F50h, 1F51h), request NMT and guarding (1F82h, 1F83h).
+/// Objects that trigger an action when written: store and restore (1010h, 1011h), OS commands (1023h-1026h),
+/// configure slave (1F25h), program download and control (1F50h, 1F51h), request NMT and guarding (1F82h,
+/// 1F83h).
 const fn is_command(index: u16) -> bool {
     matches!(index, 0x1010 | 0x1011 | 0x1023..=0x1026 | 0x1F25 | 0x1F50 | 0x1F51 | 0x1F82 | 0x1F83)
 }
@@ -44,8 +45,8 @@ const fn is_mapping(index: u16) -> bool {
 }
 
 impl<'a> Settings<'a> {
-    /// The entries of `device`; those that cannot be written but have a configured value are noted as skipped. What is
-    /// stored compactly is read from `expanded`, where every entry is described by itself.
+    /// Collects the entries of `device`; entries with a configured value that cannot be written are recorded
+    /// as skipped. Compact storage is read from `expanded`, which describes every entry.
     pub(super) fn collect(
         device: &'a Device,
         expanded: &'a BTreeMap<u16, Object>,
@@ -91,12 +92,12 @@ impl<'a> Settings<'a> {
         self.find(key).is_some()
     }
 
-    /// Whether the plan has to bring the entry to its value.
+    /// Whether the plan has to write the entry.
     pub(super) fn wants(&self, key: Key) -> bool {
         self.find(key).is_some_and(|setting| setting.wanted)
     }
 
-    /// The entries that the plan has to bring to their values.
+    /// The entries that the plan has to write.
     pub(super) fn wanted(&self) -> Vec<Key> {
         self.entries.iter().filter(|(_, setting)| setting.wanted).map(|&(key, _)| key).collect()
     }
@@ -108,12 +109,12 @@ impl<'a> Settings<'a> {
         entries.map(|&((_, sub), _)| sub).collect()
     }
 
-    /// Whether all values are written, whatever the node may have now.
+    /// Whether all values are written, even those that equal the default.
     pub(super) fn writes_all(&self) -> bool {
         self.options.scope == Scope::All
     }
 
-    /// The download that brings the entry to the value that it shall have, where it has one.
+    /// The download that sets the entry to its target value, if it has one.
     pub(super) fn step(&mut self, key @ (index, sub): Key) -> Option<Step> {
         let setting = self.find(key)?;
         if let Some(name) = download_file(setting.entry) {
@@ -123,34 +124,35 @@ impl<'a> Settings<'a> {
         self.noted(key, bytes).map(|data| Step::Write(Download { index, sub, data }))
     }
 
-    /// The bytes that the entry shall have; `None` where there is no value, or, with a problem noted, no legal one.
+    /// The bytes of the target value; `None` if there is no value or, after recording a problem, no legal
+    /// one.
     pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
         let bytes = self.find(key)?.bytes(self.options.node_id)?;
         self.noted(key, bytes)
     }
 
-    /// [`target`](Self::target) of an entry of 32 bits, as a number.
+    /// [`target`](Self::target) of a 32-bit entry, as a number.
     pub(super) fn target_number(&mut self, key: Key) -> Option<u32> {
         self.target(key)?.try_into().ok().map(u32::from_le_bytes)
     }
 
-    /// The number that an entry of 32 bits has by default; `None` where the description does not say.
+    /// The default of a 32-bit entry as a number; `None` if the description does not state it.
     pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
         let setting = self.find(key)?;
         let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.options.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
-            // a default that is none is as good as an unknown one
+            // an invalid default counts as unknown
             bytes => bytes.ok(),
         };
         bytes?.try_into().ok().map(u32::from_le_bytes)
     }
 
-    /// Notes that an entry must be switched off and cannot be.
+    /// Records that a service must be disabled but cannot be.
     pub(super) fn no_cob_id(&mut self, key: Key) {
         self.noted::<()>(key, Err(ProblemKind::NoCobId));
     }
 
-    /// Notes that an unused entry of a PDO mapping is left out.
+    /// Records that an unused mapping entry is left out.
     pub(super) fn unused(&mut self, key: Key) {
         if let Some(setting) = self.find(key).filter(|setting| setting.entry.configured_value().is_some()) {
             let skipped = Skipped { place: place(key, setting.object), reason: SkipReason::Unused };
@@ -171,7 +173,7 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// The plan of these steps, or the problems that were noted.
+    /// The plan, or the recorded problems.
     pub(super) fn finish(self, steps: Vec<Step>) -> Result<Plan, PlanError> {
         if !self.problems.is_empty() {
             return Err(PlanError::Problems(self.problems.into_values().collect()));
@@ -181,7 +183,7 @@ impl<'a> Settings<'a> {
 }
 
 impl Setting<'_> {
-    /// The bytes that the entry shall have: they must be within the limits. `None` where there is no value.
+    /// Encodes the target value and checks its limits. `None` if there is no value.
     fn bytes(&self, node_id: Option<u8>) -> Option<Result<Vec<u8>, ProblemKind>> {
         if let Some(text) = unreadable_value(self.entry) {
             return Some(Err(ProblemKind::Unreadable(text.into())));
@@ -196,7 +198,7 @@ impl Setting<'_> {
     }
 }
 
-/// Where an entry stands in the description.
+/// The place of an entry in the description.
 fn place((index, sub): Key, object: &Object) -> Place {
     if object.object_type().has_subs() { Place::entry(index, sub) } else { Place::object(index) }
 }
@@ -224,12 +226,12 @@ fn skip_reason(index: u16, object: &Object, entry: &Entry, options: &PlanOptions
     }
 }
 
-/// Whether the description says what the entry shall be, whether it is legal or not.
+/// Whether the description configures the entry, with a legal value or not.
 fn is_configured(entry: &Entry) -> bool {
     entry.configured_value().is_some() || entry.invalid_values.get(&Field::ParameterValue).is_some()
 }
 
-/// The text of the value that the entry shall have, where it is not one of its data type.
+/// The text of the target value if it is not valid for its data type.
 fn unreadable_value(entry: &Entry) -> Option<&str> {
     if entry.configured_value().is_some() {
         return None;

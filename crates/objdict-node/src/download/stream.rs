@@ -1,5 +1,5 @@
-//! The bytes of a concise DCF: a count, then for each entry index, sub-index, size and data, all little-endian, with
-//! no padding and no terminator (CiA 302-3, object 1F22h).
+//! The encoding of a concise DCF: a number of entries, then index, sub-index, size and data of each. All
+//! numbers are little-endian, without padding or terminator (CiA 302-3, object 1F22h).
 
 use std::collections::BTreeMap;
 
@@ -11,10 +11,10 @@ const COUNT: usize = 4;
 /// Bytes of an entry before its data: index, sub-index, size.
 const HEADER: usize = 7;
 
-/// So many ways to read a broken stream are tried before the search for padded integers gives up.
+/// Limit of the search for padded integers in an invalid stream.
 const MAX_TRIED: usize = 1 << 16;
 
-/// A configuration that no stream can carry: a count or a size does not fit its 32 bits.
+/// A configuration too large for a stream: a count or a size does not fit into 32 bits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what} exceeds the limit of a concise DCF, 4294967295")]
 pub struct EncodeError {
@@ -22,11 +22,11 @@ pub struct EncodeError {
 }
 
 impl ConciseDcf {
-    /// The downloads of a stream.
+    /// Parses a stream.
     ///
     /// # Errors
-    /// When the stream is not exactly as long as its count and sizes say; with the offset where it goes wrong. Memory is
-    /// bounded by the length of the stream, whatever it promises.
+    /// Fails with an offset if the length does not match the count and the sizes. Memory is bounded by the
+    /// length of the stream, not by the sizes it states.
     pub fn parse(stream: &[u8]) -> Result<Self, DecodeError> {
         let Some(count) = count(stream) else {
             return Err(DecodeError { offset: 0, kind: DecodeErrorKind::NoCount { length: stream.len() } });
@@ -34,10 +34,10 @@ impl ConciseDcf {
         decode_entries(stream, count).map_err(|error| padded_integer(stream, count).unwrap_or(error))
     }
 
-    /// The stream.
+    /// Encodes the stream.
     ///
     /// # Errors
-    /// When there are more than 2³²−1 downloads, or one of them has more bytes.
+    /// Fails if there are more than 2³²−1 downloads, or more than 2³²−1 bytes in one of them.
     pub fn write(&self) -> Result<Vec<u8>, EncodeError> {
         encode(&self.0)
     }
@@ -70,30 +70,30 @@ fn encode(downloads: &[Download]) -> Result<Vec<u8>, EncodeError> {
     Ok(stream)
 }
 
-/// Why bytes are no concise DCF.
+/// Why a stream is not a valid concise DCF.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at byte {offset}: {kind}")]
 pub struct DecodeError {
-    /// Offset of the byte where the stream goes wrong.
+    /// Offset of the first invalid byte.
     pub offset: usize,
-    /// What is wrong there.
+    /// The kind of the error.
     pub kind: DecodeErrorKind,
 }
 
-/// What is wrong with a stream. Entries are counted from 1.
+/// Errors of a stream. Entries are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DecodeErrorKind {
-    /// There is not even a count.
+    /// The stream is shorter than the count.
     #[error("the stream has {length} bytes, but its entry count takes 4")]
     NoCount {
         /// Length of the stream.
         length: usize,
     },
-    /// The count promises more entries than there are.
+    /// The count is larger than the number of entries.
     #[error("the stream has {found} of {count} entries")]
     CountTooLarge {
-        /// The promised number.
+        /// The stated number.
         count: u32,
         /// The number of entries found.
         found: u32,
@@ -103,9 +103,9 @@ pub enum DecodeErrorKind {
     TruncatedHeader {
         /// Number of the entry.
         entry: u32,
-        /// The promised number of entries.
+        /// The stated number of entries.
         count: u32,
-        /// Bytes that are left.
+        /// Remaining bytes.
         left: usize,
     },
     /// An entry ends within its data.
@@ -115,7 +115,7 @@ pub enum DecodeErrorKind {
     TruncatedData {
         /// Number of the entry.
         entry: u32,
-        /// The promised number of entries.
+        /// The stated number of entries.
         count: u32,
         /// Index of the object.
         index: u16,
@@ -123,19 +123,19 @@ pub enum DecodeErrorKind {
         sub: u8,
         /// The size that the entry states.
         size: u32,
-        /// Bytes that are left.
+        /// Remaining bytes.
         left: usize,
     },
     /// Bytes follow the last entry.
     #[error("{left} bytes follow the last of {count} entries")]
     TrailingBytes {
-        /// The promised number of entries.
+        /// The stated number of entries.
         count: u32,
-        /// Number of bytes behind the last entry.
+        /// Number of bytes after the last entry.
         left: usize,
     },
-    /// The mistake of the generator dcfgen: integers of 24, 40, 48 and 56 bits state their true size, but four or
-    /// eight bytes follow, so that every later entry is shifted.
+    /// A bug of the generator dcfgen: integers of 24, 40, 48 and 56 bits state their true size, but four or
+    /// eight bytes follow, so every later entry is shifted.
     #[error(
         "entry {entry} of {count}, {index:04X}h sub-index {sub:X}h, has a size of {size} bytes, but {padded} bytes of \
          data: dcfgen pads integers of 24, 40, 48 and 56 bits and shifts every later entry"
@@ -143,7 +143,7 @@ pub enum DecodeErrorKind {
     PaddedInteger {
         /// Number of the first such entry.
         entry: u32,
-        /// The promised number of entries.
+        /// The stated number of entries.
         count: u32,
         /// Index of the object.
         index: u16,
@@ -205,7 +205,8 @@ impl Header {
         rest[HEADER..].get(..usize::try_from(self.size).ok()?)
     }
 
-    /// The number of data bytes that dcfgen writes for an integer of this size, where they are there and look padded.
+    /// The number of data bytes that dcfgen writes for an integer of this size, if the stream has them and
+    /// they look padded.
     fn padded(self, rest: &[u8]) -> Option<u32> {
         let padded = match self.size {
             3 => 4,
@@ -220,10 +221,10 @@ impl Header {
     }
 }
 
-/// Whether the stream makes sense when integers are padded, and which entry is the first of them.
+/// Checks whether the stream is valid with padded integers, and finds the first padded entry.
 ///
-/// A text of three bytes has the size of an integer of 24 bits, so both ways are followed; of ways that meet again at
-/// the same byte one is enough.
+/// A three-byte text has the same size as a 24-bit integer, so the search follows both alternatives.
+/// Alternatives that reach the same offset are merged.
 fn padded_integer(stream: &[u8], count: u32) -> Option<DecodeError> {
     let mut ways: BTreeMap<usize, Option<DecodeError>> = BTreeMap::from([(COUNT, None)]);
     let mut tried = 0;

@@ -1,4 +1,4 @@
-//! Values as the bytes that a transfer carries.
+//! Encoding of values for a transfer.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -9,14 +9,14 @@ use crate::model::{DataType, Device, Entry, Object, ObjectType, TypeKind, Value}
 /// The data type of an entry.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EntryType {
-    /// As the description has it.
+    /// The type stated in the description.
     stated: Option<DataType>,
-    /// The static type that decides about the bytes; `None` where nobody knows.
+    /// The static type that determines the encoding; `None` if unknown.
     pub(super) transferred: Option<DataType>,
 }
 
 impl EntryType {
-    /// The type of an entry; where the description has none, the one that its place implies.
+    /// The type of an entry; if not stated, the type implied by its place.
     pub(super) fn of(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Self {
         let has_subs = object.object_type().has_subs();
         let transferred = match entry.data_type {
@@ -30,7 +30,7 @@ impl EntryType {
         Self { stated: entry.data_type, transferred }
     }
 
-    /// The bytes of a value on a node.
+    /// Encodes a value for a node.
     pub(super) fn bytes(self, value: &Value, node_id: Option<u8>) -> Result<Vec<u8>, ProblemKind> {
         let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: self.stated };
         let data_type = self.transferred.ok_or_else(unknown)?;
@@ -43,7 +43,7 @@ impl EntryType {
             }
             _ => Cow::Borrowed(value),
         };
-        // a value made in code may be too large for its type: the bytes would wrap
+        // a value created by code may exceed its type and would wrap
         let fits = typed
             .as_integer()
             .is_none_or(|number| Value::from_integer(number, data_type).as_ref() == Some(&*typed));
@@ -51,18 +51,18 @@ impl EntryType {
     }
 }
 
-/// The static data type that the bytes of an entry are of in a transfer: its own, or what a type of the device's own
-/// stands for; `None` where nobody knows.
+/// The static data type used to transfer an entry: its own type, or the base type of a device-specific type.
+/// `None` if unknown.
 pub fn transferred_type(device: &Device, index: u16, sub: u8) -> Option<DataType> {
     let object = device.object(index)?;
     let entry = object.entry(sub)?;
     EntryType::of(device, object, sub, &entry).transferred
 }
 
-/// The bytes of a value for an entry, as a transfer carries them to the node `node_id`.
+/// Encodes a value for a transfer to the node `node_id`.
 ///
 /// # Errors
-/// When the value is none of the entry's data type, that is not known, or the node-ID is missing.
+/// Fails if the value does not fit the data type, the data type is unknown, or the node-ID is missing.
 pub fn bytes_of(
     device: &Device,
     index: u16,
@@ -76,8 +76,8 @@ pub fn bytes_of(
     EntryType::of(device, object, sub, &entry).bytes(value, node_id)
 }
 
-/// The static type of a simple type of the device's own. A DEFTYPE says how many bits it has (CiA 301 §7.4.7.2), or,
-/// as CanFestival writes it, in sub-index 1 which type it narrows.
+/// The static type of a simple device-specific type. A DEFTYPE object states its number of bits (CiA 301
+/// §7.4.7.2); CanFestival instead writes the base type in sub-index 1.
 fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
     let definition =
         device.object(data_type.0).filter(|object| object.object_type() != ObjectType::DefStruct)?;
@@ -94,7 +94,7 @@ fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
     }
 }
 
-/// The number that a text of a type of the device's own stands for.
+/// Parses a number of a device-specific type.
 fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
     let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
     let number = match hex {
@@ -104,7 +104,7 @@ fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
     Value::from_integer(number?, data_type)
 }
 
-/// A limit of an entry that a value is beyond.
+/// A limit that a value violates.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Beyond {
     /// Below `LowLimit`.
@@ -113,7 +113,7 @@ pub(crate) enum Beyond {
     High(Value),
 }
 
-/// The limit that a value is beyond on a node; a limit that nobody can compare with is none.
+/// The limit that a value violates on a node; limits that cannot be compared are ignored.
 pub(crate) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
     let against = |limit: &Option<Value>, wrong: Ordering| {
         limit.as_ref().filter(|limit| compare(value, limit, node_id) == Some(wrong)).cloned()

@@ -1,22 +1,22 @@
-//! PDOs and SRDOs: communication record and mapping are changed while the object is off.
+//! PDOs and SRDOs: communication parameter and mapping are changed while the object is not valid.
 
 use super::{Arranger, INVALID, Key, Stage};
 
-/// From the communication record of a PDO to its mapping.
+/// Offset from the communication parameter of a PDO to its mapping.
 const PDO_MAPPING: u16 = 0x200;
 
-/// From the communication record of an SRDO to its mapping.
+/// Offset from the communication parameter of an SRDO to its mapping.
 const SRDO_MAPPING: u16 = 0x80;
 
-/// 13FEh: the configuration of the SRDOs is valid.
+/// 13FEh: configuration valid flag of the SRDOs.
 const SRDO_VALID: Key = (0x13FE, 0);
 
-/// A PDO to be changed, with the COB-ID that it has and the one that it gets.
+/// A PDO with its present and its new COB-ID.
 #[derive(Clone, Copy)]
 struct Pdo {
-    /// Index of the communication record.
+    /// Index of the communication parameter.
     communication: u16,
-    /// Old and new COB-ID; `None` where sub-index 1 cannot be written.
+    /// Present and new COB-ID; `None` if sub-index 1 cannot be written.
     cob_ids: Option<(u32, u32)>,
 }
 
@@ -25,7 +25,7 @@ impl Pdo {
         (self.communication, 1)
     }
 
-    /// Whether `other` gets the CAN-ID that this PDO still uses.
+    /// Whether `other` receives the CAN-ID that this PDO still uses.
     fn gives_id_to(self, other: Self) -> bool {
         let (Some((old, _)), Some((_, new))) = (self.cob_ids, other.cob_ids) else { return false };
         (old | new) & INVALID == 0 && (old ^ new) & 0x1FFF_FFFF == 0
@@ -33,8 +33,8 @@ impl Pdo {
 }
 
 impl Arranger<'_, '_> {
-    /// The PDOs with these communication records, one after the other (CiA 301 §7.5.2.36, §7.5.2.38). One whose CAN-ID
-    /// goes to a PDO before it is switched off first of all.
+    /// Configures the PDOs with these communication parameters one by one (CiA 301 §7.5.2.36, §7.5.2.38). If
+    /// an earlier PDO receives the CAN-ID of a later one, the later one is disabled in the first stage.
     pub(super) fn pdos(&mut self, communication: &[u16]) {
         let pdos: Vec<Pdo> = communication.iter().map(|&communication| self.pdo_of(communication)).collect();
         for (position, &pdo) in pdos.iter().enumerate() {
@@ -76,8 +76,8 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// A mapping: no objects, the objects, their number. All that are mapped are written, for devices forget them with
-    /// the number.
+    /// Writes a mapping: number 0, the objects, the number of objects. All mapped objects are written,
+    /// because some devices clear them when the number becomes 0.
     fn mapping(&mut self, stage: Stage, mapping: u16) {
         let subs = self.settings.subs(mapping);
         if !subs.iter().any(|&sub| self.settings.wants((mapping, sub))) {
@@ -104,7 +104,7 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// The number of mapped objects: what sub-index 0 says, else the number of entries before the first empty one.
+    /// The number of mapped objects: sub-index 0, else the number of entries before the first empty one.
     fn mapped(&mut self, mapping: u16, subs: &[u8]) -> u8 {
         if let Some(&[count]) = self.settings.target((mapping, 0)).as_deref() {
             return count;
@@ -120,8 +120,8 @@ impl Arranger<'_, '_> {
         mapped
     }
 
-    /// The SRDOs (CiA 301 §7.5.2.40 to §7.5.2.43): their configuration is invalid while it is changed; the checksums
-    /// and the mark that it is valid come last.
+    /// Configures the SRDOs (CiA 301 §7.5.2.40 to §7.5.2.43). Their configuration is marked invalid first;
+    /// the checksums and the valid flag are written last.
     pub(super) fn srdos(&mut self, keys: &[Key]) {
         let stage = Stage::Communication;
         if self.settings.can_write(SRDO_VALID) {
@@ -140,7 +140,7 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// One SRDO; its direction is 0, that is none, while it is changed.
+    /// Configures one SRDO; its direction is 0 (disabled) while it is changed.
     fn srdo(&mut self, communication: u16) {
         let stage = Stage::Communication;
         let direction = (communication, 1);

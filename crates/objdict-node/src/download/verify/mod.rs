@@ -1,5 +1,5 @@
-//! Whether a node accepts a configuration: the downloads are played against the dictionary, one after the other, as a
-//! device takes them (CiA 301 §7.5.2, CiA 302-3).
+//! Checks whether a node accepts a configuration. The downloads are applied to the dictionary one by one, as
+//! a device does (CiA 301 §7.5.2, CiA 302-3).
 
 mod node;
 mod objection;
@@ -11,35 +11,36 @@ pub use self::objection::{AbortCode, Objection, ObjectionKind};
 use super::{ConciseDcf, Download};
 use crate::model::{Device, Place};
 
-/// What came of playing a configuration against a dictionary.
+/// The result of checking a configuration.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verification {
-    /// What a node refuses, and what it takes although it is hardly meant, in the order of the downloads.
+    /// Downloads that a node rejects or that are probably mistakes, in order of transmission.
     pub objections: Vec<Objection>,
-    /// Entries with a default that depends on the node-ID, where nobody said which node it is: what depends on their
-    /// present value was not looked at.
+    /// Entries whose default needs the missing node-ID. Checks that depend on their present value were
+    /// skipped.
     pub unknown: Vec<Place>,
 }
 
 impl Verification {
-    /// What a node refuses.
+    /// The downloads that a node rejects.
     pub fn refusals(&self) -> impl Iterator<Item = &Objection> {
         self.objections.iter().filter(|objection| objection.kind.is_refusal())
     }
 
-    /// Whether a node takes every download.
+    /// Whether a node accepts every download.
     pub fn is_accepted(&self) -> bool {
         self.refusals().next().is_none()
     }
 }
 
 impl ConciseDcf {
-    /// Plays the downloads against the dictionary of `device`, which has its defaults: those of the node `node_id`, else
-    /// of the node that the description is for.
+    /// Applies the downloads to the dictionary of `device`, starting from the defaults for `node_id` or else
+    /// for the commissioned node-ID.
     ///
-    /// Access, sizes and limits are those of the description. A write that is refused changes nothing, so a stream that
-    /// forgets to switch a PDO off is told of every write that fails for it. Each download is judged by the strictest
-    /// reading of CiA 301; where devices differ, [`ObjectionKind::is_refusal`] is false.
+    /// Access, sizes and limits are those of the description. A rejected write changes nothing, so if a
+    /// stream does not mark a PDO as not valid first, every write that fails for this reason is reported.
+    /// Each download is checked against the strictest reading of CiA 301; where devices differ,
+    /// [`ObjectionKind::is_refusal`] is false.
     pub fn verify(&self, device: &Device, node_id: Option<u8>) -> Verification {
         let mut node = Node::new(device, node_id.or_else(|| device.node_id()));
         let mut objections = Vec::new();
@@ -59,7 +60,7 @@ impl ConciseDcf {
     }
 }
 
-/// The place of an entry, as reports name it: the value of a VAR has no sub-index.
+/// The place of an entry as used in reports: the value of a VAR has no sub-index.
 fn node_place(device: &Device, index: u16, sub: u8) -> Place {
     match device.object(index) {
         Some(object) if sub == 0 && !object.object_type().has_subs() => Place::object(index),

@@ -1,4 +1,4 @@
-//! A node that takes downloads: its dictionary, its present values, and what it checks of every write.
+//! A simulated node: its dictionary, its present values, and the checks of every write.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,20 +8,20 @@ use super::super::{Download, ProblemKind};
 use super::{ObjectionKind, node_place};
 use crate::model::{Access, DataType, Device, Entry, Object, ObjectType, Place, TypeKind, Value};
 
-/// What becomes of a write: nothing to say, a doubt, or a refusal.
+/// The result of a write: accepted, accepted with an objection, or rejected.
 pub(super) type Judgement = Result<Option<ObjectionKind>, ObjectionKind>;
 
 /// A node.
 pub(super) struct Node<'a> {
     pub(super) device: &'a Device,
     node_id: Option<u8>,
-    /// What was written; everything else has its default.
+    /// The written entries; all others have their defaults.
     written: BTreeMap<Key, Vec<u8>>,
-    /// Entries whose default nobody knows without the node-ID, where it was needed.
+    /// Entries whose default was needed but depends on the missing node-ID.
     unknown: BTreeSet<Key>,
     /// Whether 1010h was written.
     is_stored: bool,
-    /// Whether 1020h was written since all else.
+    /// Whether 1020h was written and no later write cleared it.
     is_verified: bool,
 }
 
@@ -31,12 +31,12 @@ impl<'a> Node<'a> {
         Self { device, node_id, written, unknown, is_stored: false, is_verified: false }
     }
 
-    /// The entries whose present value would have been of use.
+    /// The entries whose present value was needed but is unknown.
     pub(super) fn into_unknown(self) -> Vec<Place> {
         self.unknown.iter().map(|&(index, sub)| node_place(self.device, index, sub)).collect()
     }
 
-    /// Takes a download, or refuses it and stays as it is.
+    /// Applies a download, or rejects it without changing the state.
     pub(super) fn take(&mut self, download: &Download) -> Judgement {
         self.judge_entry(download)?;
         let of_service = self.judge_service(download)?;
@@ -45,7 +45,7 @@ impl<'a> Node<'a> {
         Ok(of_service.or(late))
     }
 
-    /// What every entry demands: that it is there and can be written, its size and its limits.
+    /// Checks of every entry: existence, access, size and limits.
     fn judge_entry(&self, download: &Download) -> Result<(), ObjectionKind> {
         let object = self.device.object(download.index).ok_or(ObjectionKind::NoObject)?;
         let entry = object.entry(download.sub).ok_or(ObjectionKind::NoSubIndex)?;
@@ -69,7 +69,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// What comes too late.
+    /// Checks for writes after storing (1010h) or after the verify configuration (1020h).
     fn judge_order(&mut self, index: u16) -> Option<ObjectionKind> {
         match index {
             0x1010 | 0x1011 => {
@@ -83,11 +83,11 @@ impl<'a> Node<'a> {
             }
             _ => {}
         }
-        // told once
+        // reported once
         std::mem::take(&mut self.is_stored).then_some(ObjectionKind::NotStored)
     }
 
-    /// The present value of an entry as a number; `None` where it is not there or nobody knows.
+    /// The present value of an entry as a number; `None` if the entry does not exist or the value is unknown.
     pub(super) fn number(&mut self, key: Key) -> Option<u64> {
         let bytes = match self.written.get(&key) {
             Some(written) => written.clone(),
@@ -96,7 +96,7 @@ impl<'a> Node<'a> {
         number(&bytes)
     }
 
-    /// The same of 32 bits.
+    /// The same for 32-bit entries.
     pub(super) fn word(&mut self, key: Key) -> Option<u32> {
         u32::try_from(self.number(key)?).ok()
     }
@@ -116,11 +116,11 @@ impl<'a> Node<'a> {
 fn can_be_written(index: u16, object: &Object, entry: &Entry) -> bool {
     let object_type = object.object_type();
     let is_definition = matches!(object_type, ObjectType::Null | ObjectType::DefType | ObjectType::DefStruct);
-    // what states no access type may be writable
+    // without an access type the entry may be writable
     index >= 0x1000 && !is_definition && entry.access.is_none_or(Access::is_writable)
 }
 
-/// The value that bytes are; `None` where a description cannot limit it.
+/// Decodes bytes; `None` for types without limits.
 fn value_of(data_type: DataType, data: &[u8]) -> Result<Option<Value>, ObjectionKind> {
     let found = data.len();
     if let Some(expected) = data_type.byte_length().map(usize::from).filter(|&expected| expected != found) {

@@ -1,31 +1,31 @@
-//! What is said against a download.
+//! Objections to a download.
 
 use std::fmt;
 
 use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
 
-/// A problem of a download of a configuration.
+/// A problem of a download.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Objection {
     /// Number of the download, counted from 1.
     pub number: usize,
-    /// Offset of its first byte in the stream, that of the index.
+    /// Offset of the download in the stream (its index).
     pub offset: usize,
     /// Index of the object.
     pub index: u16,
     /// Sub-index of the entry.
     pub sub: u8,
-    /// The place, as reports name it.
+    /// The place as used in reports.
     pub place: Place,
     /// The kind of the problem.
     pub kind: ObjectionKind,
 }
 
-/// The code that a device aborts an SDO transfer with (CiA 301 §7.2.4.3.17).
+/// SDO abort code (CiA 301 §7.2.4.3.17).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct AbortCode(pub u32);
 
-/// The kind of a problem of a download.
+/// The kinds of problems.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ObjectionKind {
@@ -37,13 +37,13 @@ pub enum ObjectionKind {
     NotWritable,
     /// `ObjFlags` bit 0: a configuration tool must not write the entry.
     RefusesDownload,
-    /// The number of bytes is not that of the data type.
+    /// The number of bytes does not match the data type.
     Length {
         /// The data type.
         data_type: DataType,
-        /// Its bytes.
+        /// The size of the data type.
         expected: usize,
-        /// Those of the download.
+        /// The size of the download.
         found: usize,
     },
     /// The bytes are not valid for the data type.
@@ -62,7 +62,7 @@ pub enum ObjectionKind {
         /// The limit.
         limit: Value,
     },
-    /// CiA 301 defines no such value of this entry.
+    /// The value is not defined in CiA 301 for this entry.
     Undefined(&'static str),
     /// The CAN-ID belongs to a service that cannot be configured.
     RestrictedCanId {
@@ -71,37 +71,38 @@ pub enum ObjectionKind {
         /// The service.
         owner: &'static str,
     },
-    /// The identifier, bits 0 to 29, may change only while the service is off.
+    /// The identifier, bits 0 to 29, may change only while the service is not valid.
     InUse {
-        /// The COB-ID that the service has.
+        /// The present COB-ID.
         present: u32,
         /// How to mark it not valid.
         how: &'static str,
     },
-    /// The write that marks a service not valid also changes its identifier: some devices reject it.
+    /// The write marks the service not valid and changes its identifier at the same time; some devices reject
+    /// it.
     RenamedWhileSwitchedOff {
-        /// The COB-ID that the service has.
+        /// The present COB-ID.
         present: u32,
     },
     /// The entry of a PDO may change only while bit 31 of its COB-ID is set.
     PdoIsValid(PdoKind, u16),
     /// A mapping may change only while its sub-index 0 is 0.
     MappingInUse,
-    /// What is mapped is not there, or no PDO of this kind may carry it.
+    /// The mapped object does not exist, or PDOs of this kind cannot map it.
     NotMappable(MappedObject, PdoKind),
-    /// What is mapped has another length.
+    /// The mapping states another length than the entry has.
     MappedLength {
-        /// What the mapping says.
+        /// The mapping entry.
         mapped: MappedObject,
-        /// Bits of the entry.
+        /// Length of the entry in bits.
         bits: u8,
     },
     /// More than 64 bits, or more than 64 objects, are mapped.
     PdoTooLong {
-        /// The bits.
+        /// The number of bits.
         bits: u32,
     },
-    /// A sub-index up to the number of mapped objects maps nothing.
+    /// A sub-index within the number of mapped objects is empty.
     NothingMapped {
         /// The sub-index.
         sub: u8,
@@ -110,7 +111,7 @@ pub enum ObjectionKind {
     WatchedTwice {
         /// The node.
         node_id: u8,
-        /// The sub-index that watches it.
+        /// The sub-index that monitors it.
         sub: u8,
     },
     /// An entry of 1016h has a time and no node-ID from 1 to 127, so it is not in use.
@@ -124,7 +125,7 @@ pub enum ObjectionKind {
     PeriodRuns,
     /// 1010h takes `save`, 1011h `load`.
     Signature {
-        /// What it takes.
+        /// The expected signature.
         expected: &'static str,
     },
     /// Heartbeat and node guarding are both active.
@@ -136,7 +137,7 @@ pub enum ObjectionKind {
 }
 
 impl ObjectionKind {
-    /// Whether devices reject the download; otherwise some or all accept it, but it is probably a mistake.
+    /// Whether devices reject the download. Otherwise some or all accept it, but it is probably a mistake.
     pub const fn is_refusal(&self) -> bool {
         !matches!(
             self,
@@ -148,7 +149,8 @@ impl ObjectionKind {
         )
     }
 
-    /// The abort code of the device; `None` for downloads that it accepts, and for rules that bind only tools.
+    /// The abort code of the device; `None` for downloads that it accepts, and for rules that apply only to
+    /// tools.
     pub const fn abort(&self) -> Option<AbortCode> {
         Some(AbortCode(match self {
             Self::NoObject => 0x0602_0000,
@@ -173,7 +175,7 @@ impl ObjectionKind {
         }))
     }
 
-    /// What to do about it.
+    /// How to fix it.
     pub fn help(&self) -> Option<String> {
         let text = match self {
             Self::InUse { how, .. } => return Some(format!("{how} first")),
@@ -201,7 +203,7 @@ impl ObjectionKind {
 }
 
 impl AbortCode {
-    /// What CiA 301 calls it.
+    /// The description in CiA 301.
     pub const fn text(self) -> &'static str {
         match self.0 {
             0x0601_0002 => "attempt to write a read only object",
@@ -222,7 +224,7 @@ impl AbortCode {
     }
 }
 
-/// As CiA writes it: `0609 0030h`.
+/// Format of CiA documents: `0609 0030h`.
 impl fmt::Display for AbortCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:04X} {:04X}h", self.0 >> 16, self.0 & 0xFFFF)

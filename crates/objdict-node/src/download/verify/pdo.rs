@@ -1,4 +1,4 @@
-//! What CiA 301 demands of writes to PDOs (CiA 301 §7.5.2.35 to §7.5.2.38).
+//! Rules for writes to PDO parameters (CiA 301 §7.5.2.35 to §7.5.2.38).
 
 use super::super::transfer::EntryType;
 use super::ObjectionKind;
@@ -6,11 +6,11 @@ use super::node::{Judgement, Node};
 use super::services::{CobIdChange, is_invalid};
 use crate::model::{DataType, MappedObject, PdoKind};
 
-/// The bits of a frame.
+/// Bits of a CAN data field.
 const FRAME: u32 = 64;
 
 impl Node<'_> {
-    /// A write to the communication record.
+    /// Checks a write to the communication parameter.
     pub(super) fn judge_communication(&mut self, kind: PdoKind, pdo: u16, sub: u8, new: u64) -> Judgement {
         match sub {
             1 => {
@@ -19,13 +19,13 @@ impl Node<'_> {
                 CobIdChange { present, new }.judge(is_invalid, "set bit 31 of the COB-ID")
             }
             2 if is_reserved(kind, new) => Err(ObjectionKind::Undefined("the transmission type is reserved")),
-            // inhibit time and SYNC start value; others may change at any time
+            // inhibit time and SYNC start value; the others may change at any time
             3 | 6 if self.pdo_is_valid(kind, pdo) => Err(ObjectionKind::PdoIsValid(kind, pdo)),
             _ => Ok(None),
         }
     }
 
-    /// A write to the mapping.
+    /// Checks a write to the mapping.
     pub(super) fn judge_mapping(
         &mut self,
         kind: PdoKind,
@@ -46,14 +46,14 @@ impl Node<'_> {
         match u32::try_from(new).map(MappedObject::from_number) {
             Ok(mapped) if mapped.is_unused() => Ok(()),
             Ok(mapped) => self.judge_mapped(kind, mapped),
-            Err(_) => Ok(()), // no mapping is longer, and its data type is
+            Err(_) => Ok(()), // longer than a mapping entry: already rejected by its data type
         }
     }
 
-    /// The number of mapped objects makes the mapping valid.
+    /// Checks the number of mapped objects, which makes the mapping valid.
     fn judge_count(&mut self, kind: PdoKind, mapping: u16, count: u64) -> Result<(), ObjectionKind> {
         if matches!(count, 0xFE | 0xFF) {
-            return Ok(()); // multiplexed, the objects are named in each frame
+            return Ok(()); // multiplexed: each frame names its object
         }
         let mut bits = 0;
         for sub in 1..=u8::try_from(count).unwrap_or(u8::MAX).min(65) {
@@ -62,7 +62,7 @@ impl Node<'_> {
             }
             let Some(mapped) = self.word((mapping, sub)).map(MappedObject::from_number) else {
                 match self.device.entry(mapping, sub) {
-                    Some(_) => continue, // nobody knows
+                    Some(_) => continue, // value unknown
                     None => return Err(ObjectionKind::NothingMapped { sub }),
                 }
             };
@@ -78,7 +78,7 @@ impl Node<'_> {
         Ok(())
     }
 
-    /// What is mapped is there, may be carried, and has the length.
+    /// Checks existence, access and length of the mapped object.
     fn judge_mapped(&self, kind: PdoKind, mapped: MappedObject) -> Result<(), ObjectionKind> {
         let length = |bits: Option<u8>| match bits.filter(|&bits| bits != mapped.bits) {
             Some(bits) => Err(ObjectionKind::MappedLength { mapped, bits }),

@@ -1,28 +1,28 @@
-//! What CiA 301 demands of writes to the communication objects (CiA 301 §7.5.2).
+//! Rules for writes to communication objects (CiA 301 §7.5.2).
 
 use super::super::Download;
 use super::ObjectionKind;
 use super::node::{Judgement, Node, number};
 use crate::model::{CobId, Object, PdoKind, restricted};
 
-/// The bits of a COB-ID that are its identifier and frame format.
+/// The identifier and frame format bits of a COB-ID.
 const IDENTIFIER: u32 = 0x3FFF_FFFF;
 
 /// Bits 30 and 31 of 1012h: the device consumes and produces TIME.
 const USES_TIME: u32 = CobId::BIT_30 | CobId::BIT_31;
 
-/// A change of a COB-ID.
+/// A changed COB-ID.
 #[derive(Clone, Copy)]
 pub(super) struct CobIdChange {
-    /// The COB-ID that the service has; `None` where nobody knows.
+    /// The present COB-ID; `None` if unknown.
     pub(super) present: Option<u32>,
-    /// The new one.
+    /// The new COB-ID.
     pub(super) new: u32,
 }
 
 impl CobIdChange {
-    /// Judges the change of an identifier: it may differ only where the service `is_off`, and must be free where the
-    /// new COB-ID switches the service on.
+    /// Checks a changed identifier: it may change only while the service `is_off`, and must be free when the
+    /// new COB-ID makes the service valid.
     pub(super) fn judge(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
         if !is_off(self.new) {
             free(self.new)?;
@@ -30,7 +30,7 @@ impl CobIdChange {
         self.in_use(is_off, how)
     }
 
-    /// Judges only whether the service is off while its identifier changes.
+    /// Checks only that the service is not valid while its identifier changes.
     fn in_use(self, is_off: impl Fn(u32) -> bool, how: &'static str) -> Judgement {
         let Self { present, new } = self;
         match present.filter(|&present| !is_off(present) && (present ^ new) & IDENTIFIER != 0) {
@@ -41,7 +41,7 @@ impl CobIdChange {
     }
 }
 
-/// Refuses a CAN-ID that belongs to a service that cannot be configured.
+/// Rejects a CAN-ID of a service that cannot be configured.
 fn free(cob_id: u32) -> Result<(), ObjectionKind> {
     let cob_id = CobId::new(cob_id);
     let can_id = cob_id.can_id(0);
@@ -51,13 +51,13 @@ fn free(cob_id: u32) -> Result<(), ObjectionKind> {
     }
 }
 
-/// Whether bit 31 says that there is no such service.
+/// Whether bit 31 marks the service as not valid.
 pub(super) fn is_invalid(cob_id: u32) -> bool {
     !CobId::new(cob_id).is_valid()
 }
 
 impl Node<'_> {
-    /// What the service behind an index demands.
+    /// Checks a write to a communication object.
     pub(super) fn judge_service(&mut self, download: &Download) -> Judgement {
         let (index, sub) = (download.index, download.sub);
         let Some(new) = number(&download.data) else { return Ok(None) };
@@ -106,8 +106,8 @@ impl Node<'_> {
         }
     }
 
-    /// 1016h: no node is watched twice. A time that belongs to no node is taken, but mostly the node-ID was forgotten; a
-    /// node-ID without time is how a watch is switched off.
+    /// 1016h: two entries must not monitor the same node. A time without a node-ID is accepted, but usually
+    /// the node-ID is missing; a node-ID without a time disables the entry.
     fn judge_consumer(&mut self, sub: u8, new: u32) -> Judgement {
         let Some(node_id) = watched(new) else {
             let [low, high, node_id, _] = new.to_le_bytes();
@@ -125,7 +125,7 @@ impl Node<'_> {
         Ok(None)
     }
 
-    /// 100Ch, 100Dh, 1017h: one of heartbeat and guarding.
+    /// 100Ch, 100Dh, 1017h: heartbeat and guarding exclude each other.
     fn judge_error_control(&mut self, index: u16, new: u64) -> Option<ObjectionKind> {
         let mut runs = |other: u16| {
             let present = if other == index { Some(new) } else { self.number((other, 0)) };
@@ -134,8 +134,8 @@ impl Node<'_> {
         (new != 0 && runs(0x1017) && runs(0x100C) && runs(0x100D)).then_some(ObjectionKind::TwoErrorControls)
     }
 
-    /// 1200h to 12FFh: an SDO is there while bit 31 of both its COB-IDs is clear. A client may talk to the default SDO of
-    /// another node.
+    /// 1200h to 12FFh: an SDO is valid while bit 31 of both COB-IDs is clear. A client may use the default
+    /// SDO of another node.
     fn judge_sdo(&mut self, index: u16, sub: u8, new: u32) -> Judgement {
         let other = self.word((index, 3 - sub));
         let present = self.word((index, sub)).filter(|_| !other.is_some_and(is_invalid));
@@ -149,7 +149,7 @@ impl Node<'_> {
     }
 }
 
-/// The node that an entry of 1016h watches.
+/// The node-ID in an entry of 1016h.
 fn watched(consumer: u32) -> Option<u8> {
     let [low, high, node_id, _] = consumer.to_le_bytes();
     ((low | high) != 0 && (1..=127).contains(&node_id)).then_some(node_id)
