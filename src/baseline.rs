@@ -16,7 +16,7 @@ pub struct Baseline {
     files: BTreeMap<String, BTreeSet<Known>>,
 }
 
-/// A finding that is known. The message is for people who read the file.
+/// A finding that is known. The message is for readers of the file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Known {
     rule: String,

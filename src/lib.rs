@@ -1,12 +1,12 @@
 //! The object-dictionary toolchain for CANopen: reads the description of a device (EDS, XDD) or of a configured node (DCF,
-//! XDC), says what is wrong with it and where, and turns it into what a product needs.
+//! XDC), reports problems with their places, and generates what a product needs.
 //!
 //! This is the library. The command `objdict` is in the feature `cli`, which is on by default; build scripts and tools of
 //! your own do without it (`default-features = false`).
 //!
 //! # Reading
 //!
-//! [`format::open`] reads a file. What is wrong in it is no error, however damaged it is: the reader takes what it can and
+//! [`format::open`] reads a file. Its defects are not errors, however malformed it is: the reader takes what it can and
 //! keeps the rest. The [`Device`](model::Device) has *objects* at an index, and these have *entries* at a sub-index.
 //!
 //! ```
@@ -31,9 +31,9 @@
 //!
 //! # Checking
 //!
-//! [`check()`] finds what is wrong: in the lines of the text, in their spelling, and in the device. A
-//! [`Diagnostic`](diagnostic::Diagnostic) names its rule and speaks of places of the model; the description knows where they
-//! stand in the text.
+//! [`check()`] finds problems: in the lines of the text, in their spelling, and in the device. A
+//! [`Diagnostic`](diagnostic::Diagnostic) names its rule and the places of the model; the description locates them in the
+//! text.
 //!
 //! ```
 //! use objdict::diagnostic::Severity;
@@ -59,7 +59,7 @@
 //! let at = description.source().line_column(span.start);
 //! assert_eq!((at.line, at.column), (6, 14));
 //!
-//! // a text that is no value of its type is kept, and never taken for a number
+//! // a text that is not valid for its type is kept as text, never read as a number
 //! let brightness = description.device().entry(0x2000, 0).expect("the entry is there");
 //! assert_eq!(brightness.default, None);
 //! assert_eq!(brightness.invalid_values.iter().next().map(|invalid| &*invalid.text), Some("300"));
@@ -69,7 +69,7 @@
 //!
 //! # Generating
 //!
-//! [`build_script`] makes tables that firmware compiles in, checks what they are made of, and tells Cargo:
+//! [`build_script`] makes tables that firmware compiles in, checks their description, and registers the inputs with Cargo:
 //!
 //! ```no_run
 //! // build.rs
@@ -130,8 +130,8 @@
 //!
 //! # Configuring
 //!
-//! [`configure()`](configure::configure) checks what somebody wants of a node against its dictionary, and tells all that is
-//! wrong at once. The description takes the values that come of it:
+//! [`configure()`](configure::configure) checks the settings of a node against its dictionary, and reports all errors
+//! at once. The description takes the resulting values:
 //!
 //! ```
 //! use objdict::configure::{Setting, configure};
@@ -153,7 +153,7 @@
 //!
 //! # Between lines and XML
 //!
-//! Between lines and XML a description is written anew. Whoever asks for a conversion gets what it loses with it: the
+//! Between lines and XML a description is written anew. A conversion returns its losses: the
 //! written text is read back and compared. What the other format has no place for can be carried in it.
 //!
 //! ```
@@ -181,7 +181,7 @@
 //!
 //! 1. [`source`]: bytes to text and positions; encodings are detected, remembered and restored.
 //! 2. [`format`](mod@format): text to [`model::Device`] and back, without losing a byte on the way.
-//! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they stand in [`registry`].
+//! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they are in [`registry`].
 //! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 //! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).

@@ -1,6 +1,6 @@
 //! From the text of an EDS to its page: reading, checking with all rules, writing HTML.
 //!
-//! `cargo bench docs`: the page of 1 MB shall be there in 50 ms, and what it takes beside reading and checking is the
+//! `cargo bench docs`: the page of 1 MB must take at most 50 ms, and its time beside reading and checking is the
 //! ratio of two rows of one run.
 
 use divan::Bencher;

@@ -227,7 +227,7 @@ impl Builder {
         })?;
         for (target, generated) in &generation.outputs {
             let target = target.name();
-            // what does not work stands first, where it is not counted away
+            // errors come first, so that the limit does not drop them
             let (warnings, notes): (Vec<_>, Vec<_>) =
                 generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
             let notes = warnings.into_iter().chain(notes).map(|note| {

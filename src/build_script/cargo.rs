@@ -1,4 +1,4 @@
-//! What Cargo is told: a line each on the standard output of the build script.
+//! Instructions for Cargo: a line each on the standard output of the build script.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -15,7 +15,7 @@ impl<W: Write> Cargo<W> {
         Self { out }
     }
 
-    /// Cargo runs the script again when this file changes. It cannot be told of a path with a line break.
+    /// Cargo runs the script again when this file changes. A path with a line break cannot be registered.
     pub(super) fn depends_on(&mut self, path: &Path) -> io::Result<()> {
         let path = path.display().to_string();
         if path.contains(['\n', '\r']) {

@@ -25,7 +25,7 @@
 //! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/building.md` shows a whole
 //! project, `examples/firmware-rust` is one.
 //!
-//! # What Cargo is told
+//! # Lines for Cargo
 //!
 //! * An error in the description fails the build: [`Error`] shows it with its place when `main` returns it.
 //! * Warnings, and what a target cannot express, become `cargo:warning` lines, [so many](Builder::max_warnings) of them.

@@ -47,7 +47,7 @@ pub(super) struct Args<C: Subcommand = Command> {
     pub terminal: TerminalArgs,
 }
 
-/// What every command writes for people.
+/// Text output of every command.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct TerminalArgs {
     /// When to use colours

@@ -99,7 +99,7 @@ enum Checked {
     Skipped(String),
     /// It could not be read, or is no description although it was named.
     Failed(Failure),
-    /// Nobody knows what is to be reported of it, for its configuration or a profile could not be read.
+    /// Not checked, because its configuration or a profile could not be read.
     Left,
 }
 
@@ -109,7 +109,7 @@ struct Examined {
     description: Description,
     /// The findings of each device.
     findings: Vec<Findings>,
-    /// The mildest severity that is too grave.
+    /// The lowest severity that fails the run.
     deny: Severity,
     /// What is fixed in it.
     amended: Option<Amended>,
@@ -126,7 +126,7 @@ impl Checked {
     }
 }
 
-/// Checks one file. Nothing is shared but what everybody only reads.
+/// Checks one file. Threads share only data that none of them changes.
 struct Worker<'a> {
     args: &'a CheckArgs,
     settings: &'a Settings<'a>,
@@ -189,7 +189,7 @@ fn check_devices(
 struct Reporter<'a> {
     report: Box<dyn Report + 'a>,
     known: Known,
-    /// Whether something was found that is too grave.
+    /// Whether a finding fails the run.
     has_denied: bool,
     has_failed: bool,
     fixing: Fixing,
@@ -217,7 +217,7 @@ impl<'a> Reporter<'a> {
         Ok(self.report.unread(&failure.message)?)
     }
 
-    /// What is wrong in a configuration; a healthy one is not mentioned.
+    /// Errors in a configuration; one without errors is not mentioned.
     fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
         for failure in &project.failures {
             self.fail(&failure.into())?;

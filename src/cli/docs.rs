@@ -178,7 +178,7 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
     }
 }
 
-/// What pages tell of findings, `line` being that of one.
+/// The findings as pages show them; `line` gives the line of one.
 fn reported(findings: &Findings, line: impl Fn(&Diagnostic) -> Option<u32>) -> Vec<Finding> {
     findings.iter().map(|finding| Finding::new(finding, line(finding))).collect()
 }

@@ -112,7 +112,7 @@ impl Fixing {
         self.fixed > 0
     }
 
-    /// Tells what was done.
+    /// Reports the result.
     pub(super) fn finish(&self, args: &FixArgs) {
         if args.safety().is_none() {
             return;

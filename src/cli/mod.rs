@@ -85,7 +85,7 @@ pub fn run() -> ExitCode {
 /// How a command ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outcome {
-    /// All is well.
+    /// Success.
     Clean,
     /// The work was done and something was found.
     Findings,

@@ -47,7 +47,7 @@ pub(super) fn in_order<R: Send>(
         scope.spawn(move || {
             for batch in Batches(files) {
                 let results: Vec<R> = pool.install(|| batch.par_iter().with_max_len(1).map(work).collect());
-                // nobody waits for more once `take` has failed
+                // no more results are wanted once `take` has failed
                 if sender.send(results).is_err() {
                     break;
                 }

@@ -25,7 +25,7 @@ pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn R
     })
 }
 
-/// What is shown; only formats of our own have room for statistics.
+/// What is shown; only the formats of objdict have a place for statistics.
 fn detail(args: &CheckArgs) -> Result<Detail, Failure> {
     use ReportFormat::{Concise, Github, Gitlab, Json, Junit, Sarif, Text};
     match (args.statistics, args.format) {

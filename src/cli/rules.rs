@@ -66,7 +66,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
     Ok(Outcome::Clean)
 }
 
-/// The group of a name, whatever the case of its letters.
+/// The group of a name, in upper or lower case.
 fn group(name: &str) -> Result<&'static str, Failure> {
     let groups = registry::groups();
     let found = groups.iter().copied().find(|group| group.eq_ignore_ascii_case(name));

@@ -128,7 +128,7 @@ impl From<&ConfigFileArgs> for SettingsArgs {
 }
 
 impl SettingsArgs {
-    /// The node-ID that formulas are worked out for.
+    /// The node-ID that formulas are evaluated for.
     pub(super) fn node_id(&self) -> Option<u8> {
         self.node_id
     }

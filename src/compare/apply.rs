@@ -9,19 +9,19 @@ use serde_json::{Map, Value};
 use super::to_value;
 use crate::model::{Device, Object};
 
-/// A datum that shall become another.
+/// A datum and its new value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatumChange {
-    /// Where it stands: a JSON pointer into the JSON of the device.
+    /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// What stands there before: the [`fingerprint`](DatumChange::fingerprint) of it, `None` for nothing.
+    /// The [`fingerprint`](DatumChange::fingerprint) of the former value, `None` for nothing.
     pub before: Option<u32>,
-    /// What shall stand there; `None` for nothing.
+    /// The new value; `None` removes the datum.
     pub after: Option<Value>,
 }
 
 impl DatumChange {
-    /// A number that tells values from each other: the 32-bit FNV-1a hash of the JSON text without blanks.
+    /// A number that distinguishes values: the 32-bit FNV-1a hash of the JSON text without blanks.
     pub fn fingerprint(value: &Value) -> u32 {
         value
             .to_string()
@@ -30,7 +30,7 @@ impl DatumChange {
     }
 }
 
-/// Makes changes. Returns those that could not be made: another value stands there by now, the part is gone, or the
+/// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
 /// device would be none.
 pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     let mut of_objects: BTreeMap<u16, Vec<DatumChange>> = BTreeMap::new();
@@ -84,7 +84,7 @@ fn apply_to<T: Serialize + DeserializeOwned>(
     match after.map(|after| serde_json::from_str(&after.to_string())) {
         None => *part = None,
         Some(Ok(changed)) => *part = Some(changed),
-        // one of them makes it none: the others shall not suffer
+        // one invalid value must not affect the others
         Some(Err(_)) if made.len() > 1 => {
             for change in made {
                 apply_to(part, root, vec![change], refused);
@@ -94,7 +94,7 @@ fn apply_to<T: Serialize + DeserializeOwned>(
     }
 }
 
-/// Puts a value where a path leads, when what stands there is what shall be changed.
+/// Sets the value at a path if the present value is the expected one.
 fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
     let is_expected = |found: Option<&Value>| found.map(DatumChange::fingerprint) == change.before;
     let Some((parent, key)) = path.rsplit_once('/') else {

@@ -17,7 +17,7 @@ use crate::model::{Device, Place};
 /// A datum that two devices do not have alike.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatumDifference {
-    /// Where it stands: a JSON pointer into the JSON of the device.
+    /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
     /// What the left device says; `None` for nothing.
     pub left: Option<Value>,
@@ -98,7 +98,7 @@ fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &
     match (left, right) {
         (left, right) if left == right => {}
         (Some(Value::Object(left)), Some(Value::Object(right))) => diff_maps(path, left, right, found),
-        // of lists of one length, the items that differ; else nobody knows which item became which
+        // of lists of one length, the items that differ; of others the items cannot be matched
         (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
             for (position, (left, right)) in left.iter().zip(right).enumerate() {
                 step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));

@@ -1,6 +1,6 @@
 //! The configuration `objdict.toml`: what a project says of all its descriptions (docs/config.md).
 //!
-//! What is wrong in it is found, with spans, as in a description; a setting that is wrong is passed over, and the others
+//! Errors in it are findings with spans, as in a description; an invalid setting is ignored, and the others
 //! hold.
 //!
 //! ```
@@ -61,7 +61,7 @@ struct Settings {
 pub struct WantedProfile {
     /// The number of the profile, or the path of a file.
     pub name: String,
-    /// Where that stands.
+    /// Its place.
     pub span: Span,
 }
 
@@ -96,7 +96,7 @@ impl Config {
         &self.source
     }
 
-    /// What is wrong in it.
+    /// Its errors.
     pub fn findings(&self) -> &Findings {
         &self.findings
     }
@@ -106,7 +106,7 @@ impl Config {
         self.is_toml
     }
 
-    /// What a check of the file at `path` is told; severities that were said elsewhere come with `more`, and count more than
+    /// Options of a check of the file at `path`; severities of the command line come with `more`, and count more than
     /// those of the configuration, but not more than what it says of this file alone. Profiles are loaded by the caller.
     pub fn options(&self, path: impl AsRef<Path>, more: &Severities) -> Options {
         let mut severities = Severities::default();
@@ -123,13 +123,13 @@ impl Config {
         Options { node_id, tools, severities, ..Options::default() }
     }
 
-    /// The profiles that descriptions shall follow beside those that they say themselves; paths of files are relative to
+    /// Profiles to check descriptions against, beside those that they state themselves; paths of files are relative to
     /// [`folder`](Self::folder).
     pub fn profiles(&self) -> &[WantedProfile] {
         &self.settings.profiles
     }
 
-    /// The mildest severity that makes a check fail.
+    /// The lowest severity that fails a check.
     pub fn deny(&self) -> Option<Severity> {
         self.settings.deny
     }

@@ -14,9 +14,9 @@ use crate::source::SourceError;
 pub(crate) struct Project {
     pub(crate) config: Config,
     pub(crate) profiles: Vec<Arc<Profile>>,
-    /// What is wrong with it.
+    /// Its errors.
     pub(crate) findings: Findings,
-    /// What is wrong in the profiles that it names.
+    /// Errors in the profiles that it names.
     pub(crate) failures: Vec<OpenError>,
 }
 
@@ -27,7 +27,7 @@ impl Project {
         let config = Config::open(&path)?;
         let mut findings = config.findings().clone();
         let (mut profiles, mut failures) = (Vec::new(), Vec::new());
-        // paths of files are told as the configuration's own
+        // paths of files are relative as the configuration's own
         let folder = path.parent().unwrap_or(Path::new(""));
         for wanted in config.profiles() {
             match profile::open(&wanted.name, folder) {

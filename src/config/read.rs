@@ -32,7 +32,7 @@ pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
     for (key, value) in table.get_ref() {
         reader.setting(key, value);
     }
-    // a rule counts more than its group, wherever it stands
+    // a rule counts more than its group, regardless of their order
     reader.settings.levels.sort_by_key(|(rules, _)| matches!(rules, Selection::Rule(_)));
     Some(reader.settings)
 }
@@ -163,7 +163,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The texts of a list, each with where it stands.
+    /// The texts of a list with their places.
     fn texts<'a>(&mut self, name: &str, value: &'a Value<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
             self.invalid(value, say!("`{}` is a list of texts", name), LIST);

@@ -141,7 +141,7 @@ impl Description {
         self.device
     }
 
-    /// Where a place of the model stands in the text; `None` for what has no text.
+    /// The span of a place of the model in the text; `None` for what has no text.
     pub fn locate(&self, place: &Place) -> Option<Span> {
         match &self.text {
             Text::Ini(document, locator) => {
@@ -237,7 +237,7 @@ impl Description {
         Some(Err(EditError::OtherMeaning(self.source().name().to_owned())))
     }
 
-    /// The edits of the text that a fix makes, in its order: what stands in each span becomes the text beside it. `None`
+    /// The edits of the text that a fix makes, in its order: each span with its replacement. `None`
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {

@@ -2,7 +2,7 @@
 //! properties of parameters and characteristics of the device in an XDD or XDC (docs/formats.md).
 //!
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
-//! what the reader will find in its place, so that nothing that somebody edited since is undone.
+//! what the reader will find in its place, so that later edits are not undone.
 
 use serde_json::Value;
 
@@ -13,7 +13,7 @@ use crate::model::{
     ExtraSection, Labels, Part, Place, Property,
 };
 
-/// What stands before the path in the name of a property.
+/// The prefix of the path in the name of a property.
 const PREFIX: &str = "objdict:";
 
 /// The longest value of a key, so that no line is longer than 255 characters (CiA 306-1 §4.2).
@@ -34,7 +34,7 @@ pub(super) static RULES: &[&RuleInfo] = &[&STALE_EMBEDDED_DATA];
 text_rule! {
     STALE_EMBEDDED_DATA = "objdict/stale-embedded-data", Note;
     summary: "carried data are of a part that was changed since",
-    checks: "Whether everything that a conversion carried in the section `ObjdictCarried`, or in properties `objdict:…`, still belongs to what stands in the file: each item says what it replaces.",
+    checks: "Whether the data that a conversion embedded in the section `ObjdictCarried` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",
     why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",
     example: "`/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited",
     remedy: "Remove the item, or convert the file again.",
@@ -178,7 +178,7 @@ fn entry_of<'a>(device: &'a mut Device, path: &str) -> Option<&'a mut Entry> {
     }
 }
 
-/// The text of a change: the value as JSON in ISO 646, `instead of` the fingerprint of what stands there before.
+/// The text of a change: the value as JSON in ISO 646, `instead of` the fingerprint of the former value.
 fn print(change: &DatumChange) -> String {
     let mut text = change.after.as_ref().map_or("nothing".to_owned(), ascii_json);
     if let Some(before) = change.before {
@@ -224,7 +224,7 @@ fn ascii_json(value: &Value) -> String {
 }
 
 /// A text in pieces that fit into a line. A blank at the end of one would be lost, so it is written as JSON can write it;
-/// there it stands inside quotes, or in ` instead of `, which is never cut.
+/// there it is inside quotes, or in ` instead of `, which is never cut.
 fn pieces(text: &str) -> Vec<String> {
     let (json, suffix) = match text.rfind(" instead of ") {
         Some(at) if text.len() - at == " instead of 01234567".len() => text.split_at(at),

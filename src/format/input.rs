@@ -153,7 +153,7 @@ pub struct Reading {
     pub encoding: Option<Encoding>,
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
-    /// The node that formulas in the text of a concise DCF are worked out for.
+    /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
 }
 
@@ -178,15 +178,15 @@ pub enum ReadError {
         /// What it is.
         found: Box<Identification>,
     },
-    /// Its content is damaged where that cannot be passed over: JSON, concise DCF, a node list.
+    /// Its content is malformed where that cannot be skipped: JSON, concise DCF, a node list.
     #[error("cannot read `{name}`: {error}")]
     Content {
         /// The file.
         name: String,
-        /// What is wrong.
+        /// The problem.
         error: Box<dyn Error + Send + Sync>,
     },
-    /// It describes several devices, and nobody says which one is meant.
+    /// It describes several devices, and none is selected.
     #[error("`{name}` describes {count} devices")]
     SeveralDevices {
         /// The file.
@@ -244,7 +244,7 @@ impl Reading {
     /// What is in a file, and as what kind it was read.
     ///
     /// # Errors
-    /// When there is nothing to be had of it, see [`ReadError`]. What is wrong in a description is among its findings.
+    /// When it cannot be read at all, see [`ReadError`]. Problems in a description are among its findings.
     pub fn open(&self, path: &Path) -> Result<(FileKind, Input), ReadError> {
         self.read(&path.display().to_string(), source::read(path, self.max_size)?)
     }
@@ -359,11 +359,11 @@ fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
 }
 
 /// Reads the description at `path` as what its content shows it to be ([`identify()`](super::identify::identify)). Where that
-/// is not known, as in a damaged file, the name decides, and an unknown name is taken for an EDS. Of a file with several
+/// is not known, as in a malformed file, the name decides, and an unknown name is taken for an EDS. Of a file with several
 /// devices it is the first.
 ///
 /// # Errors
-/// When the file cannot be opened, or is something else for certain. What is wrong in a description is among the findings.
+/// When the file cannot be opened, or is something else for certain. Problems in a description are among the findings.
 pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
     let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
     let name = path.display().to_string();

@@ -1,8 +1,8 @@
 //! JSON: the whole model of a device, or a configuration, with stable names.
 //!
 //! A document says in `kind` what it holds and in `version` which names it uses. A name that a version does not have,
-//! a key that stands twice and a value that does not fit its data type are errors with line and column: nothing that
-//! somebody wrote is passed over.
+//! a key that is defined twice and a value that does not fit its data type are errors with line and column: no
+//! part of a document is ignored.
 
 use std::fmt;
 
@@ -34,7 +34,7 @@ pub struct JsonError {
     pub line: usize,
     /// Column in bytes, counted from 1; 0 at the end of a line.
     pub column: usize,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
 }
 
@@ -84,7 +84,7 @@ pub fn kind(text: &str) -> Result<DocumentKind, JsonError> {
 /// The device of a document.
 ///
 /// # Errors
-/// What is wrong first, and where.
+/// The first problem with its place.
 pub fn read_device(text: &str) -> Result<Device, JsonError> {
     expect(text, DocumentKind::Device)?;
     let document: DeviceDocument<Device> = serde_json::from_str(text)?;
@@ -94,7 +94,7 @@ pub fn read_device(text: &str) -> Result<Device, JsonError> {
 /// The configuration of a document.
 ///
 /// # Errors
-/// What is wrong first, and where.
+/// The first problem with its place.
 pub fn read_configuration(text: &str) -> Result<ConciseDcf, JsonError> {
     expect(text, DocumentKind::ConciseDcf)?;
     let document: ConciseDocument<ConciseDcf> = serde_json::from_str(text)?;

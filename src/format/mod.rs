@@ -61,7 +61,7 @@ pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding)
     write::losses(device, bytes, format, encoding)
 }
 
-/// What is wrong with the structure of an XML document, held against CiA 311: all rules of the group `cia311`. A document
+/// Problems in the structure of an XML document against CiA 311: all rules of the group `cia311`. A document
 /// without a container of CiA 311 has none to be held against.
 #[cfg(feature = "xdd")]
 pub fn check_structure(tree: &xml::Tree) -> Findings {

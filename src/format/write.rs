@@ -33,7 +33,7 @@ pub struct WriteOptions {
 pub struct Written {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Every datum of the device that whoever reads the file does not get, in the order of the model.
+    /// Every datum of the device that a reader of the file does not get, in the order of the model.
     pub losses: Vec<Loss>,
 }
 
@@ -84,7 +84,7 @@ fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::O
 }
 
 impl Loss {
-    /// The losses that a difference tells of. What the text says and the device does not is none.
+    /// The losses of a difference. Data that only the text has are not losses.
     fn of(difference: DatumDifference, kind: LossKind, losses: &mut Vec<Self>) {
         let place = difference.place();
         let DatumDifference { path, left, right } = difference;
@@ -102,7 +102,7 @@ impl Loss {
     }
 }
 
-/// The parts whose fields are told one by one.
+/// The parts whose fields are listed one by one.
 const PARTS: [&str; 8] = [
     "/commissioning",
     "/configured",

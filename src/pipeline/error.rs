@@ -53,7 +53,7 @@ pub enum Error {
     Names {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// Its problems.
         error: ChoiceError,
     },
     /// An option has a value that it cannot have.
@@ -159,7 +159,7 @@ impl Error {
         }
     }
 
-    /// What is wrong, with its places and lines; `None` where the sentence says all.
+    /// The problems with places and lines; `None` where the sentence says all.
     pub fn report(&self) -> Option<String> {
         match self {
             Self::Findings { report, .. } => Some(report.clone()),

@@ -1,5 +1,5 @@
 //! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
-//! the configuration says, generating, writing. Only who asks, and how it is told, is theirs.
+//! the configuration says, generating, writing. Callers supply arguments and reporting.
 
 #[cfg(feature = "cli")]
 mod depfile;
@@ -92,9 +92,9 @@ pub(crate) struct Judged {
     /// What reports call it.
     name: String,
     described: Described,
-    /// What is wrong with it.
+    /// Its problems.
     pub(crate) findings: Findings,
-    /// What is wrong with the configuration, no errors among it; a line each.
+    /// Warnings about the configuration, a line each.
     pub(crate) of_config: Vec<String>,
 }
 
@@ -122,7 +122,7 @@ pub(crate) struct Generation {
     pub(crate) entries: usize,
     /// What was made, in the order of the targets.
     pub(crate) outputs: Vec<(Target, Generated)>,
-    /// What the tables take; empty where nobody wants to know.
+    /// Sizes of the tables; empty unless requested.
     pub(crate) sizes: Vec<(Target, Sizes)>,
 }
 
@@ -157,7 +157,7 @@ impl Request {
         Ok(Judged { name: name.to_owned(), described, findings, of_config })
     }
 
-    /// The options of the check, and what is wrong with the configuration that they come from.
+    /// The options of the check, and the problems of the configuration that they come from.
     #[cfg(feature = "lint")]
     fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
         let severities = &self.judging.severities;
@@ -328,7 +328,7 @@ impl Judged {
         })
     }
 
-    /// A finding in a line: where it is, the rule, and what is wrong.
+    /// A finding in a line: its place, the rule and the message.
     pub(crate) fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
             Described::Text(description) => line((&**description).into(), finding),
@@ -338,8 +338,8 @@ impl Judged {
     }
 }
 
-/// What is wrong with a configuration, a line each; errors are a reason to stop whatever is forced, for nobody knows what
-/// was to be checked.
+/// Warnings about a configuration, a line each. Its errors stop the run even with `--force`, because the intended check is
+/// unknown.
 #[cfg(feature = "lint")]
 fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
     let findings = options.severities.apply(project.findings.clone());

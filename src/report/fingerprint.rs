@@ -1,4 +1,4 @@
-//! What tells a finding from others when the file is edited around it: baselines and CI services match findings with it.
+//! Identity of a finding when the file is edited around it: baselines and CI services match findings with it.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -13,7 +13,7 @@ use crate::model::{Field, ModulePart, Part, Place};
 use crate::source::{Fnv, Span};
 
 /// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
-/// whoever stored fingerprints would take all findings for new ones otherwise.
+/// otherwise users of stored fingerprints would get all findings as new ones.
 pub const FINGERPRINT_NAME: &str = "objdict/v1";
 
 /// The most bytes of a line that count. An XDD may be one line, and a change far away is no change of the finding.
@@ -22,7 +22,7 @@ const MAX_LINE: usize = 400;
 /// The bytes on each side of a label that count in a longer line.
 const CONTEXT: usize = 80;
 
-/// A hash of what a finding is about, but not of where it stands: of the rule, the place in the model and the remark, and of
+/// A hash of the subject of a finding, without its position: of the rule, the place in the model and the remark, and of
 /// its number among equal ones. Where the finding is about the text itself, the section and the text of the line count for
 /// the place, without blanks. Lines that move, list members that are numbered anew and another wording change nothing.
 ///
@@ -132,7 +132,7 @@ fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
     }
 }
 
-/// The section and the line, or what stands around the span where the line is long.
+/// The section and the line, or the text around the span of a long line.
 fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv) {
     let source = subject.source();
     let text = source.text();
@@ -167,7 +167,7 @@ impl Sections {
         )
     }
 
-    /// The name of the section that an offset stands in.
+    /// The name of the section at an offset.
     fn at<'t>(&self, text: &'t str, offset: u32) -> &'t str {
         let behind = self.0.partition_point(|name| name.start <= offset);
         behind.checked_sub(1).map_or("", |number| self.0[number].of(text))

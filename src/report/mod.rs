@@ -54,14 +54,14 @@ pub(crate) use text::{listed, problem};
 
 /// Writes what was found in files.
 pub trait Report {
-    /// Takes the findings of the next file, in the order in which they shall appear.
+    /// Takes the findings of the next file, in the order of the report.
     ///
     /// # Errors
     /// When the output cannot be written.
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
 
-    /// Takes a file that could not be read: the message names it. Most formats have no place for it, so whoever calls this
-    /// tells it elsewhere too.
+    /// Takes a file that could not be read: the message names it. Most formats have no place for it, so the caller
+    /// also reports it elsewhere.
     ///
     /// # Errors
     /// When the output cannot be written.
@@ -75,7 +75,7 @@ pub trait Report {
         let _ = code;
     }
 
-    /// Takes the mildest severity that is too grave in the files that follow.
+    /// Sets the lowest severity that fails the run, for the files that follow.
     fn deny_from(&mut self, severity: Severity) {
         let _ = severity;
     }
@@ -172,7 +172,7 @@ impl Tally {
         self.suppressed += findings.suppressed() as usize;
     }
 
-    /// Number of findings that were kept and are at least this grave.
+    /// Number of reported findings of at least this severity.
     pub fn at_least(&self, severity: Severity) -> usize {
         match severity {
             Severity::Error => self.errors,

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// The folder that paths are told from.
+/// The folder that paths are relative to.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Base(Option<PathBuf>);
 

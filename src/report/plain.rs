@@ -26,7 +26,7 @@ pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<St
     Ok(text)
 }
 
-/// What is wrong with a text of ours (a profile, a configuration).
+/// A problem in a file of objdict (a profile, a configuration).
 pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
     let (name, start) = (one_line(source.name()), source.line_column(span.start));
     let mut text = format!("{name}:{}:{}: error: {}\n", start.line, start.column, one_line(message));

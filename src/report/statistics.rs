@@ -41,7 +41,7 @@ pub struct Statistics {
 pub struct Statistic {
     /// The rule's id.
     pub rule: &'static str,
-    /// The gravest severity of its findings.
+    /// The highest severity of its findings.
     pub severity: Severity,
     /// The number of its findings, also of those that were only counted.
     pub findings: usize,

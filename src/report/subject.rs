@@ -22,7 +22,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Where a label points; the start of the text for what does not stand in it.
+    /// Where a label points; the start of the text for what is not in it.
     pub fn span_of(self, at: &At) -> Span {
         match (self, at) {
             (Self::Description(description), at) => description.span_of(at),

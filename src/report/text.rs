@@ -1,4 +1,4 @@
-//! Findings for people: the offending lines with marks under them.
+//! Findings as text: the offending lines with marks under them.
 
 mod excerpt;
 mod printer;
@@ -148,7 +148,7 @@ impl<'a> Rendered<'a> {
     }
 }
 
-/// A message without control characters and not endless: it may quote anything that stands in a file.
+/// A message without control characters and not endless: it may quote anything in a file.
 fn shown(message: &str) -> String {
     let mut shown: String = message.chars().take(MAX_MESSAGE).map(visible).collect();
     if shown.len() < message.len() && message.chars().nth(MAX_MESSAGE).is_some() {

@@ -13,7 +13,7 @@ use crate::model::{
 };
 use crate::profile::{self, Profile};
 
-/// What a new device shall be.
+/// Properties of a new device.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// What it does.
@@ -118,7 +118,7 @@ impl Functions {
         }
     }
 
-    /// The objects that the device has because somebody wants it so; what follows from them is demanded by the documents.
+    /// The requested objects; the documents require others that follow from them.
     fn objects(self) -> Vec<u16> {
         match self {
             Self::Bare => Vec::new(),

@@ -49,7 +49,7 @@ impl Maker<'_> {
         let facts = self.facts(index);
         let count = self.wanted.functions.count(index);
         let is_needed = move |sub: u8| {
-            // whoever looks a product up needs all of its identity
+            // a product is identified by its complete identity
             let is_identity = index == 0x1018;
             facts.iter().filter_map(|facts| facts.entry(sub)).any(|facts| {
                 let is_demanded = facts.first == sub && facts.need.is_there(device, 0);

@@ -1,4 +1,4 @@
-//! Addresses of objects and entries, and what is closed until somebody wants it.
+//! Addresses of objects and entries, and parts that open on demand.
 
 use crate::page::Page;
 use crate::tab::Tab;

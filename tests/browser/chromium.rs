@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The program reads messages from 3 and writes them to 4. It ends when our end of the pipe closes, also because this
-/// process was killed; the shell then removes the folder of the profile, for nobody else is left to do it.
+/// process was killed; the shell then removes the folder of the profile, because no one else can.
 const SCRIPT: &str = r#""$0" "$@" 3<&0 4>&1 </dev/null >/dev/null; rm -rf "$PROFILE""#;
 
 const OPTIONS: [&str; 12] = [
@@ -44,7 +44,7 @@ pub(crate) struct Chromium {
     inbox: Arc<Inbox>,
 }
 
-/// What came from the browser and nobody took yet.
+/// Messages of the browser that are not yet consumed.
 #[derive(Default)]
 struct Inbox {
     mail: Mutex<Mail>,

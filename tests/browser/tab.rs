@@ -248,7 +248,7 @@ impl Tab {
         from_base64(answer["data"].as_str().unwrap())
     }
 
-    /// What a screen reader is told, in the order of the page.
+    /// The accessibility tree as a screen reader gets it, in the order of the page.
     #[track_caller]
     pub(crate) fn spoken(&self) -> Vec<Spoken> {
         let answer = self.call("Accessibility.getFullAXTree", &json!({}));

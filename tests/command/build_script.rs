@@ -1,4 +1,4 @@
-//! What a build script makes of a description, what it tells Cargo, and how it fails.
+//! The output of a build script, its lines for Cargo, and its errors.
 
 use std::fs;
 use std::path::Path;
@@ -14,14 +14,14 @@ fn fixture(path: &str) -> std::path::PathBuf {
     Path::new("fixtures").join(path)
 }
 
-/// What is made, and what Cargo is told.
+/// The output and the lines for Cargo.
 fn run(builder: Builder) -> (Result<Built, Error>, String) {
     let mut cargo = Vec::new();
     let built = builder.generate_to(&mut cargo);
     (built, String::from_utf8(cargo).unwrap())
 }
 
-/// What Cargo is told in lines of one kind.
+/// The lines for Cargo of one kind.
 fn told<'a>(cargo: &'a str, key: &str) -> Vec<&'a str> {
     let start = format!("cargo:{key}=");
     cargo.lines().filter_map(|line| line.strip_prefix(start.as_str())).collect()
@@ -182,7 +182,7 @@ fn notes_of_the_target_are_reported() {
     assert!(notes[1].ends_with("(set values in a DCF (`ParameterValue`))"), "{cargo}");
 }
 
-/// Whatever is read is watched: the configuration, what it names, and what options name.
+/// All inputs are registered with Cargo: the configuration, the files that it names, and those of options.
 #[test]
 fn every_file_that_is_read_is_watched() {
     let folder = TempDir::new().unwrap();

@@ -31,7 +31,7 @@ impl Project {
         self.0.path().join(name)
     }
 
-    /// What make does and prints, and whether all is well.
+    /// What make does and prints, and whether it succeeds.
     fn make(&self) -> (String, bool) {
         let objdict = format!("OBJDICT={}", env!("CARGO_BIN_EXE_objdict"));
         let output = Command::new("make").arg(objdict).current_dir(self.0.path()).output().unwrap();

@@ -144,7 +144,7 @@ fn colours_are_for_terminals() {
     assert!(!check(&["--color", "never"]));
 }
 
-/// Findings are data for JSON readers whatever the file: the document parses, and has the same findings as the text.
+/// Findings of every file are data for JSON readers: the document parses, and has the same findings as the text.
 #[test]
 fn json_of_every_broken_file_parses() {
     for entry in std::fs::read_dir("fixtures/broken").expect("the fixtures") {

@@ -1,4 +1,4 @@
-//! Damaged and huge input: no panic, no quadratic time, and memory in proportion to the file.
+//! Malformed and huge input: no panic, no quadratic time, and memory in proportion to the file.
 
 use std::fmt::Write;
 use std::io::Write as _;

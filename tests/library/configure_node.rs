@@ -301,7 +301,7 @@ fn respelled(text: &str, name: impl Fn(&str) -> String, item: impl Fn(&str, &str
     text.lines().map(line).collect()
 }
 
-/// Numbers that tell how much a module brings, in another notation; all other values as they are.
+/// Numbers that give the size of a module, in another notation; all other values as they are.
 fn counted(key: &str, value: &str, number: impl Fn(u32) -> String) -> String {
     let is_list = key.bytes().all(|byte| byte.is_ascii_digit());
     let is_count =

@@ -1,4 +1,4 @@
-//! Plans of devices built here, compared byte for byte with streams that were worked out by hand.
+//! Plans of devices built here, compared byte for byte with streams that were made by hand.
 
 use objdict::download::{
     ConciseDcf, Download, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Step,
@@ -384,7 +384,7 @@ fn a_full_download_writes_every_value_but_counts() {
     let all = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
     let expected = [download(0x2000, 1, &[7]), download(0x2001, 0, &[9])];
     assert_eq!(node.configuration(all).0, expected);
-    // a count that is configured is written: somebody wants it
+    // a configured count is written: it is requested
     let node = node.sub(0x2000, 0, entry(U8, unsigned(2), unsigned(1)));
     assert_eq!(node.downloads()[0], download(0x2000, 0, &[1]));
 }
@@ -402,7 +402,7 @@ fn compactly_stored_entries_are_planned_like_described_ones() {
     assert_eq!(node.configuration(all).0, [&elements[..], &[download(0x2001, 0, &[8])]].concat());
     assert_eq!(node.downloads(), elements[1..2]);
 
-    // a text that is no value is named, whoever it belongs to
+    // an invalid text is named, in every entry
     let compact = node.0.objects.get_mut(&0x2000).and_then(|object| object.compact.as_mut()).unwrap();
     compact.values.clear();
     compact.invalid_values.push(Field::Item(3), "many", Reason::NotANumber);

@@ -1,5 +1,5 @@
 //! Fixes: what they leave alone, and that nothing new is wrong afterwards. Every file of the fixtures is fixed, the
-//! damaged ones before all.
+//! malformed ones above all.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

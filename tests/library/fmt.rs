@@ -1,4 +1,4 @@
-//! `objdict fmt`: order and spelling change, and nothing else. Every EDS and DCF of the fixtures is put in order, the damaged
+//! `objdict fmt`: order and spelling change, and nothing else. Every EDS and DCF of the fixtures is put in order, the malformed
 //! ones before all.
 
 use std::collections::BTreeMap;

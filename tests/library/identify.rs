@@ -1,4 +1,4 @@
-//! Files are known by their content, whatever their name, encoding or damage.
+//! Files are known by their content, independent of their name, encoding or corruption.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -60,7 +60,7 @@ fn foreign_files_are_known_whatever_they_are_called() {
         let bytes = fs::read(&files[name]).unwrap();
         let found = identify(name, &bytes);
         assert_eq!((found.kind, found.technology.as_deref()), (kind, technology), "{name}: {found}");
-        // an XDC is told from an XDD by its name first
+        // the name decides first between XDC and XDD
         let other = identify("drive.eds", &bytes);
         let is_powerlink = matches!(kind, ContentKind::PowerlinkXdd | ContentKind::PowerlinkXdc);
         assert!(other.kind == kind || is_powerlink, "{name} called .eds: {other}");
@@ -215,7 +215,7 @@ fn every_encoding_is_taken() {
     assert_eq!(identify("", &unmarked).kind, ContentKind::Xdd);
 }
 
-/// A damaged file is read as what its name says, for it is to be checked and not refused.
+/// A malformed file is read as the format of its name, because it must be checked and not rejected.
 #[test]
 fn damaged_files_are_not_refused() {
     for folder in ["broken", "torture"] {

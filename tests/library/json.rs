@@ -1,4 +1,4 @@
-//! JSON: every device reads back equal, and what is wrong with a document is told with its place.
+//! JSON: every device reads back equal, and errors in a document have their place.
 
 use objdict::download::{ConciseDcf, Download};
 use objdict::format;

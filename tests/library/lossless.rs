@@ -1,4 +1,4 @@
-//! `print(parse(bytes)) == bytes` for every byte string, and reading never panics, whatever the bytes.
+//! `print(parse(bytes)) == bytes` for every byte string, and reading never panics on any bytes.
 
 use std::fs;
 

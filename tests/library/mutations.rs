@@ -1,5 +1,5 @@
-//! Damaged descriptions: whatever lines and bytes they have lost or won, reading, checking, fixing and arranging them does
-//! not panic. The damage is the same in every run.
+//! Corrupted descriptions: with lines and bytes lost or added, reading, checking, fixing and arranging them does
+//! not panic. The mutations are the same in every run.
 
 #[path = "../../xtask/src/mutate.rs"]
 mod mutate;
@@ -17,7 +17,7 @@ use objdict::source::{SourceFile, SourceOptions};
 use self::mutate::Mutator;
 use crate::support;
 
-/// Descriptions that are damaged; `cargo xtask mutants fixtures 10000` has the time for more.
+/// Corrupted descriptions; `cargo xtask mutants fixtures 10000` has the time for more.
 const MUTANTS: usize = 1_000;
 
 /// Larger fixtures take long and show nothing else.

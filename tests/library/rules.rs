@@ -79,7 +79,7 @@ pub(crate) fn options(path: &Path) -> Options {
 /// A file with what is found in it.
 enum Examined {
     Description(Box<Description>, Findings),
-    /// A file that is damaged as XML, or in its structure: what the damage is, and not what it costs.
+    /// A file that is malformed as XML or in its structure: the defect itself, without its consequences.
     Tree(Box<Tree>, Findings),
     /// A configuration.
     Config(Box<Config>),

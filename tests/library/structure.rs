@@ -1,4 +1,4 @@
-//! What is written as XDD or XDC holds against CiA 311, whatever the device.
+//! The XDD or XDC of every device is valid against CiA 311.
 
 use std::fs;
 use std::path::{Path, PathBuf};

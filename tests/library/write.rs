@@ -155,7 +155,7 @@ fn every_damaged_device_reads_back_equal() {
     for path in support::devices_of_all_folders() {
         let device = open(&path);
         let written = write(&device, &utf8);
-        // nobody can read a control character back
+        // a control character cannot be read back
         if written.losses.is_empty() {
             let read = read(&written.bytes, format_of(&device));
             assert_same(&read, &counted(device.expanded().into_owned(), &read), &path.display());
@@ -368,7 +368,7 @@ proptest! {
         prop_assert_eq!(differences(&device, &read(&written.bytes, format)), []);
     }
 
-    /// Whatever the texts are, what is written has the same parts, and is the same when it is written again.
+    /// With any texts, the written file has the same parts, and is the same when it is written again.
     #[test]
     fn every_text_stays_in_its_place(device in device(Texts::Any), style in 0usize..8, utf8 in any::<bool>()) {
         let options = WriteOptions::clone(&every_style()[style]);

@@ -141,7 +141,7 @@ fn parameters_give_what_the_object_list_does_not_say() {
     // what the entry says is not said again
     assert_eq!(outputs.parameter, None);
     assert!(device.application.is_empty(), "{:?}", device.application);
-    // a text for people stays
+    // a text for readers stays
     let labels = &device.objects[&0x6000].main.parameter.as_ref().unwrap().labels;
     assert_eq!(labels.description_in("en"), Some("One byte for eight inputs; channel 0 is bit 0."));
 }

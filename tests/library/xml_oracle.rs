@@ -34,7 +34,7 @@ fn theirs(text: &str) -> Result<roxmltree::Document<'_>, roxmltree::Error> {
 /// Names, namespaces, attributes and texts, a line each.
 fn our_outline(tree: &Tree) -> String {
     fn show(element: Element<'_>, outline: &mut String) {
-        // of the other side, see below, nobody knows which CR a reference named
+        // of the other side, see below, a CR of a reference cannot be distinguished from others
         let text = element.text().replace('\r', "\n");
         writeln!(outline, "{:?} {} {text:?} {:?}", element.namespace(), element.name(), element.span())
             .unwrap();

@@ -163,7 +163,7 @@ fn entry(object_type: Option<ObjectType>, texts: Texts) -> BoxedStrategy<Entry> 
         .boxed()
 }
 
-/// Texts that are no values, in fields that have none, in the order in which a reader finds them.
+/// Texts that are not valid values, in fields without a value, in the order in which a reader finds them.
 fn damage(entry: &mut Entry) {
     if entry.access.is_none() {
         entry.invalid_values.push(Field::AccessType, "sometimes", Reason::UnknownWord);
@@ -446,7 +446,7 @@ fn extra_sections(texts: Texts) -> BoxedStrategy<Vec<ExtraSection>> {
         .boxed()
 }
 
-/// A device; its objects stand in the lists, or in some other lists.
+/// A device; its objects are in the lists, or in other lists.
 pub(crate) fn device(texts: Texts) -> BoxedStrategy<Device> {
     let info = (
         option::of(file_info(texts)),

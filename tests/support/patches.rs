@@ -27,7 +27,7 @@ fn to_rule(from: &Path, patches: &Path, to: &Path) -> PathBuf {
 fn copy(from: &Path, to: &Path, patch: &mut impl FnMut(&Path)) {
     fs::create_dir_all(to).unwrap();
     let mut paths: Vec<PathBuf> = fs::read_dir(from).unwrap().map(|entry| entry.unwrap().path()).collect();
-    paths.sort(); // the whole files of a rule stand in the folder `<rule>`, before `<rule>.diff`
+    paths.sort(); // the whole files of a rule are in the folder `<rule>`, before `<rule>.diff`
     for path in paths {
         if path.extension().is_some_and(|ending| ending == "diff") {
             patch(&path);

@@ -1,4 +1,4 @@
-//! Damaged copies of real files: nothing may panic, whatever is checked, fixed or put in order.
+//! Corrupted copies of real files: checks, fixes and formatting must not panic.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -13,7 +13,7 @@ use objdict::source::{SourceFile, SourceOptions};
 
 use crate::mutate::Mutator;
 
-/// Larger files are not damaged: it would be the same many times over.
+/// Larger files are skipped: they would only repeat the same cases.
 const MAX_SIZE: u64 = 256 << 10;
 
 /// Makes `count` mutants of the files below `folder`, by turns, and reads, checks, fixes and arranges each; fails when one

@@ -1,4 +1,4 @@
-//! Damage done to descriptions, the same for the same seed: what editors, transfers and mischief do to lines and bytes.
+//! Mutations of descriptions, the same for the same seed: what editors, transfers and mischief do to lines and bytes.
 
 /// Values that numbers, texts and references of a description do not expect.
 const VALUES: [&str; 24] = [
@@ -28,15 +28,15 @@ const VALUES: [&str; 24] = [
     "((((((((((((((((((((",
 ];
 
-/// A source of damage.
+/// A source of mutations.
 pub(crate) struct Mutator {
     state: u64,
 }
 
 impl Mutator {
-    /// The same damage for the same seed.
+    /// The same mutations for the same seed.
     pub(crate) fn new(seed: u64) -> Self {
-        // xorshift stands still at zero
+        // xorshift never leaves zero
         Self { state: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1 }
     }
 
@@ -49,7 +49,7 @@ impl Mutator {
         usize::try_from(number).unwrap_or(0)
     }
 
-    /// `text` with some damage, some of it taken from `other`.
+    /// `text` with some mutations, some of them taken from `other`.
     pub(crate) fn mutate(&mut self, text: &[u8], other: &[u8]) -> Vec<u8> {
         let mut bytes = text.to_vec();
         for _ in 0..=self.below(6) {

@@ -172,7 +172,7 @@ mod tests {
     const OF_THE_COMMAND: [&str; 9] =
         ["color", "quiet", "verbose", "help", "report", "format", "list", "stamp", "depfile"];
 
-    /// Whatever the command can do, a build script can do.
+    /// A build script can do all that the command can.
     #[test]
     fn every_other_argument_is_a_method_of_the_builder() {
         let builder = include_str!("../../build_script/builder.rs");

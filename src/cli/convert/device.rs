@@ -117,7 +117,7 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Commissioning,
     commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })
 }
 
-/// What a node must be told so that it is configured as the device says.
+/// The downloads that configure a node as the device says.
 fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<ConciseDcf, Failure> {
     let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };

@@ -1,4 +1,4 @@
-//! What conversions lost, for people and for programs.
+//! Losses of conversions, as text and as JSON.
 
 use serde::Serialize;
 

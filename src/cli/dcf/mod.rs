@@ -34,7 +34,7 @@ fn stream(path: &Path, input: &InputArgs, node_id: Option<u8>) -> Result<Concise
     stream_of(&name_of(path), input.size.read(path)?, input, node_id)
 }
 
-/// The bytes that hex digits stand for, where a file has nothing else and nobody says what it is.
+/// The bytes of a file that has only hex digits, when its format is not given.
 fn hex_of(bytes: &[u8], input: &InputArgs) -> Option<Vec<u8>> {
     std::str::from_utf8(bytes).ok().filter(|_| input.from.is_none()).and_then(concise::of_hex)
 }
@@ -50,7 +50,7 @@ fn stream_of(
         return ConciseDcf::parse(&stream)
             .map_err(|error| Failure::new(format_args!("`{name}`, hex digits: {error}")));
     }
-    // what nothing shows to be something else is a stream, and what is wrong with it is worth telling
+    // what is not recognised as something else is a stream, and its errors are worth a report
     let reading = Reading { node_id, ..input.reading() };
     let kind = match reading.recognised(name, bytes.clone()) {
         Ok((kind @ (FileKind::CdcfText | FileKind::Json | FileKind::Cdcf), _)) => kind,

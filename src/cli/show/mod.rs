@@ -24,7 +24,7 @@ struct View<'a> {
     file: &'a str,
     format: &'static str,
     device: &'a Device,
-    /// The node that formulas are worked out for.
+    /// The node that formulas are evaluated for.
     node_id: Option<u8>,
     /// Whether only what is configured to another value than its default is shown.
     changed: bool,

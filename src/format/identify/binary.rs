@@ -40,7 +40,7 @@ fn identified(configuration: &ConciseDcf, length: usize) -> Identification {
     Identification { technology, ..Identification::new(ContentKind::PowerlinkConcise, reason) }
 }
 
-/// What no CANopen device is told, and POWERLINK managers are. One of it alone may be an oddity of a device.
+/// Objects that POWERLINK managers receive and CANopen devices do not. One of them alone may be an oddity of a device.
 fn powerlink_marks(configuration: &ConciseDcf) -> Vec<String> {
     let has = |test: fn(&Download) -> bool| configuration.0.iter().find(|download| test(download));
     let mut marks = Vec::new();

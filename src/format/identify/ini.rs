@@ -58,7 +58,7 @@ pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
     Some(Identification { technology, ..Identification::new(ContentKind::CipEds, reason) })
 }
 
-/// The section of the node, where it stands behind the first objects: it may be the last of the file.
+/// The section of the node, where it is behind the first objects: it may be the last of the file.
 fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
     // both spellings start with this, so one look at a large file is enough
     let start = memchr::memmem::find_iter(content.bytes, "[DeviceCom").find(|&at| {
@@ -72,7 +72,7 @@ fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
 }
 
 impl<'a> Signs<'a> {
-    /// What stands before the first object, which is enough.
+    /// The text before the first object, which is enough.
     fn of(text: &'a str) -> Self {
         let mut signs = Self::default();
         let mut section = "";
@@ -99,7 +99,7 @@ impl<'a> Signs<'a> {
                 self.canopen.push(name);
             }
             Part::FileInfo | Part::DeviceInfo | Part::DummyUsage | Part::List(_) => self.canopen.push(name),
-            // `[A0]` may stand in any file
+            // any file may have `[A0]`
             Part::Object(_) | Part::Entry(..) if name.len() >= 4 => {
                 self.canopen.push(name);
                 return true;

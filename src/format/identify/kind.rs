@@ -1,4 +1,4 @@
-//! The kinds of contents that can be told apart.
+//! The kinds of contents that can be distinguished.
 
 use crate::format::Format;
 

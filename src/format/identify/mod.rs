@@ -1,7 +1,7 @@
 //! What a file is, found out from its content: the formats of CANopen, and the look-alikes that are taken for them.
 //!
-//! The name is asked only where the content cannot tell: an EDS and a DCF, or an XDD and an XDC, may have the same text.
-//! No content is damaged so badly that anything here fails; what is not recognised is [`ContentKind::Unknown`].
+//! The name counts only where the content does not decide: an EDS and a DCF, or an XDD and an XDC, may have the same text.
+//! Nothing here fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
 
 #[cfg(feature = "json")]
 mod binary;
@@ -92,7 +92,7 @@ impl Identification {
     }
 
     /// The format in which a file of this name is read as a description of a device: what it is, and where that is not
-    /// known, what the name says, so that a damaged file is read too; an unknown name is taken for an EDS. `None` for
+    /// known, what the name says, so that a malformed file is read too; an unknown name is taken for an EDS. `None` for
     /// what is something else for certain.
     pub fn format(&self, name: &str) -> Option<Format> {
         match self.kind {
@@ -213,7 +213,7 @@ impl<'a> Content<'a> {
         parts.any(|part| endings.iter().any(|ending| ending.eq_ignore_ascii_case(part)))
     }
 
-    /// Whether a word stands anywhere in the content.
+    /// Whether the content contains a word.
     fn contains(&self, word: &str) -> bool {
         self.find(word).is_some()
     }

@@ -18,7 +18,7 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
         .or_else(|| bus_configuration(content, text))
 }
 
-/// A document of ours. Its names may stand in any order, so every `kind` is looked at.
+/// A JSON document of objdict. Its names may be in any order, so every `kind` is looked at.
 fn json(text: &str) -> Option<Identification> {
     if !text.contains("\"version\"") {
         return None;

@@ -37,7 +37,7 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
     }
     let signs = Signs::of(text);
     let Some(root) = &signs.root else {
-        // a damaged XDD is to be checked and not refused
+        // a malformed XDD must be checked, not rejected
         let is_named = known_ending(content.name).is_some();
         let kind = if is_named { ContentKind::Unknown } else { ContentKind::OtherXml };
         return Some(Identification::new(kind, "it starts like XML and has no root element"));
@@ -55,7 +55,7 @@ pub(super) fn behind_junk(content: &Content<'_>) -> Option<Identification> {
 }
 
 impl Signs {
-    /// Reads until all is known, the text ends, or it is too damaged to go on.
+    /// Reads until all is known, the text ends, or it is too malformed to go on.
     fn of(text: &str) -> Self {
         let mut signs = Self::default();
         let mut reader = Reader::from_str(text);
@@ -278,7 +278,7 @@ fn starts<'a>(content: &'a Content<'_>, name: &'a str) -> impl Iterator<Item = u
     })
 }
 
-/// Where the element stands that says which node a description is for.
+/// The place of the element with the node of a description.
 fn commissioning(content: &Content<'_>) -> Option<usize> {
     starts(content, "deviceCommissioning").next()
 }

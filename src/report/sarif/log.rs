@@ -24,7 +24,7 @@ pub(super) struct Run<'a> {
     invocation: Invocation<'a>,
 }
 
-/// The folder of a base id (§3.14.14); its own path is not told, so that a run is the same on every machine.
+/// The folder of a base id (§3.14.14); its own path is omitted, so that a run is the same on every machine.
 #[derive(Serialize)]
 struct BaseFolder {
     description: Message,

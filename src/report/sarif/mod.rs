@@ -61,7 +61,7 @@ impl<W: Write> Sarif<W> {
         self
     }
 
-    /// What stands before the first result.
+    /// The text before the first result.
     fn start(&mut self) -> io::Result<()> {
         if self.is_empty {
             write!(self.out, "{{\"$schema\":\"{}\",\"version\":\"2.1.0\",\"runs\":[{{", log::SCHEMA)?;
@@ -269,7 +269,7 @@ fn level(severity: Severity) -> &'static str {
 }
 
 /// A text as a message (§3.11): braces are doubled, for `{0}` is a placeholder, and nothing is a link, for messages quote
-/// files that nobody trusts.
+/// untrusted files.
 fn message(text: &str) -> Message {
     let shown = |character| if character == '\n' { character } else { visible(character) };
     let text: String = text.chars().map(shown).collect();

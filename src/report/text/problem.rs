@@ -9,7 +9,7 @@ use super::printer::Printer;
 use super::shown;
 use crate::source::{SourceFile, Span};
 
-/// What is wrong with a text of ours (a profile, a configuration), with the lines and a mark under them, without colours:
+/// A problem in a file of objdict (a profile, a configuration), with the lines and a mark under them, without colours:
 /// it goes to the standard error.
 pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
     let excerpts = Excerpts::new(source);

@@ -183,7 +183,7 @@ fn python_reads_the_tables() {
     }
 }
 
-/// A text that is no value of its field has a column of its own, and none among the values.
+/// A text that is not valid for its field has a column of its own, and none among the values.
 #[test]
 fn values_that_cannot_be_read_have_a_column() {
     let table = read::csv(&page("broken/c-suffix-numbers.eds", Form::Csv, &Options::default()));

@@ -79,7 +79,7 @@ fn write_all(devices: &[(String, Description)], folder: &str, options: &WriteOpt
     folder
 }
 
-/// What an upload of each entry shall give. Left out is what python-canopen cannot serve: entries that are write-only or
+/// The expected upload of each entry, without what python-canopen cannot serve: entries that are write-only or
 /// have no value, definitions of types and entries of such a type, the TIME types, which it does not know, and strings
 /// with ` ;`, which it cuts there.
 fn expected_entries(device: &Device, node_id: u8) -> Vec<serde_json::Value> {
@@ -221,7 +221,7 @@ fn tools_refuse_what_findings_say_they_refuse() {
             let may_refuse = REACTIONS.iter().any(|reaction| {
                 reaction.rule == rule && reaction.effect == Effect::Refused && reaction.tools.contains(&tool)
             });
-            // what a defect costs beside that is not told
+            // further consequences of a defect are not listed
             let is_surprise = rule.starts_with("portability/") && !may_refuse;
             if claimed && refusal.is_none() || is_surprise && refusal.is_some() {
                 wrong.push(format!("{}: {tool}: claimed {claimed}, is {refusal:?}", path.display()));

@@ -7,7 +7,7 @@ use objdict::generate::Note;
 
 use super::crates::Crates;
 
-/// What our own C bears, and the code for stacks with declarations of ours.
+/// Compiler flags of the plain C, and of code for stacks with the declarations of this project.
 const C_FLAGS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
 /// What is needed to compile.

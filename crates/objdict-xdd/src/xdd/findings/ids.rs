@@ -12,7 +12,7 @@ use super::walk::Walk;
 text_rules! {
     DUPLICATE_UNIQUE_ID = "cia311/duplicate-unique-id", Error;
     summary: "two elements have the same id",
-    checks: "Whether each `uniqueID` is unique in the file, whatever the element. References lead to the first one.",
+    checks: "Whether each `uniqueID` is unique among all elements of the file. References lead to the first one.",
     why: "References are ambiguous, and tools resolve them differently.",
     example: r#"Two parameters with `uniqueID="UID_OBJ_2000"`"#,
     remedy: "Change one of the ids and its references.",
