@@ -1,4 +1,5 @@
-//! XDD to XDC and back, by edits of the text: comments, order, spelling, line ends and encoding stay.
+//! Conversion between XDD and XDC by edits of the text, so that comments, order, spelling, line ends and
+//! encoding are kept.
 
 use super::layout::Layout;
 use super::schema::DEVICE_COMMISSIONING;
@@ -7,8 +8,9 @@ use crate::model::Commissioning;
 use crate::source::EditError;
 use crate::xml::{Editor, Element, Name, Tree, escaped_value, n};
 
-/// The bytes of `tree` as an XDC called `file_name` for the node `node`; what the node says replaces what the text says of
-/// it. `None` where there is no place for it: without a communication network profile, and in a project of several devices.
+/// The bytes of `tree` as an XDC with the name `file_name` for the node `node`; the values of `node` replace
+/// those of the text. `None` if the file has no place for them: without a communication network profile, and
+/// in a project with several devices.
 pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Result<Vec<u8>, EditError>> {
     let layout = layout(tree)?;
     let body = layout.network?.body;
@@ -18,7 +20,7 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
     match management.and_then(|management| management.child(n::deviceCommissioning)) {
         Some(element) => {
             for (name, value) in fact::texts(node, &DEVICE_COMMISSIONING, true) {
-                // CANopenEditor writes the second
+                // CANopenEditor writes `NodeID`
                 let is_other = name == n::nodeID && element.attribute(n::NodeID).is_some();
                 let name = if is_other { n::NodeID } else { name };
                 editor.set_attribute(element, name.text(), &value);
@@ -29,8 +31,8 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
     Some(editor.to_bytes())
 }
 
-/// The bytes of `tree` as an XDD called `file_name`: without the node and what was configured for it. `None` for a project
-/// of several devices.
+/// The bytes of `tree` as an XDD with the name `file_name`: without the node and its configured values.
+/// `None` for a project with several devices.
 pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>> {
     let layout = layout(tree)?;
     let mut editor = Editor::new(tree);
@@ -52,7 +54,7 @@ pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>
     Some(editor.to_bytes())
 }
 
-/// The description that is all of the file.
+/// The layout of a file whose root is the container.
 fn layout(tree: &Tree) -> Option<Layout<'_>> {
     let root = tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer)?;
     Some(Layout::of_container(root))
@@ -76,8 +78,8 @@ fn parameters<'a>(layout: &Layout<'a>) -> impl Iterator<Item = Element<'a>> {
     })
 }
 
-/// Puts the node into `NetworkManagement`, behind the features, or with that behind everything else of the body. The new
-/// elements have the prefix of their neighbours, so they are in the same namespace.
+/// Inserts the node into `NetworkManagement` after the features, or `NetworkManagement` with the node at the
+/// end of the body. The new elements get the prefix of their neighbours and thus the same namespace.
 fn insert<'a>(
     body: Element<'a>,
     management: Option<Element<'a>>,

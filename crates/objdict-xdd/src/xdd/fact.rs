@@ -1,4 +1,4 @@
-//! What an EDS has too: attributes to fields of the model and back.
+//! Values that an EDS has too: from attributes to fields of the model and back.
 
 use std::any::Any;
 use std::borrow::Cow;
@@ -14,21 +14,21 @@ use crate::model::{
 use crate::source::Span;
 use crate::xml::{self, Element, Name, n};
 
-/// A text with where it stands.
+/// A text with its position.
 #[derive(Clone, Debug)]
 pub(crate) struct Text<'a> {
-    /// The text, without blanks at its ends where it is an element's.
+    /// For the text of an element: without blanks at its ends.
     pub(crate) text: Cow<'a, str>,
-    /// Where it stands.
+    /// The position of the text.
     pub(crate) at: Span,
 }
 
-/// A part with facts.
+/// A part of the model with fields that an EDS has too.
 pub(crate) trait Facts: Any {
-    /// What is no value of its field.
+    /// The texts that are not valid in their fields.
     fn invalid_values(&self) -> &InvalidValues;
 
-    /// The same, for reading.
+    /// Mutable access for reading.
     fn invalid_values_mut(&mut self) -> &mut InvalidValues;
 }
 
@@ -48,16 +48,16 @@ macro_rules! facts {
 
 facts! { Commissioning, DeviceInfo, Entry, FileInfo }
 
-/// A field that is spelled in one way in CiA 311, and in many in the files.
+/// A field that CiA 311 spells in one way, and real files in many.
 pub(crate) trait Fact {
-    /// Takes a text that says something.
+    /// Reads a non-empty text.
     fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason>;
 
-    /// The text of the value; `None` where there is none.
+    /// The text of the value; `None` without a value.
     fn text(&self, known: &Attribute) -> Option<String>;
 }
 
-/// Gives the text of an attribute to its field, and says whether it has one.
+/// Passes the text of an attribute to its field; `false` if it has no field.
 pub(crate) fn take(
     part: &mut impl Facts,
     known: &Attribute,
@@ -76,19 +76,20 @@ pub(crate) fn take(
     true
 }
 
-/// The text of an attribute that a field has: its value, else what is none.
+/// The text of an attribute with a field: its value, or else the invalid text.
 pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
     let At::Fact(at) = known.at else { return None };
     let value = || (at.lens.get)(part).and_then(|fact| fact.text(known));
     let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
     match known.name {
-        // the revision of an EDS, and the type that the parameter tells, may stand beside what is no value
+        // the revision of an EDS and the data type of the parameter can be set beside an invalid text
         n::fileVersion | n::dataType => invalid().or_else(value),
         _ => value().or_else(invalid),
     }
 }
 
-/// The attributes of an element that fields have, in their order; with what stands for nothing where that is demanded.
+/// The attributes of an element that have fields, in order; a required one without a value gets its
+/// placeholder.
 pub(crate) fn texts(
     part: &impl Facts,
     element: &'static schema::Element,
@@ -124,7 +125,8 @@ impl<'a> Text<'a> {
         self.text.trim_ascii()
     }
 
-    /// A whole number from 0 to `most`, in decimal or behind `0x` in hex; `None` for an empty text.
+    /// A whole number from 0 to `most`, in decimal or, with the prefix `0x`, in hex; `None` for an empty
+    /// text.
     pub(crate) fn integer<T: TryFrom<i128>>(
         &self,
         most: u64,
@@ -157,7 +159,7 @@ impl<'a> Text<'a> {
         self.word(|text| hex(text, digits), Reason::NotANumber)
     }
 
-    /// A value of a data type; an empty text is none.
+    /// A value of a data type; `None` for an empty text.
     pub(crate) fn value(
         &self,
         data_type: Option<DataType>,
@@ -171,7 +173,7 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Fields of one word, by how it is read, what a wrong one is, and how it is written.
+/// Fields of one word: how the word is read, the reason if it is invalid, and how it is written.
 macro_rules! words {
     ($($Value:ty: $reason:ident, $read:expr, $write:expr;)+) => {$(
         impl Fact for Option<$Value> {
@@ -190,7 +192,7 @@ macro_rules! words {
 
 words! {
     bool: UnknownWord, boolean, |flag| flag.to_string();
-    // a time zone behind the date is allowed, and says nothing
+    // a time zone after the date is allowed and ignored
     Date: NotADate, |text| Date::from_iso(text.get(..10).unwrap_or(text)), Date::to_iso;
     ClockTime: NotAClockTime, ClockTime::from_iso, |time| time.to_iso(true);
     DeviceClass: UnknownWord, DeviceClass::from_name, |class| class.name().to_owned();
@@ -241,7 +243,7 @@ impl Fact for Option<String> {
     }
 }
 
-/// Words with blanks between them.
+/// Words separated by blanks.
 impl Fact for Vec<Box<str>> {
     fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
         *self = text.text.split_ascii_whitespace().map(Into::into).collect();
@@ -256,7 +258,7 @@ impl Fact for Vec<Box<str>> {
 /// `version.revision`, or the version alone.
 impl Fact for FileInfo {
     fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
-        // as they are written back
+        // only numbers that are written back unchanged
         let plain = |text: &str| text.parse().ok().filter(|number: &u8| number.to_string() == text);
         let (version, revision) = text.trimmed().split_once('.').unwrap_or((text.trimmed(), ""));
         let has_revision = text.trimmed().contains('.');
@@ -303,7 +305,7 @@ fn data_type(word: &str) -> Option<DataType> {
     index.map(DataType).or_else(|| DataType::from_name(word))
 }
 
-/// The access type of an attribute, which knows nothing of process inputs and outputs; the parameter does.
+/// The access type as an attribute: process inputs and outputs are only known to the parameter.
 const fn attribute_access(access: Access) -> &'static str {
     match access {
         Access::Rwr | Access::Rww => Access::Rw.name(),
@@ -325,12 +327,13 @@ fn mapping_word(mapping: PdoMapping) -> &'static str {
 
 fn pdo_mapping(word: &str) -> Option<PdoMapping> {
     let known = MAPPINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word));
-    // what an EDS writes
+    // the flag of an EDS
     let flag = || boolean(word).map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
     known.map(|(_, mapping)| mapping).or_else(flag)
 }
 
-/// The part of a text that is a value: blanks at its ends only belong to strings. `None` for an empty one.
+/// The part of a text that is the value: blanks at the ends are significant only in strings. `None` for an
+/// empty text.
 pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     let text = if is_string { text } else { text.trim_ascii() };
@@ -344,7 +347,7 @@ pub(crate) fn hex(text: &str, digits: usize) -> Option<u32> {
     if is_hex { u32::from_str_radix(text, 16).ok() } else { None }
 }
 
-/// A truth value of XML Schema, in any case.
+/// A Boolean of XML Schema, in upper or lower case.
 pub(crate) fn boolean(text: &str) -> Option<bool> {
     match () {
         () if text == "1" || text.eq_ignore_ascii_case("true") => Some(true),
@@ -353,7 +356,7 @@ pub(crate) fn boolean(text: &str) -> Option<bool> {
     }
 }
 
-/// A bit rate: `250 Kbps`, or as other tools spell it.
+/// A bit rate: `250 Kbps`, or a spelling of other tools.
 pub(crate) fn bit_rate(text: &str) -> Option<u16> {
     let digits = text.bytes().take_while(u8::is_ascii_digit).count();
     let unit = text[digits..].trim_ascii().to_ascii_lowercase();

@@ -1,4 +1,4 @@
-//! The rules about the structure of CiA 311, which only the text of an XDD or XDC can show.
+//! The rules about the structure of CiA 311, which need the text of an XDD or XDC.
 
 mod ids;
 mod namespaces;

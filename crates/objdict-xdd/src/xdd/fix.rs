@@ -1,4 +1,5 @@
-//! Changes of a description to edits of its elements and attributes. Only what has one counterpart in CiA 311 is changed.
+//! Changes of a description as edits of its elements and attributes. Changes without a unique counterpart in
+//! CiA 311 are not made.
 
 use super::locate::{Locator, attribute_of};
 use super::schema::{self, DEVICE_BODY, GENERAL_FEATURES, OBJECT};
@@ -7,14 +8,14 @@ use crate::model::{Field, Part, Place};
 use crate::source::Span;
 use crate::xml::{Editor, Element, Tree, n};
 
-/// The edits that make the changes, in the order of the text; `None` where it has no place for one of them.
+/// The edits for the changes, in the order of the text; `None` if one of them has no place in the file.
 pub fn edits(tree: &Tree, locator: &Locator, changes: &[Change]) -> Option<Vec<(Span, String)>> {
     let mut rewriter = Rewriter { tree, locator, editor: Editor::new(tree) };
     changes.iter().try_for_each(|change| rewriter.change(change))?;
     rewriter.editor.into_list().ok()
 }
 
-/// A text in the making.
+/// A text while it is rewritten.
 struct Rewriter<'a> {
     tree: &'a Tree,
     locator: &'a Locator,
@@ -35,7 +36,7 @@ impl<'a> Rewriter<'a> {
                 self.editor.remove_element(element);
                 Some(())
             }
-            // there are no lists of objects to change, and no sections to add
+            // CiA 311 has no lists of objects to change and no sections to add
             _ => None,
         }
     }
@@ -59,7 +60,7 @@ impl<'a> Rewriter<'a> {
         }
     }
 
-    /// A fact about the file, which both profiles state.
+    /// A value about the file, which both profiles have.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
         let is_text = matches!(field, Field::FileName | Field::CreatedBy | Field::ModifiedBy);
         let name = DEVICE_BODY.attribute_of(field).filter(|_| is_text)?.name;
@@ -79,7 +80,7 @@ impl<'a> Rewriter<'a> {
         Some(())
     }
 
-    /// An attribute of the general features, which are there.
+    /// An attribute of the general features, if that element exists.
     fn set_feature(&mut self, field: &Field, value: &str) -> Option<()> {
         let known = GENERAL_FEATURES.attribute_of(field).filter(|_| !matches!(field, Field::Named(_)))?;
         let path = [n::NetworkManagement, n::CANopenGeneralFeatures];
@@ -93,7 +94,7 @@ impl<'a> Rewriter<'a> {
     fn remove_field(&mut self, part: &Part, field: &Field) -> Option<()> {
         let element = self.entry(part)?;
         let attribute = attribute_of(element, &OBJECT, field)?;
-        // what CiA 311 demands stays
+        // CiA 311 requires these
         if matches!(field, Field::ParameterName | Field::ObjectType) {
             return None;
         }

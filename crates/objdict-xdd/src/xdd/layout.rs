@@ -1,9 +1,9 @@
-//! Where the parts of a description stand in a tree: containers, profiles, bodies.
+//! Where the parts of a description are in a tree: containers, profiles, bodies.
 
 use super::schema::{self, DEVICE_BODY, DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER};
 use crate::xml::{Element, Name, Tree, n};
 
-/// What a profile is about (`ProfileClassID`).
+/// The subject of a profile (`ProfileClassID`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ProfileClass {
     /// The device.
@@ -13,7 +13,7 @@ pub(crate) enum ProfileClass {
 }
 
 impl ProfileClass {
-    /// Both of them.
+    /// Both classes.
     pub(crate) const ALL: [Self; 2] = [Self::Device, Self::Network];
 
     /// `ProfileClassID`.
@@ -32,7 +32,7 @@ impl ProfileClass {
         }
     }
 
-    /// `ProfileBody` of such a profile.
+    /// The `ProfileBody` of this class.
     pub(crate) const fn body(self) -> &'static schema::Element {
         match self {
             Self::Device => &DEVICE_BODY,
@@ -40,7 +40,7 @@ impl ProfileClass {
         }
     }
 
-    /// `ProfileHeader` of such a profile.
+    /// The `ProfileHeader` of this class.
     pub(crate) fn header(self) -> &'static schema::Element {
         match self {
             Self::Device => &DEVICE_HEADER,
@@ -52,7 +52,7 @@ impl ProfileClass {
 /// One description: a container with the profiles of one device.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layout<'a> {
-    /// What everything stands in.
+    /// The element around the profiles.
     pub(crate) container: Element<'a>,
     /// The device profile.
     pub(crate) device: Option<Profile<'a>>,
@@ -69,8 +69,8 @@ pub(crate) struct Profile<'a> {
     pub(crate) body: Element<'a>,
 }
 
-/// The containers of a tree. A description has one; a project of CANopenEditor has one for each of its devices. Of a damaged
-/// file whatever is outermost is one.
+/// The containers of a tree. A description has one; a project of CANopenEditor has one for each device. In a
+/// malformed file without a container, the root counts as one.
 pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
     let Some(root) = tree.root() else { return Vec::new() };
     if root.tag() == n::ISO15745ProfileContainer {
@@ -87,7 +87,7 @@ impl<'a> Layout<'a> {
         containers(tree).get(number).copied().map(Self::of_container)
     }
 
-    /// What stands in a container. Of two profiles of a kind the first counts.
+    /// The profiles in a container. Of two profiles of one class, the first counts.
     pub(crate) fn of_container(container: Element<'a>) -> Self {
         let mut layout = Self { container, device: None, network: None };
         for (class, profile) in profiles(container) {
@@ -100,30 +100,30 @@ impl<'a> Layout<'a> {
         layout
     }
 
-    /// An element of the device profile, by the names of it and what it stands in.
+    /// An element of the device profile, by its path of names.
     pub(crate) fn in_device(&self, path: &[Name]) -> Option<Element<'a>> {
         below(self.device?.body, path)
     }
 
-    /// An element of the communication network profile, by the names of it and what it stands in.
+    /// An element of the communication network profile, by its path of names.
     pub(crate) fn in_network(&self, path: &[Name]) -> Option<Element<'a>> {
         below(self.network?.body, path)
     }
 
-    /// The objects in their order.
+    /// The objects, in order.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Element<'a>> + use<'a> {
         let list = self.in_network(&[n::ApplicationLayers, n::CANopenObjectList]);
         list.into_iter().flat_map(|list| list.children_named(n::CANopenObject))
     }
 }
 
-/// The element that a path of names leads to, each time the first of its name.
+/// The element at a path of names; of several with one name, the first.
 pub(crate) fn below<'a>(element: Element<'a>, path: &[Name]) -> Option<Element<'a>> {
     path.iter().try_fold(element, |element, name| element.child(*name))
 }
 
-/// The profiles of a container with what they are about, in their order. Of a damaged file a profile or a body may be the
-/// container.
+/// The profiles of a container with their classes, in order. In a malformed file a profile or a body may be
+/// the container.
 fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
     let bodies = |parent: Element<'a>| match parent.tag() {
         n::ISO15745Profile => parent.children_named(n::ProfileBody).collect(),
@@ -142,7 +142,7 @@ fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
     found.into_iter().map(profile).collect()
 }
 
-/// What a profile is about: what the type of its body says, else the class in its header, else what is in it.
+/// The class of a profile: by the type of its body, else by its header, else by its content.
 fn class_of(header: Option<Element<'_>>, body: Element<'_>) -> ProfileClass {
     let of_word = |word: &str| {
         let classes = [ProfileClass::Network, ProfileClass::Device];

@@ -1,4 +1,4 @@
-//! What nobody reads in an XDD, so that it is not lost.
+//! Content of an XDD that the reader does not use, kept so that it is not lost.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,9 +8,10 @@ use crate::xml::{Attribute, Element, ElementId, n};
 /// The key of an element's text.
 const TEXT: &str = n::text.text();
 
-/// Attributes, elements and texts that the model has no place for, or that are no values of their fields.
+/// Attributes, elements and texts without a place in the model, and texts that are not valid in their
+/// fields.
 ///
-/// Everything takes about as much memory as it has text: a path that would be longer than the file allows is shortened.
+/// Memory use is proportional to the text: a path that would be longer than the file allows is shortened.
 #[derive(Debug, Default)]
 pub(crate) struct Leftovers<'a> {
     found: Vec<(Element<'a>, Extra)>,
@@ -34,7 +35,7 @@ impl<'a> Leftovers<'a> {
         }
     }
 
-    /// Keeps an element with all that is in it.
+    /// Keeps an element with its content.
     pub(crate) fn element(&mut self, element: Element<'a>) {
         for part in std::iter::once(element).chain(element.descendants()) {
             self.found.push((part, Extra::default()));
@@ -45,11 +46,11 @@ impl<'a> Leftovers<'a> {
         }
     }
 
-    /// A section for each element with something left over, in the order of the file.
+    /// One section for each element with leftovers, in the order of the file.
     ///
-    /// It is called `xml:` and the path of the element below its `ProfileBody` (else below the root), such as
-    /// `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several lines stands in as many
-    /// entries of one key.
+    /// The name is `xml:` and the path of the element below its `ProfileBody` (else below the root), such as
+    /// `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several lines
+    /// becomes several entries with one key.
     pub(crate) fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
         let mut paths = Paths::new(self.found.first().map_or(0, |(element, _)| element.tree().text().len()));
@@ -81,20 +82,20 @@ fn full_name(attribute: Attribute<'_>) -> String {
     }
 }
 
-/// A value of several lines becomes as many entries, as no entry can have a line feed.
+/// Splits a value of several lines into entries, because an entry cannot contain a line feed.
 fn push_lines(extra: &mut Extra, key: &str, value: &str) {
     value.split('\n').for_each(|line| extra.push(key, line));
 }
 
-/// The paths of elements that are asked for in the order of the file.
+/// The paths of elements, which are requested in the order of the file.
 struct Paths<'a> {
-    /// The root, …, the element asked for last, each with the length of its path.
+    /// From the root to the element requested last, each with the length of its path.
     open: Vec<(Element<'a>, usize)>,
     path: String,
-    /// The number of an element among its siblings of the same name, where there are more.
+    /// The number of an element among siblings with the same name, if there are several.
     numbers: HashMap<ElementId, u32>,
     numbered: HashSet<ElementId>,
-    /// How long all further paths may be together.
+    /// The maximum total length of all further paths.
     room: usize,
 }
 
@@ -121,7 +122,7 @@ impl<'a> Paths<'a> {
         }
     }
 
-    /// Where the part of the path begins that is below the `ProfileBody`, else below the root.
+    /// The start of the path below the `ProfileBody`, else below the root.
     fn start(&self) -> usize {
         let around = self.open.len().saturating_sub(1);
         let around = &self.open[..around];
@@ -129,7 +130,7 @@ impl<'a> Paths<'a> {
         body.or(around.first()).map_or(0, |(_, end)| end + 1)
     }
 
-    /// Makes `path` that of an element.
+    /// Sets `path` to that of an element.
     fn go_to(&mut self, element: Element<'a>) {
         let mut missing = Vec::new();
         let mut next = Some(element);
@@ -187,13 +188,13 @@ mod tests {
         Tree::new(SourceFile::from_text("test.xdd", text), &mut Findings::new())
     }
 
-    /// The sections of all elements with the names.
+    /// The sections of all elements with one of the names.
     fn sections(text: &str, names: &[&str]) -> Vec<(String, Vec<(String, String)>)> {
         let tree = tree(text);
         let mut leftovers = Leftovers::default();
         let elements =
             tree.root().into_iter().flat_map(|root| std::iter::once(root).chain(root.descendants()));
-        // the last first: the order of the file must not depend on that of the reader
+        // in reverse: the result must not depend on the order of reading
         let mut elements: Vec<_> = elements.filter(|element| names.contains(&element.name())).collect();
         elements.reverse();
         elements.into_iter().for_each(|element| leftovers.element(element));
@@ -255,7 +256,7 @@ mod tests {
         assert_eq!(entries, [vec![("b", "2"), ("a", "1")], vec![("d", "3")]]);
     }
 
-    /// Many elements at the end of a long path, or beside each other, take no more than a multiple of their text.
+    /// Many elements at the end of a long path, or side by side, need memory proportional to their text.
     #[test]
     fn hostile_files_take_about_their_text() {
         let name = "n".repeat(1000);

@@ -1,5 +1,5 @@
-//! Places to spans. Little is stored: the place names its element and attribute, and the tree is searched for them when a
-//! finding is shown. A clean file pays nothing.
+//! From places to spans. The locator stores little: the place names its element and attribute, and the tree
+//! is searched when a finding is shown. A file without findings costs nothing.
 
 mod entry;
 mod facts;
@@ -13,19 +13,19 @@ use crate::model::{Field, Part, Place};
 use crate::source::Span;
 use crate::xml::{Attribute, Element, ElementId, Tree, n};
 
-/// Where the objects of a tree stand, and what they may refer to.
+/// The positions of the objects of a tree, and of the targets of their references.
 #[derive(Debug)]
 pub struct Locator {
-    /// Which of the containers it is for.
+    /// The number of the container.
     number: usize,
     objects: HashMap<u16, ElementId>,
     state: RandomState,
-    /// Hash of each id, and the element that has it, in order of the hashes.
+    /// The hash of each id with its element, sorted by hash.
     ids: Vec<(u32, ElementId)>,
 }
 
 impl Locator {
-    /// Finds the objects of a device of the file.
+    /// Finds the objects of one device of the file.
     pub fn new(tree: &Tree, number: usize) -> Self {
         let mut found = Self { number, objects: HashMap::new(), state: RandomState::new(), ids: Vec::new() };
         let Some(layout) = Layout::of(tree, number) else { return found };
@@ -48,8 +48,8 @@ impl Locator {
         found
     }
 
-    /// The span of a place: what its attribute or element says, where that is there; else the tag of its part. `None` for
-    /// the device as a whole, and for parts that are not there.
+    /// The span of a place: its attribute or element if that exists, else the tag of its part. `None` for
+    /// the device as a whole, and for parts that do not exist.
     pub fn locate(&self, tree: &Tree, place: &Place) -> Option<Span> {
         let layout = Layout::of(tree, self.number)?;
         let field = place.field.as_ref();
@@ -61,7 +61,7 @@ impl Locator {
         }
     }
 
-    /// The container that it is for.
+    /// The container of this locator.
     pub(super) fn layout<'a>(&self, tree: &'a Tree) -> Option<Layout<'a>> {
         Layout::of(tree, self.number)
     }
@@ -80,7 +80,7 @@ impl Locator {
     }
 }
 
-/// The attribute of an element that a field is, by the table; else the one that is called like the field.
+/// The attribute of a field, by the schema; else the attribute with the name of the field.
 pub(super) fn attribute_of<'a>(
     element: Element<'a>,
     schema: &schema::Element,
@@ -92,19 +92,19 @@ pub(super) fn attribute_of<'a>(
     }
 }
 
-/// The value of an attribute, or the attribute where that is empty.
+/// The value of an attribute, or the whole attribute if the value is empty.
 fn value_of(attribute: Attribute<'_>) -> Span {
     let value = attribute.value_span();
     if value.is_empty() { attribute.span() } else { value }
 }
 
-/// The text of an element, or its tag where there is none.
+/// The text of an element, or its tag if it has no text.
 fn text_of(element: Element<'_>) -> Span {
     let text = element.text_span();
     if text.is_empty() { element.tag_span() } else { text }
 }
 
-/// An element that is left over, by the path that [`Leftovers`](super::leftovers::Leftovers) gave it.
+/// A leftover element, by the path that [`Leftovers`](super::leftovers::Leftovers) gave it.
 fn section(layout: &Layout<'_>, name: &str, field: Option<&Field>) -> Option<Span> {
     let path = name.get(..4).filter(|prefix| prefix.eq_ignore_ascii_case("xml:")).map(|_| &name[4..]);
     let Some(path) = path else { return facts::carried(layout, name) };
@@ -116,7 +116,7 @@ fn section(layout: &Layout<'_>, name: &str, field: Option<&Field>) -> Option<Spa
     Some(attribute.map_or_else(|| text_of(element), value_of))
 }
 
-/// The element that a path such as `DeviceFunction/foo[2]` leads to.
+/// The element at a path such as `DeviceFunction/foo[2]`.
 fn follow<'a>(root: Element<'a>, path: &str) -> Option<Element<'a>> {
     let is_root = root.name().eq_ignore_ascii_case(path);
     let step = |element: Element<'a>, step: &str| {

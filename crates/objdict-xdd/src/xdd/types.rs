@@ -1,11 +1,11 @@
-//! The types that the writer gives to what has none. The reader knows them: a type that would be written anyway says nothing.
+//! The types that the writer generates for objects without one. The reader drops them again.
 
 use crate::model::{
     DataType, DataTypeRef, Entry, Object, ObjectType, SimpleType, Subrange, TypeDefinition, TypeKind,
     TypeShape, VarDeclaration,
 };
 
-/// The simple type that is nearest to a data type; the attribute `dataType` says which one it is.
+/// The simple type that is nearest to a data type; the attribute `dataType` specifies the exact one.
 pub(crate) fn simple_type(data_type: DataType) -> SimpleType {
     match data_type.kind() {
         TypeKind::Boolean => SimpleType::Bool,
@@ -29,7 +29,7 @@ pub(crate) fn simple_type(data_type: DataType) -> SimpleType {
     }
 }
 
-/// The data type of a simple type, as CANopenEditor takes it; BITSTRING depends on the kind of object.
+/// The data type of a simple type, as CANopenEditor interprets it; BITSTRING depends on the object type.
 pub(crate) fn data_type(simple: SimpleType, object_type: Option<ObjectType>) -> DataType {
     match simple {
         SimpleType::Bool => DataType::BOOLEAN,
@@ -50,13 +50,14 @@ pub(crate) fn data_type(simple: SimpleType, object_type: Option<ObjectType>) -> 
     }
 }
 
-/// The index of the object that a type is of, by its id.
+/// The index of the object that a type belongs to, by its id.
 pub(crate) fn index_of(id: &str) -> Option<u16> {
     let digits = id.strip_prefix("UID_ARR_").or_else(|| id.strip_prefix("UID_REC_"))?;
     if digits.len() == 4 { u16::from_str_radix(digits, 16).ok() } else { None }
 }
 
-/// The type of an ARRAY or RECORD, made of those of its sub-indexes as CANopenEditor does it; `None` where one of them has none.
+/// The type of an ARRAY or RECORD, composed from the types of its sub-indexes as in CANopenEditor; `None` if
+/// one of them has none.
 pub(crate) fn definition_of(index: u16, object: &Object) -> Option<TypeDefinition> {
     let simple = |data_type: Option<DataType>| data_type.map(simple_type).map(DataTypeRef::Simple);
     let highest = object.highest_sub()?;

@@ -1,17 +1,17 @@
 //! The versions of CiA 311.
 
-/// A version of CiA 311, which a file names by the namespace of its elements.
+/// A version of CiA 311, which a file states by the namespace of its elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum XddVersion {
     /// 1.0: every element is in the namespace.
     V1_0,
-    /// 1.1: the elements that the schema declares inside others are in no namespace.
+    /// 1.1: local elements of the schema are in no namespace.
     #[default]
     V1_1,
 }
 
 impl XddVersion {
-    /// Every version, the oldest first.
+    /// All versions, the oldest first.
     pub const ALL: [Self; 2] = [Self::V1_0, Self::V1_1];
 
     /// `1.0` or `1.1`.
@@ -22,7 +22,7 @@ impl XddVersion {
         }
     }
 
-    /// The version of a name.
+    /// The version with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|version| version.name() == name)
     }
@@ -35,7 +35,7 @@ impl XddVersion {
         }
     }
 
-    /// The version of a namespace.
+    /// The version with this namespace.
     pub fn from_namespace(uri: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|version| version.namespace() == uri)
     }

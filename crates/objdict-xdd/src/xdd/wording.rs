@@ -1,6 +1,6 @@
-//! Findings about the model for XDD: which of them say something there, and the words of CiA 311 for what they speak of.
-//! The rules of the model know sections and keys, for these are what its fields are called; who has an XDD before him looks
-//! for attributes.
+//! Findings about the model, adapted to an XDD: selects the findings that apply, and replaces the terms of
+//! CiA 306 by those of CiA 311. The rules of the model use sections and keys, the terms of its fields; the
+//! author of an XDD looks for attributes.
 
 use std::collections::HashSet;
 
@@ -12,7 +12,8 @@ use crate::model::Field;
 use crate::source::Span;
 use crate::xml::{Name, n};
 
-/// Rules that hold the form of an EDS against CiA 306. What an XDD must state instead, rules of the group `cia311` say.
+/// Rules that check the form of an EDS against CiA 306. The corresponding rules for an XDD are in the group
+/// `cia311`.
 const OF_EDS: [&str; 6] = [
     "cia306/eds-version",
     "cia306/missing-device-info-key",
@@ -22,7 +23,7 @@ const OF_EDS: [&str; 6] = [
     "cia306/unsorted-list",
 ];
 
-/// What is called by a word of its own.
+/// Keys whose name in CiA 311 cannot be derived from the schema.
 const NAMES: [(&str, Name); 4] = [
     ("BaudRate_x", n::supportedBaudRate),
     ("[DeviceInfo]", n::baudRate),
@@ -30,7 +31,7 @@ const NAMES: [(&str, Name); 4] = [
     ("[DynamicChannels]", n::dynamicChannels),
 ];
 
-/// What words for the parts of an EDS mean in an XDD.
+/// The terms of CiA 311 for parts of an EDS.
 const WORDS: [(&str, &str); 9] = [
     ("section", "element"),
     ("a section", "an element"),
@@ -43,7 +44,7 @@ const WORDS: [(&str, &str); 9] = [
     (".dcf", ".xdc"),
 ];
 
-/// How an XDD calls what CiA 306 has a name for.
+/// The term of CiA 311 for a term of CiA 306.
 pub fn words(notion: &Notion<'_>) -> Option<String> {
     match *notion {
         Notion::Key(key) => rate(key).or_else(|| own(key)).or_else(|| Some(What::of(key)?.name().to_owned())),
@@ -54,12 +55,12 @@ pub fn words(notion: &Notion<'_>) -> Option<String> {
     }
 }
 
-/// What is called by a word of its own.
+/// The special name of a key.
 fn own(key: &str) -> Option<String> {
     NAMES.iter().find(|(known, _)| *known == key).map(|(_, name)| name.text().to_owned())
 }
 
-/// What a key of an EDS is in an XDD.
+/// The counterpart of an EDS key in an XDD.
 struct What {
     field: &'static Field,
     form: Form,
@@ -86,7 +87,7 @@ impl What {
         }
     }
 
-    /// A value that an EDS would write so; `None` where it is written the same.
+    /// The value as an XDD spells it, from the spelling of an EDS; `None` if both are the same.
     fn spelled(&self, value: &str) -> Option<String> {
         match (self.field, &self.form, value) {
             (Field::AccessType, _, "rwr") => Some("readWriteInput".to_owned()),
@@ -97,7 +98,7 @@ impl What {
         }
     }
 
-    /// The name with a value that an EDS would write so.
+    /// The name with a value, from the spelling of an EDS.
     fn with(&self, value: &str) -> String {
         let spelled = self.spelled(value);
         let (name, spelled) = (self.name(), spelled.as_deref().unwrap_or(value));
@@ -111,13 +112,13 @@ impl What {
     }
 }
 
-/// The element of a bit rate that the device supports: of `BaudRate_125`.
+/// The element of a supported bit rate, for a key such as `BaudRate_125`.
 fn rate(key: &str) -> Option<String> {
     let rate = key.strip_prefix("BaudRate_").filter(|rate| rate.bytes().all(|byte| byte.is_ascii_digit()))?;
     Some(format!("<supportedBaudRate value=\"{rate} Kbps\"/>"))
 }
 
-/// The element that is the section of an object: `1018` or `1018sub1`.
+/// The element for the section of an object: `1018` or `1018sub1`.
 fn section(name: &str) -> Option<String> {
     let is_hex = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     match name.split_once("sub") {
@@ -129,8 +130,8 @@ fn section(name: &str) -> Option<String> {
     }
 }
 
-/// The findings about an XDD: without those about what only an EDS has, and what is said of a place already by a rule of
-/// CiA 311; the others in its words.
+/// The findings about an XDD in the terms of CiA 311, without those that only apply to an EDS and those at a
+/// place that a rule of CiA 311 already reports.
 pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
     let span = |finding: &Diagnostic| finding.labels.first().map(|label| span_of(&label.at));
     let of_structure = findings.iter().filter(|finding| finding.rule.group() == "cia311");
@@ -148,7 +149,7 @@ pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
         }
         if finding.rule.id == "cia306/invalid-value" {
             match field(&finding) {
-                // any text will do
+                // any text is valid
                 Some(Field::FileVersion) => return None,
                 Some(Field::VendorNumber | Field::ProductNumber) => finding.severity = Severity::Warning,
                 _ => {}
@@ -158,7 +159,7 @@ pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
     })
 }
 
-/// The field that a finding is about.
+/// The field of a finding.
 fn field(finding: &Diagnostic) -> Option<&Field> {
     match &finding.labels.first()?.at {
         At::Place(place) => place.field.as_ref(),
@@ -166,7 +167,7 @@ fn field(finding: &Diagnostic) -> Option<&Field> {
     }
 }
 
-/// Whether the number of sub-indexes is missing, which an XDD may leave out.
+/// Whether a finding reports a missing number of sub-indexes, which is optional in an XDD.
 fn asks_for_count(finding: &Diagnostic) -> bool {
     finding.rule.id == "cia306/missing-key" && field(finding) == Some(&Field::SubNumber)
 }

@@ -1,4 +1,4 @@
-//! Writing elements of CiA 311 in the namespaces of its versions.
+//! Writes elements of CiA 311 in the namespaces of each version.
 
 use std::borrow::Cow;
 
@@ -7,21 +7,21 @@ use super::schema::{CONTAINER, Element};
 use super::version::XddVersion;
 use crate::xml::{Name, XmlWriter, n};
 
-/// Writes an XML document of CiA 311: names without prefixes go in, and come out as the version demands.
+/// Writes an XML document of CiA 311: takes names without prefixes and writes them as the version requires.
 ///
-/// In version 1.1 the elements that a schema declares inside others are in no namespace, and the others have the prefix
-/// that the `ProfileBody` around them declares, as CANopenEditor writes it. In version 1.0 nothing has a prefix, and what
-/// version 1.1 added is not written.
+/// In version 1.1, local elements of the schema are in no namespace, and the others have the prefix that the
+/// `ProfileBody` around them declares, as in CANopenEditor. In version 1.0 nothing has a prefix, and
+/// additions of version 1.1 are not written.
 #[derive(Debug)]
 pub(crate) struct XddWriter {
     writer: XmlWriter,
     version: XddVersion,
     body: Option<ProfileClass>,
-    /// The start tags that are not written yet, each inside the one before.
+    /// The start tags that are not written yet, from the outermost to the innermost.
     pending: Vec<Start>,
     /// The open elements whose start tags are written.
     open: Vec<&'static Element>,
-    /// How many elements are open that the version does not have, or that stand in one of those.
+    /// The number of open elements that the version does not have, or that are inside such an element.
     skipped: usize,
 }
 
@@ -55,19 +55,19 @@ impl XddWriter {
         }
     }
 
-    /// The version that it is written in.
+    /// The version of the document.
     pub(crate) fn version(&self) -> XddVersion {
         self.version
     }
 
-    /// Begins the root, `ISO15745ProfileContainer`.
+    /// Opens the root, `ISO15745ProfileContainer`.
     pub(crate) fn open_container(&mut self) {
         self.open(&CONTAINER);
         self.declare("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance");
         self.declare("xmlns", self.version.namespace());
     }
 
-    /// Begins a `ProfileBody`; its own attributes follow. It ends by [`close_body`](Self::close_body).
+    /// Opens a `ProfileBody`; its own attributes follow. [`close_body`](Self::close_body) closes it.
     pub(crate) fn open_body(&mut self, body: ProfileClass) {
         self.open(body.body());
         match self.version {
@@ -81,42 +81,42 @@ impl XddWriter {
         self.body = Some(body);
     }
 
-    /// Ends the `ProfileBody`.
+    /// Closes the `ProfileBody`.
     pub(crate) fn close_body(&mut self) {
         self.body = None;
         self.close();
     }
 
-    /// Begins an element. Its attributes and its text or elements follow, until it is closed.
+    /// Opens an element. Its attributes and its text or elements follow.
     pub(crate) fn open(&mut self, element: &'static Element) {
         self.start(element, element.is_global, false);
     }
 
-    /// Begins an element where the standard does not have it: in no namespace.
+    /// Opens an element at a place that the standard does not define: in no namespace.
     pub(crate) fn open_local(&mut self, element: &'static Element) {
         self.start(element, element.is_global && self.body == Some(ProfileClass::Device), false);
     }
 
-    /// Begins an element that is written only if it gets attributes, a text or elements.
+    /// Opens an element that is only written if it gets attributes, a text or elements.
     pub(crate) fn open_unless_empty(&mut self, element: &'static Element) {
         self.start(element, element.is_global, true);
     }
 
-    /// Adds an attribute to the element that was opened last and has no elements yet.
+    /// Adds an attribute to the element opened last, before any of its children.
     pub(crate) fn attribute(&mut self, name: Name, value: &str) {
         if !self.is_too_new(name) {
             self.declare(name.text(), value);
         }
     }
 
-    /// Adds an attribute that is none of CiA 311.
+    /// Adds an attribute that CiA 311 does not define.
     fn declare(&mut self, name: impl Into<Cow<'static, str>>, value: &str) {
         if let Some(start) = self.pending.last_mut().filter(|_| self.skipped == 0) {
             start.attributes.push((name.into(), value.to_owned()));
         }
     }
 
-    /// Gives a text to the element that was opened last. It must not get elements then.
+    /// Sets the text of the element opened last, which must not get children then.
     pub(crate) fn text(&mut self, text: &str) {
         if self.skipped > 0 {
             return;
@@ -126,7 +126,7 @@ impl XddWriter {
         }
     }
 
-    /// Ends the element that was opened last.
+    /// Closes the element opened last.
     pub(crate) fn close(&mut self) {
         if self.skipped > 0 {
             self.skipped -= 1;
@@ -145,7 +145,7 @@ impl XddWriter {
         self.writer.text_element(&start.name, &start.attributes(), start.text.as_deref().unwrap_or_default());
     }
 
-    /// The document. Elements that are still open are closed.
+    /// The document. Closes all open elements.
     pub(crate) fn finish(mut self) -> String {
         while self.skipped > 0 || !self.pending.is_empty() || !self.open.is_empty() {
             self.close();
@@ -153,7 +153,7 @@ impl XddWriter {
         self.writer.finish()
     }
 
-    /// Whether an element or attribute of the innermost open element is one that the version does not have.
+    /// Whether the version does not have an element or attribute in the innermost open element.
     fn is_too_new(&self, name: Name) -> bool {
         let parent = self.pending.last().map(|start| start.element).or(self.open.last().copied());
         self.version == XddVersion::V1_0 && parent.is_some_and(|parent| parent.newer.contains(&name))
@@ -172,13 +172,13 @@ impl XddWriter {
             _ => Cow::Borrowed(name),
         };
         self.pending.push(Start { element, name, attributes: Vec::new(), text: None, needs_content });
-        // the header and all that is in it are in no namespace
+        // the header and its content are in no namespace
         if element.name == n::ProfileHeader && self.version == XddVersion::V1_1 {
             self.declare("xmlns", "");
         }
     }
 
-    /// Writes the start tags that are left, as something stands in their elements.
+    /// Writes the pending start tags before content of their elements.
     fn write_pending(&mut self) {
         for start in self.pending.drain(..) {
             self.writer.open(&start.name, &start.attributes());

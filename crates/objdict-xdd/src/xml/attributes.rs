@@ -1,4 +1,4 @@
-//! The attributes of a start tag: their steps, their names, their namespaces.
+//! The attributes of a start tag: parsing, names, namespaces.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -13,15 +13,16 @@ use super::tree::{AttributeRecord, DECLARES, NONE};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-/// So many attributes an element has.
+/// The maximum number of attributes of an element.
 const MAX_ATTRIBUTES: usize = 256;
 
-/// With more attributes than these, a table finds the duplicates.
+/// Above this number, a hash table finds the duplicates.
 const FEW: usize = 16;
 
 impl<'a> Builder<'a, '_> {
-    /// Takes the attributes from `at` on where all are healthy, have names of CiA 311 without prefix and values without
-    /// references: nearly always. Gives the end of the tag, and whether it is `<a/>`; `None` where nothing was taken.
+    /// Fast path for almost all tags: takes the attributes from `at` on if all are well-formed, have names
+    /// of CiA 311 without prefix and values without references. Returns the end of the tag and whether it is
+    /// `<a/>`; `None` if nothing was taken.
     pub(super) fn plain_attributes(&mut self, at: usize) -> Option<(usize, bool)> {
         let first = self.parts.attributes.len();
         let found = self.plain_attributes_behind(first, at);
@@ -76,7 +77,8 @@ impl<'a> Builder<'a, '_> {
         }
     }
 
-    /// Collects the attributes of the tag with this name. Gives the end of the tag, and whether it is `<a/>`.
+    /// Collects the attributes of the tag with this name. Returns the end of the tag and whether it is
+    /// `<a/>`.
     pub(super) fn tag(&mut self, name: Range<usize>, is_read: bool) -> (usize, bool) {
         let text = self.text;
         let mut steps = Steps::tag(text, name.end);
@@ -145,7 +147,8 @@ impl<'a> Builder<'a, '_> {
         }
     }
 
-    /// Takes the collected attributes for the newest element, whose name is here, and finds the namespace of both.
+    /// Adds the collected attributes to the newest element, which has this name, and resolves their
+    /// namespaces.
     pub(super) fn attributes(&mut self, name: Range<usize>) {
         let text = self.text;
         let first = self.parts.attributes.len();
@@ -174,7 +177,7 @@ impl<'a> Builder<'a, '_> {
         self.check_prefixes(first);
     }
 
-    /// Finds the name and the namespace of the newest element, whose attributes were taken.
+    /// Resolves the name and the namespace of the newest element, whose attributes are already added.
     pub(super) fn name_element(&mut self, name: Range<usize>) {
         let (element_prefix, tag) = self.prefix_of(Self::span(name.start, name.end));
         let namespace = self.namespace_of(Self::span(name.start, name.end), element_prefix);
@@ -219,7 +222,7 @@ impl<'a> Builder<'a, '_> {
         });
     }
 
-    /// Length of the prefix with its colon, and the name behind it.
+    /// The length of the prefix with its colon, and the name after it.
     fn prefix_of(&mut self, name: Span) -> (usize, Name) {
         let text = name.of(self.text);
         let tag = Name::of(text);
@@ -236,7 +239,7 @@ impl<'a> Builder<'a, '_> {
         }
     }
 
-    /// Takes a declaration, unless it is one that Namespaces in XML does not allow.
+    /// Takes a namespace declaration, unless Namespaces in XML forbids it.
     fn declare(&mut self, attribute: RawAttribute) {
         let text = self.text;
         let prefix = attribute.name.of(text).strip_prefix("xmlns:").unwrap_or_default();
@@ -259,7 +262,7 @@ impl<'a> Builder<'a, '_> {
         }
     }
 
-    /// The namespace of an element's or attribute's name.
+    /// The namespace of the name of an element or attribute.
     fn namespace_of(&mut self, name: Span, prefix_length: usize) -> u32 {
         let text = self.text;
         let prefix = &name.of(text)[..prefix_length.saturating_sub(1)];
@@ -273,7 +276,8 @@ impl<'a> Builder<'a, '_> {
         found.unwrap_or(NONE)
     }
 
-    /// Looks up the prefixes of the attributes from the `first` on, and finds those that mean the same name.
+    /// Resolves the prefixes of the attributes from `first` on, and reports those that have the same
+    /// expanded name.
     fn check_prefixes(&mut self, first: usize) {
         let mut seen = None;
         for number in first..self.parts.attributes.len() {

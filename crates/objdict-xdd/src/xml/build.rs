@@ -1,7 +1,7 @@
-//! From the events of quick-xml to the tree, with the checks that quick-xml leaves to its user.
+//! From the events of quick-xml to the tree, with the checks that quick-xml leaves to its caller.
 //!
-//! Where quick-xml reports an error, or takes more for a tag than was meant, reading goes on at the place where the damage
-//! ends, with a new reader.
+//! If quick-xml reports an error, or takes more than the intended tag, a new reader continues after the
+//! malformed markup.
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
@@ -16,16 +16,17 @@ use super::tree::{NONE, Parts, Record};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity};
 use crate::source::{SourceFile, Span};
 
-/// So deep elements nest.
+/// The maximum depth of elements.
 const MAX_DEPTH: usize = 256;
 
-/// So many elements a tree has.
+/// The maximum number of elements of a tree.
 const MAX_ELEMENTS: usize = 4_000_000;
 
-/// So many bytes a name has; a bit of its length is in use.
+/// The maximum length of a name in bytes; the length field also holds a flag.
 pub(super) const MAX_NAME: usize = 32_000;
 
-/// So many bytes are read twice because of damage. From then on quick-xml sees only markup that has an end.
+/// The maximum number of bytes that are read twice because of malformed markup. Above this limit quick-xml
+/// only gets markup that has an end.
 const MAX_WASTE: usize = 1 << 20;
 
 /// The tree of a source.
@@ -42,30 +43,30 @@ pub(super) struct Builder<'a, 'f> {
     findings: &'f mut Findings,
     pub(super) parts: Parts,
     pub(super) namespaces: Namespaces<'a>,
-    /// The attributes of the tag that is read.
+    /// The attributes of the current tag.
     pub(super) raw: Vec<RawAttribute>,
-    /// From the root to the innermost open element.
+    /// The open elements, from the root to the innermost.
     pub(super) open: Vec<Open>,
     pub(super) skip: Option<Skip>,
     /// The encoding that the XML declaration names.
     pub(super) encoding: Option<Span>,
     pub(super) has_document_type: bool,
-    /// The text has `&` at all.
+    /// Whether the text contains `&`.
     pub(super) has_references: bool,
-    /// The text has `]]>` at all.
+    /// Whether the text contains `]]>`.
     pub(super) has_section_ends: bool,
-    /// Bytes that entities of the document added.
+    /// The number of bytes that entities of the document added.
     pub(super) expanded: usize,
-    /// Bytes that were read twice.
+    /// The number of bytes that were read twice.
     wasted: usize,
-    /// Which [`Markup`] has no end in the rest of the text.
+    /// The kinds of [`Markup`] without an end in the rest of the text.
     endless: [bool; 4],
     is_stopped: bool,
-    /// Something was left out because of a limit.
+    /// Whether something was left out because of a limit.
     is_limited: bool,
 }
 
-/// An element whose end tag has not come.
+/// An element whose end tag is not read yet.
 pub(super) struct Open {
     id: u32,
     last_child: u32,
@@ -73,13 +74,13 @@ pub(super) struct Open {
     name: Span,
 }
 
-/// A branch that is not read.
+/// A branch of the document that is skipped.
 pub(super) struct Skip {
     start: usize,
     depth: usize,
 }
 
-/// Markup whose end may be anywhere behind it.
+/// Markup whose end can be anywhere after it.
 #[derive(Clone, Copy)]
 enum Markup {
     Comment,
@@ -89,7 +90,7 @@ enum Markup {
 }
 
 impl Markup {
-    /// What starts `text`.
+    /// The kind of markup at the start of `text`.
     fn of(text: &[u8]) -> Option<Self> {
         match text {
             [b'<', b'!', b'-', b'-', ..] => Some(Self::Comment),
@@ -139,7 +140,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.findings.push(finding);
     }
 
-    /// Reports a rule at a place, in words about the text there.
+    /// Reports a rule at a place, with a message from the text there.
     pub(super) fn defect(
         &mut self,
         rule: &'static RuleInfo,
@@ -150,7 +151,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.report(rule, || Diagnostic::new(rule, span, message(&shown(span.of(text)))));
     }
 
-    /// Whether what is read goes nowhere.
+    /// Whether the current branch is skipped.
     pub(super) fn is_skipping(&self) -> bool {
         self.skip.is_some()
     }
@@ -159,7 +160,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         Span::new(start as u32, end as u32)
     }
 
-    /// Where `needle` stands in the text from `start` on.
+    /// The position of `needle` in the text from `start` on.
     pub(super) fn find(&self, start: usize, needle: impl Fn(u8) -> bool) -> usize {
         let rest = self.text.as_bytes().get(start..).unwrap_or_default();
         rest.iter().position(|&byte| needle(byte)).map_or(self.text.len(), |length| start + length)
@@ -198,7 +199,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Notes that there may be a text in the innermost element.
+    /// Records that the innermost element may contain text.
     pub(super) fn mark_text(&mut self) {
         if let Some(record) = self.open.last().and_then(|open| self.parts.elements.get_mut(open.id as usize))
         {
@@ -206,7 +207,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Reads what quick-xml finds at `at`; says where to go on.
+    /// Reads the next event of quick-xml at `at`; returns where to continue.
     pub(super) fn by_reader(&mut self, at: usize) -> usize {
         if let Some(resume) = self.without_reader(at) {
             return resume;
@@ -214,7 +215,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         let (at, mut reader) = self.reader(at);
         let event = reader.read_event();
         let is_damaged = event.is_err();
-        // where there is no end, the reader has looked for it in all the rest, and stands where it stood
+        // if the markup has no end, the reader has searched all the rest and is back at its start
         let end = match self.text.len() - reader.get_ref().len() {
             end if is_damaged && end == at => self.text.len(),
             end => end,
@@ -233,7 +234,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         resume
     }
 
-    /// A reader of the text from `at` on. It would pass over a byte order mark unseen, which is fine only at the start.
+    /// A reader of the text from `at` on. The reader skips a byte order mark, which is only correct at the
+    /// start of the file.
     fn reader(&mut self, mut at: usize) -> (usize, Reader<&'a [u8]>) {
         let text = self.text;
         while text[at..].starts_with('\u{FEFF}') {
@@ -250,8 +252,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         (at, reader)
     }
 
-    /// Reads markup at `at` where quick-xml would look for its end in vain, so that a file full of damage does not take a
-    /// time that is quadratic in its size; says where to go on.
+    /// Reads markup at `at` for which quick-xml would search in vain for the end, because repeated searches
+    /// in a malformed file take quadratic time; returns where to continue.
     fn without_reader(&mut self, at: usize) -> Option<usize> {
         if self.wasted <= MAX_WASTE {
             return None;
@@ -276,7 +278,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.defect(&rules::LIMIT, Span::empty(at as u32), |_| message);
     }
 
-    /// Takes what quick-xml found from `start` to `end`, and says where to go on.
+    /// Takes what quick-xml found from `start` to `end`; returns where to continue.
     fn event(&mut self, event: &Event<'_>, start: usize, end: usize) -> usize {
         match event {
             Event::Text(_) => self.text_event(start, end),
@@ -298,7 +300,8 @@ impl<'a, 'f> Builder<'a, 'f> {
         end
     }
 
-    /// Finds out what stands at `start`, where quick-xml met an error that made it read up to `end`; says where to go on.
+    /// Determines what is at `start`, where quick-xml read up to `end` and failed; returns where to
+    /// continue.
     fn damaged(&mut self, start: usize, end: usize) -> usize {
         let rest = &self.text.as_bytes()[start..];
         let markup = Markup::of(rest);
@@ -323,7 +326,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Remembers that the text from `start` to `end` is neither markup nor character data.
+    /// Records that the text from `start` to `end` is neither markup nor character data.
     pub(super) fn pass_over(&mut self, start: usize, end: usize) -> usize {
         if !self.is_skipping() && !self.open.is_empty() {
             self.mark_text();
@@ -350,7 +353,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.pass_over(start, end)
     }
 
-    /// Reads the start tag at `start`; says where to go on.
+    /// Reads the start tag at `start`; returns where to continue.
     fn start_tag(&mut self, start: usize) -> usize {
         let name = start + 1..start + 1 + name_length(&self.text.as_bytes()[start + 1..]);
         let is_tag = !name.is_empty() && (is_name_start(self.text, name.start) || self.has_tag_end(name.end));
@@ -419,7 +422,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         start + 1
     }
 
-    /// Whether an element that starts at `start` is read.
+    /// Whether an element that starts at `start` is read and not skipped.
     fn may_open(&mut self, start: usize, name_length: usize) -> bool {
         if self.is_skipping() {
             return false;
@@ -461,7 +464,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Reads the end tag at `start`; says where to go on.
+    /// Reads the end tag at `start`; returns where to continue.
     fn end_tag(&mut self, start: usize) -> usize {
         let bytes = self.text.as_bytes();
         if let (Some(open), None) = (self.open.last(), &self.skip) {
@@ -499,7 +502,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         end
     }
 
-    /// Closes what an end tag closes.
+    /// Closes the elements that an end tag closes.
     fn close_by(&mut self, tag: Span, name: &'a str) {
         let text = self.text;
         let found = self.open.iter().rposition(|open| open.name.of(text) == name);
@@ -555,7 +558,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Closes what the end of the file finds open.
+    /// Closes the elements that are open at the end of the file.
     fn close_all(&mut self) {
         let end = self.text.len();
         if let Some(skip) = self.skip.take() {

@@ -2,17 +2,17 @@
 
 /// White space.
 const BLANK: u8 = 1;
-/// Ends a name in a tag, good or not.
+/// Ends a name in a tag, valid or not.
 const ENDS_NAME: u8 = 2;
-/// An ASCII character that starts names.
+/// An ASCII character that can start a name.
 const NAME_START: u8 = 4;
-/// An ASCII character that names have.
+/// An ASCII character that a name can contain.
 const NAME: u8 = 8;
 
-/// Ends the value of an attribute, or says that it means something else than it says.
+/// Ends the value of an attribute, or changes the value when it is resolved.
 const STOP: u8 = 16;
 
-/// What each byte is.
+/// The classes of each byte.
 const CLASSES: [u8; 256] = {
     let mut classes = [0; 256];
     let mut byte = 0;
@@ -45,27 +45,27 @@ pub(super) const fn is_blank(byte: u8) -> bool {
     CLASSES[byte as usize] & BLANK != 0
 }
 
-/// Whether a byte ends a name in a tag, be it a good name or not.
+/// Whether a byte ends a name in a tag, valid or not.
 pub(super) const fn ends_name(byte: u8) -> bool {
     CLASSES[byte as usize] & ENDS_NAME != 0
 }
 
-/// How many bytes from the start are of names in ASCII without colon.
+/// The number of leading bytes that are ASCII name characters except the colon.
 pub(super) fn plain_name_length(bytes: &[u8]) -> usize {
     bytes.iter().take_while(|byte| CLASSES[usize::from(**byte)] & NAME != 0).count()
 }
 
-/// How many bytes from the start are of a value that means what it says.
+/// The number of leading bytes of a value that are used unchanged.
 pub(super) fn plain_value_length(bytes: &[u8]) -> usize {
     bytes.iter().take_while(|byte| CLASSES[usize::from(**byte)] & STOP == 0).count()
 }
 
-/// Whether `text` is nothing but white space.
+/// Whether `text` contains only white space.
 pub(super) fn is_blank_text(text: &str) -> bool {
     text.bytes().all(is_blank)
 }
 
-/// Whether XML 1.0 lets no document have this character (§2.2).
+/// Whether XML 1.0 forbids the character in documents (§2.2).
 pub(super) const fn is_forbidden(character: char) -> bool {
     matches!(character, '\0'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}')
 }
@@ -82,7 +82,7 @@ pub(super) const fn is_name_char(character: char) -> bool {
         || matches!(character, '0'..='9' | '-' | '.' | '\u{B7}' | '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
 }
 
-/// Whether `name` is a name without colon: an element's local name, a prefix, the name of an entity.
+/// Whether `name` is a name without colon: the local name of an element, a prefix, the name of an entity.
 pub(super) fn is_name(name: &str) -> bool {
     is_plain_name(name.as_bytes()) || is_any_name(name)
 }
@@ -97,7 +97,7 @@ fn is_any_name(name: &str) -> bool {
     characters.next().is_some_and(is_name_start) && characters.all(is_name_char)
 }
 
-/// Length of the prefix with its colon, 0 without prefix; `None` for what is no qualified name.
+/// The length of the prefix with its colon, 0 without prefix; `None` if `name` is not a qualified name.
 pub(super) fn prefix_length(name: &str) -> Option<usize> {
     if is_plain_name(name.as_bytes()) {
         return Some(0);

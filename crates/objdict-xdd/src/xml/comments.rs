@@ -1,9 +1,9 @@
-//! The comments of a text, wherever they stand.
+//! The comments of a text, at any place.
 
 use crate::source::Span;
 
-/// The comments of a text in their order, from `<!--` to `-->`. What looks like one in a CDATA section, a processing
-/// instruction or the value of an attribute is none.
+/// The comments of a text in order, from `<!--` to `-->`. Similar text in a CDATA section, a processing
+/// instruction or the value of an attribute is not a comment.
 pub fn comments(text: &str) -> impl Iterator<Item = Span> {
     let bytes = text.as_bytes();
     let mut at = 0;
@@ -15,7 +15,7 @@ pub fn comments(text: &str) -> impl Iterator<Item = Span> {
                     .map_or(bytes.len(), |length| start + length + mark.len())
             };
             if rest.starts_with(b"<!--") {
-                // `<!-->` is no whole comment
+                // `<!-->` is not a complete comment
                 let inner = memchr::memmem::find(&bytes[(start + 4).min(bytes.len())..], b"-->");
                 at = inner.map_or(bytes.len(), |length| start + 4 + length + 3);
                 return Some(Span::new(start as u32, at as u32));
@@ -32,13 +32,14 @@ pub fn comments(text: &str) -> impl Iterator<Item = Span> {
     })
 }
 
-/// The length of a tag, with quoted values in it; of a declaration of a document type, up to what stands in it.
+/// The length of a tag, including `>` in quoted values; of a document type declaration, up to the internal
+/// subset.
 fn tag_length(tag: &[u8]) -> usize {
     let mut quote = None;
     for (length, &byte) in tag.iter().enumerate().skip(1) {
         match (quote, byte) {
             (None, b'>') => return length + 1,
-            // not closed, or an internal subset, which may have comments
+            // unclosed, or an internal subset, which can contain comments
             (None, b'<') => return length,
             (None, b'"' | b'\'') => quote = Some(byte),
             (Some(open), byte) if byte == open => quote = None,

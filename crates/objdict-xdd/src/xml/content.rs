@@ -1,4 +1,4 @@
-//! What stands between tags: text, references, comments, instructions, and what comes before the root.
+//! Content between tags: text, references, comments, instructions, and everything before the root.
 
 use super::build::Builder;
 use super::chars::{is_blank, is_blank_text, is_name};
@@ -8,7 +8,7 @@ use super::prolog;
 use crate::diagnostic::{Diagnostic, Severity};
 
 impl Builder<'_, '_> {
-    /// Reads the text from `start` up to the next tag; says where to go on.
+    /// Reads the text from `start` up to the next tag; returns where to continue.
     pub(super) fn run(&mut self, start: usize) -> usize {
         let rest = &self.text.as_bytes()[start..];
         let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();
@@ -22,7 +22,7 @@ impl Builder<'_, '_> {
         self.mark_text();
         self.text_event(start, start + length);
         if self.has_references {
-            // the first byte is looked at as text
+            // the first byte is always text
             for at in memchr::memchr_iter(b'&', &rest[..length]).filter(|at| *at > 0) {
                 self.check_reference(start + at);
             }

@@ -1,4 +1,4 @@
-//! Edits of a tree by spans: the text that they do not touch stays as it was, and new text is laid out like its
+//! Edits of a tree by spans: the rest of the text is unchanged, and new text is laid out like its
 //! neighbours.
 
 use std::collections::BTreeMap;
@@ -14,14 +14,14 @@ pub struct Editor<'a> {
     tree: &'a Tree,
     edits: Edits<'a>,
     line_end: &'static str,
-    /// What goes into elements that are one tag, `<a/>`.
+    /// Content for elements that are a single tag, `<a/>`.
     opened: BTreeMap<ElementId, String>,
-    /// The first text that XML cannot hold.
+    /// The first new text with a character that XML cannot represent.
     not_xml: Option<String>,
 }
 
 impl<'a> Editor<'a> {
-    /// No changes yet. New lines end like the first line of the document.
+    /// An editor without changes. New lines end like the first line of the document.
     pub fn new(tree: &'a Tree) -> Self {
         let text = tree.text();
         let line_end = match memchr::memchr2(b'\n', b'\r', text.as_bytes()).map(|at| &text[at..]) {
@@ -33,13 +33,13 @@ impl<'a> Editor<'a> {
         Self { tree, edits, line_end, opened, not_xml: None }
     }
 
-    /// Puts `text` in the place of `span`.
+    /// Replaces `span` by `text`.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
         self.edits.replace(span, text);
     }
 
-    /// Gives an attribute a value: where it stands, else behind the last attribute. `name` is as it is written, with its
-    /// prefix; two calls for one attribute that is not there add it twice.
+    /// Sets an attribute: in its place, or after the last attribute. `name` is the spelling with prefix; two
+    /// calls for one missing attribute add it twice.
     pub fn set_attribute(&mut self, element: Element<'a>, name: &str, value: &str) {
         self.check(value);
         match self.attribute(element, name) {
@@ -57,7 +57,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Takes an attribute away, with the blanks before it.
+    /// Removes an attribute and the blanks before it.
     pub fn remove_attribute(&mut self, element: Element<'a>, name: &str) {
         if let Some(attribute) = self.attribute(element, name) {
             let span = attribute.span();
@@ -65,8 +65,8 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Puts elements, as text, into `parent`: behind one of its children, or as the first. Each line gets the indentation
-    /// that the children of `parent` have.
+    /// Inserts elements, given as text, into `parent`: after one of its children, or as the first child.
+    /// Each line gets the indentation of the children of `parent`.
     pub fn insert_child(&mut self, parent: Element<'a>, behind: Option<Element<'a>>, xml: &str) {
         self.check(xml);
         let xml = self.indented(xml, &self.child_indent(parent));
@@ -89,7 +89,7 @@ impl<'a> Editor<'a> {
         self.edits.replace(Span::empty(at), format!("{xml}{end}"));
     }
 
-    /// Takes an element away, with its line where nothing else stands in it.
+    /// Removes an element, and its line if the line has no other content.
     pub fn remove_element(&mut self, element: Element<'a>) {
         let text = self.tree.text().as_bytes();
         let span = element.span();
@@ -97,7 +97,7 @@ impl<'a> Editor<'a> {
         let next = behind.iter().find(|&&byte| !matches!(byte, b' ' | b'\t'));
         let before = self.blanks_before(span.start);
         let blanks = before.of(self.tree.text());
-        // the line end before the element goes and the one behind it stays
+        // the line end before the element is removed and the one after it stays
         let start = match blanks.rfind('\n').or(blanks.rfind('\r')) {
             Some(line_end) if matches!(next, None | Some(b'\n' | b'\r')) => {
                 let is_crlf = blanks[..line_end].ends_with('\r') && blanks[line_end..].starts_with('\n');
@@ -108,7 +108,7 @@ impl<'a> Editor<'a> {
         self.edits.replace(Span::new(start, span.end), "");
     }
 
-    /// Gives an element a text, in the place of all that is in it.
+    /// Replaces the content of an element by a text.
     pub fn set_text(&mut self, element: Element<'a>, text: &str) {
         self.check(text);
         let has_children = element.children().next().is_some();
@@ -126,16 +126,16 @@ impl<'a> Editor<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text has a character that XML cannot hold.
+    /// When two changes overlap, or a new text contains a character that XML cannot represent.
     pub fn text(&self) -> Result<String, EditError> {
         self.complete()?.text()
     }
 
-    /// The edited document in the encoding of the file; without changes, the bytes as they came.
+    /// The edited document in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
-    /// When two changes overlap, a new text has a character that XML cannot hold, or the file cannot be written in its
-    /// encoding.
+    /// When two changes overlap, a new text contains a character that XML cannot represent, or the document
+    /// cannot be written in the encoding of the file.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         self.complete()?.to_bytes()
     }
@@ -143,12 +143,12 @@ impl<'a> Editor<'a> {
     /// The changes as spans with their new texts, in the order of the document.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text has a character that XML cannot hold.
+    /// When two changes overlap, or a new text contains a character that XML cannot represent.
     pub fn into_list(self) -> Result<Vec<(Span, String)>, EditError> {
         self.complete()?.into_list()
     }
 
-    /// All changes, those of opened elements among them.
+    /// All changes, including those of opened elements.
     fn complete(&self) -> Result<Edits<'a>, EditError> {
         if let Some(text) = &self.not_xml {
             return Err(EditError::NotXml(text.clone()));
@@ -168,7 +168,7 @@ impl<'a> Editor<'a> {
         Ok(edits)
     }
 
-    /// Remembers a text that XML cannot hold.
+    /// Records a text that XML cannot represent.
     fn check(&mut self, text: &str) {
         if text.contains(is_forbidden) {
             self.not_xml.get_or_insert_with(|| text.to_owned());
@@ -187,7 +187,7 @@ impl<'a> Editor<'a> {
         match before {
             Some(b'"') if behind == before => self.edits.replace(span, value),
             Some(b'\'') if behind == before => self.edits.replace(span, value.replace('\'', "&apos;")),
-            // a damaged attribute gets the quotes that it lacks
+            // add the missing quotes of a malformed attribute
             Some(b'"' | b'\'') => {
                 self.edits.replace(Span::new(span.start - 1, span.end), format!("\"{value}\""));
             }
@@ -195,7 +195,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// The offset behind the last attribute, else behind the name, and the blanks before that attribute.
+    /// The offset after the last attribute, else after the name, and the blanks before that attribute.
     fn behind_attributes(&self, element: Element<'a>) -> (u32, Span) {
         match element.all_attributes().last() {
             Some(last) => (last.span().end, self.blanks_before(last.span().start)),
@@ -210,20 +210,21 @@ impl<'a> Editor<'a> {
         Span::new(offset - length as u32, offset)
     }
 
-    /// Whether the children of an element stand in lines of their own; where it has none, whether it does itself.
+    /// Whether the children of an element have their own lines; without children, whether the element does.
     fn has_lines(&self, parent: Element<'a>) -> bool {
         let sample = parent.children().next().unwrap_or(parent);
         let blanks = self.blanks_before(sample.span().start);
         blanks.start == 0 || blanks.of(self.tree.text()).contains(['\n', '\r'])
     }
 
-    /// The blanks before an element in its line.
+    /// The blanks before an element on its line.
     fn indent(&self, element: Element<'a>) -> &'a str {
         let blanks = self.blanks_before(element.span().start).of(self.tree.text());
         blanks.rsplit(['\n', '\r']).next().unwrap_or_default()
     }
 
-    /// A line end and the indentation of the children of an element; empty where they do not stand in lines.
+    /// A line end and the indentation of the children of an element; empty if they do not have their own
+    /// lines.
     fn child_indent(&self, parent: Element<'a>) -> String {
         if !self.has_lines(parent) {
             return String::new();
@@ -240,8 +241,8 @@ impl<'a> Editor<'a> {
         format!("{}{indent}", self.line_end)
     }
 
-    /// Elements as text, with `indent` before each and the line ends of the file. Only line ends between tags are
-    /// followed by indentation, for those in texts are part of them.
+    /// Elements as text, with `indent` before each and the line ends of the file. Only line ends between
+    /// tags are followed by indentation, because those in texts are part of the text.
     fn indented(&self, xml: &str, indent: &str) -> String {
         let mut indented = indent.to_owned();
         let mut lines = xml.trim_ascii().split_inclusive('\n').peekable();

@@ -1,11 +1,11 @@
-//! References, and raw text to the text that is meant.
+//! Resolves references in raw text.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::chars::{is_forbidden, is_name};
 
-/// What the document itself may add to its text by references to its own entities, in bytes.
+/// The maximum number of bytes that references to entities of the document may add to its text.
 pub(super) const MAX_EXPANSION: usize = 1 << 20;
 
 /// The entities that the internal subset of a document type declares.
@@ -14,29 +14,29 @@ pub(super) struct Entities {
     pub(super) declared: HashMap<Box<str>, Entity>,
 }
 
-/// What an entity stands for.
+/// The value of an entity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Entity {
-    /// Text, all references in it replaced.
+    /// Text with all references resolved.
     Text(Box<str>),
-    /// Something that is not read, and why.
+    /// An entity that is not read, and the reason.
     Unread(&'static str),
 }
 
-/// A reference: what stands from a `&` on.
+/// A reference, which starts with `&`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reference<'a> {
-    /// A character, by its number or by one of the five names that every document has.
+    /// A character, by its number or by one of the five predefined names.
     Character(char),
     /// An entity of the document.
     Entity(&'a str),
-    /// A number that is no character of XML, or no number.
+    /// A number that is not a character of XML, or not a number.
     BadNumber,
-    /// A `&` that starts no reference.
+    /// A `&` that starts no valid reference.
     Lone,
 }
 
-/// The reference at the start of `text`, which is a `&`, and its length.
+/// The reference at the start of `text`, which starts with `&`, and its length.
 pub(super) fn reference(text: &str) -> (Reference<'_>, usize) {
     let stop = |&byte: &u8| {
         !(byte.is_ascii_alphanumeric() || matches!(byte, b'#' | b'_' | b'-' | b'.' | b':' | 0x80..))
@@ -74,7 +74,7 @@ fn character(number: &str) -> Option<char> {
 }
 
 impl Entities {
-    /// The meant text of character data: references replaced, each line end one LF (XML 1.0 §2.11).
+    /// Character data with references resolved, and LF for each line end (XML 1.0 §2.11).
     pub(super) fn text<'a>(&self, raw: &'a str) -> Cow<'a, str> {
         match memchr::memchr2(b'&', b'\r', raw.as_bytes()) {
             None => Cow::Borrowed(raw),
@@ -86,7 +86,7 @@ impl Entities {
         }
     }
 
-    /// The meant text of an attribute value: references replaced, each literal line end and tab one blank (§3.3.3).
+    /// An attribute value with references resolved, and a blank for each literal line end and tab (§3.3.3).
     pub(super) fn value<'a>(&self, raw: &'a str) -> Cow<'a, str> {
         if !raw.bytes().any(|byte| matches!(byte, b'&' | b'\t' | b'\n' | b'\r')) {
             return Cow::Borrowed(raw);
@@ -119,7 +119,8 @@ impl Entities {
         text.push_str(rest);
     }
 
-    /// Adds what the reference at the start of `rest` stands for, or the reference itself where that is not known.
+    /// Appends the value of the reference at the start of `rest`, or the reference itself if its value is
+    /// unknown.
     fn push_reference(&self, rest: &str, is_value: bool, text: &mut String) -> usize {
         let (reference, length) = reference(rest);
         match reference {

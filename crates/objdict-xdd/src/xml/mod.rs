@@ -1,4 +1,5 @@
-//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml, and never an error.
+//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml. Reading never
+//! fails.
 
 mod attributes;
 mod build;

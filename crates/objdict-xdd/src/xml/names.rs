@@ -1,18 +1,18 @@
-//! The names of CiA 311 as small numbers: a tree looks each name up once, when it is built, and whoever reads, checks or
-//! locates compares numbers.
+//! The names of CiA 311 as small numbers. The tree looks each name up once, when it is built; reading,
+//! checking and locating compare numbers.
 
 use super::tree::{Attribute, Element};
 
-/// A name of CiA 311. All other names are [`Name::OTHER`], which is the name of nothing.
+/// A name of CiA 311. All other names are [`Name::OTHER`], which equals no element or attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name(u16);
 
-/// What elements and attributes can be asked for: a name of CiA 311, or any text.
+/// A name to search elements and attributes for: a name of CiA 311, or any text.
 pub trait Called: Copy {
-    /// Whether an element has the name, whatever its prefix.
+    /// Whether an element has the name, with any prefix.
     fn is_element(self, element: Element<'_>) -> bool;
 
-    /// Whether an attribute has the name, whatever its prefix.
+    /// Whether an attribute has the name, with any prefix.
     fn is_attribute(self, attribute: Attribute<'_>) -> bool;
 }
 
@@ -36,10 +36,10 @@ impl Called for &str {
     }
 }
 
-/// A power of two, several times the number of names.
+/// The size of the hash table: a power of two, several times the number of names.
 const PLACES: usize = 1024;
 
-/// The number of each name at the place of its hash, or at the next free one.
+/// The number of each name in the slot of its hash, or in the next free one.
 static TABLE: [u16; PLACES] = {
     let mut table = [0; PLACES];
     let mut number = 1;
@@ -54,7 +54,7 @@ static TABLE: [u16; PLACES] = {
     table
 };
 
-/// Depends on the length and on the bytes at the ends and in the middle.
+/// Uses the length and the bytes at the ends and in the middle.
 const fn hash(name: &[u8]) -> usize {
     let length = name.len();
     if length == 0 {
@@ -69,12 +69,12 @@ impl Name {
     /// Any name that CiA 311 does not have.
     pub const OTHER: Self = Self(0);
 
-    /// The name in a text.
+    /// The name that equals a text.
     pub fn of(text: &str) -> Self {
         Self::of_bytes(text.as_bytes())
     }
 
-    /// The name in the bytes of a text.
+    /// The name that equals the bytes of a text.
     pub(super) fn of_bytes(text: &[u8]) -> Self {
         let mut place = hash(text);
         loop {
@@ -86,16 +86,16 @@ impl Name {
         }
     }
 
-    /// As CiA 311 spells it.
+    /// The spelling of CiA 311.
     pub const fn text(self) -> &'static str {
         WORDS[self.0 as usize]
     }
 }
 
-/// Declares a constant for each name, called like it; a keyword has another text behind it.
+/// Declares a constant for each name; a name that is a Rust keyword is followed by its text.
 macro_rules! names {
     ($($name:ident $($text:literal)?)+) => {
-        /// Each name by itself.
+        /// One constant for each name.
         #[allow(non_upper_case_globals, missing_docs, reason = "each constant is the name that CiA 311 spells so")]
         pub mod n {
             use super::Name;

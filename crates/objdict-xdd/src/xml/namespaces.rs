@@ -1,23 +1,23 @@
-//! Which prefix means which namespace, while the elements come and go.
+//! The namespaces of prefixes while elements are opened and closed.
 
 use std::collections::HashMap;
 
 use super::tree::NONE;
 
-/// The namespace of the prefix `xml`, which nobody declares.
+/// The namespace of the prefix `xml`, which needs no declaration.
 pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";
 
 /// The namespace of the declarations themselves.
 pub(super) const XMLNS: &str = "http://www.w3.org/2000/xmlns/";
 
-/// The prefixes that are declared at one place of the text.
+/// The prefixes declared at the current position of the text.
 pub(super) struct Namespaces<'a> {
-    /// The namespace of each prefix; that of the empty one is the default.
+    /// The namespace of each prefix; the empty prefix has the default namespace.
     current: HashMap<&'a str, u32>,
     default: u32,
-    /// The prefix that was asked for last, and its namespace: most elements have the same.
+    /// The last prefix looked up, and its namespace: most elements have the same.
     last: Option<(&'a str, u32)>,
-    /// What a declaration hid, for the end of its element.
+    /// What a declaration replaced, to be restored at the end of its element.
     hidden: Vec<(&'a str, Option<u32>)>,
     uris: Vec<Box<str>>,
     numbers: HashMap<Box<str>, u32>,
@@ -38,7 +38,7 @@ impl<'a> Namespaces<'a> {
         namespaces
     }
 
-    /// The namespace of a prefix, [`NONE`] for none; `None` for a prefix that is not declared.
+    /// The namespace of a prefix, [`NONE`] for no namespace; `None` for an undeclared prefix.
     pub(super) fn of(&mut self, prefix: &'a str) -> Option<u32> {
         match self.last {
             _ if prefix.is_empty() => return Some(self.default),
@@ -50,7 +50,7 @@ impl<'a> Namespaces<'a> {
         Some(number)
     }
 
-    /// Takes a declaration, until [`forget`](Self::forget) goes back behind it.
+    /// Adds a declaration; [`forget`](Self::forget) removes it.
     pub(super) fn declare(&mut self, prefix: &'a str, uri: &str) {
         self.last = None;
         let number = if uri.is_empty() { NONE } else { self.number(uri) };
@@ -67,7 +67,7 @@ impl<'a> Namespaces<'a> {
         self.hidden.len()
     }
 
-    /// Takes back the declarations since `mark`.
+    /// Removes the declarations since `mark`.
     pub(super) fn forget(&mut self, mark: usize) {
         while self.hidden.len() > mark {
             self.last = None;
@@ -84,7 +84,7 @@ impl<'a> Namespaces<'a> {
         }
     }
 
-    /// All URIs by their numbers.
+    /// All URIs, by number.
     pub(super) fn into_uris(self) -> Vec<Box<str>> {
         self.uris
     }

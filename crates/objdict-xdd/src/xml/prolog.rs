@@ -1,4 +1,4 @@
-//! What stands before the root: the XML declaration and the document type.
+//! Content before the root: the XML declaration and the document type.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -8,12 +8,12 @@ use super::expand::{Entities, Entity, MAX_EXPANSION, Reference, reference};
 use super::tag::{RawAttribute, Step, Steps};
 use crate::source::{Encoding, Span};
 
-/// What an XML declaration says.
+/// The content of an XML declaration.
 #[derive(Debug, Default)]
 pub(super) struct Declaration {
     /// The value of `encoding`.
     pub(super) encoding: Option<Span>,
-    /// What is wrong, and where.
+    /// An error, with its position.
     pub(super) defect: Option<(Span, String)>,
 }
 
@@ -71,7 +71,7 @@ fn value_defect(text: &str, attribute: RawAttribute) -> Option<(Span, String)> {
     (!is_good).then(|| (attribute.value, format!("`{value}` is not a valid `{name}` of an XML declaration")))
 }
 
-/// Why the declared encoding cannot be that of the file; `None` where it can.
+/// Why the declared encoding cannot be that of the file; `None` if it can.
 pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &str) -> Option<String> {
     let is_utf8 = matches!(actual, Encoding::Utf8 | Encoding::Utf8Bom);
     let is_utf16 = matches!(actual, Encoding::Utf16Le | Encoding::Utf16Be);
@@ -89,34 +89,34 @@ pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &s
             actual == Encoding::Windows1252 || actual == Encoding::Utf8 && text.is_ascii()
         }
         "cp850" | "ibm850" => actual == Encoding::Cp850 || actual == Encoding::Utf8 && text.is_ascii(),
-        // other names, ASCII among them: almost all encodings have ASCII in them
+        // for other names, only text in ASCII is safe: almost all encodings contain ASCII
         _ => actual == Encoding::Utf8 && text.is_ascii(),
     };
     (!agrees).then(|| format!("the file declares the encoding `{declared}`, but is read as {actual}"))
 }
 
-/// What a document type declares.
+/// The content of a document type.
 #[derive(Debug, Default)]
 pub(super) struct DocumentType {
     pub(super) entities: Entities,
-    /// What is wrong with it.
+    /// The error in it.
     pub(super) defect: Option<String>,
 }
 
-/// So many bytes an entity may stand for.
+/// The maximum length of an entity in bytes.
 const MAX_ENTITY: usize = 1 << 16;
 
-/// So deep may entities stand in entities.
+/// The maximum depth of entities within entities.
 const MAX_NESTING: usize = 16;
 
-/// The entities of a document type as they are declared: name and literal value, `None` for what is in another file.
+/// The declared entities of a document type: name and literal value, `None` for an external entity.
 #[derive(Default)]
 struct Declared<'a> {
     order: Vec<&'a str>,
     values: HashMap<&'a str, Option<&'a str>>,
 }
 
-/// Reads a document type, `<!DOCTYPE … >`: the internal entities, and nothing else.
+/// Reads a document type, `<!DOCTYPE … >`: only its internal entities.
 pub(super) fn document_type(text: &str) -> DocumentType {
     let mut declared = Declared::default();
     let defect = Scan { text, at: 0 }.read(&mut declared).err();
@@ -127,11 +127,11 @@ pub(super) fn document_type(text: &str) -> DocumentType {
     DocumentType { entities: resolver.entities, defect }
 }
 
-/// Replaces the references in entities, each entity once.
+/// Resolves the references in entities, each entity once.
 struct Resolver<'a> {
     declared: &'a Declared<'a>,
     entities: Entities,
-    /// Bytes of all entities so far.
+    /// The total size of all entities so far, in bytes.
     size: usize,
 }
 
@@ -140,7 +140,7 @@ impl Resolver<'_> {
         if let Some(entity) = self.entities.declared.get(name) {
             return entity.clone();
         }
-        // found again while it is resolved, it contains itself
+        // an entity that is found again while it is resolved contains itself
         self.entities.declared.insert(name.into(), Entity::Unread("it contains itself"));
         let entity = match self.expanded(name, depth) {
             Ok(text) => Entity::Text(text.into()),
@@ -181,7 +181,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Adds what the reference at the start of `rest` stands for to `text`.
+    /// Appends the value of the reference at the start of `rest` to `text`.
     fn push(&mut self, rest: &str, depth: usize, text: &mut String) -> Result<usize, &'static str> {
         let (reference, length) = reference(rest);
         let is_number = rest.starts_with("&#");
@@ -224,7 +224,7 @@ impl<'a> Scan<'a> {
         self.expect(">")
     }
 
-    /// Up to the `]` behind the internal subset.
+    /// Reads up to the `]` at the end of the internal subset.
     fn subset(&mut self, declared: &mut Declared<'a>) -> Result<(), String> {
         loop {
             self.skip_blanks();

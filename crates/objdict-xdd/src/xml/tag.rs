@@ -1,10 +1,10 @@
-//! The inside of a tag, step by step. What quick-xml calls a tag reaches up to a `>` outside quotes; with a quote missing
-//! that is anywhere. These steps find the end that was meant, and every attribute up to there.
+//! The content of a tag, step by step. For quick-xml a tag ends at a `>` outside quotes; if a quote is
+//! missing, that can be anywhere. These steps find the intended end, and every attribute before it.
 
 use super::chars::{ends_name, is_blank};
 use crate::source::Span;
 
-/// An attribute as it stands in the text.
+/// An attribute as written in the text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RawAttribute {
     pub(super) name: Span,
@@ -13,7 +13,7 @@ pub(super) struct RawAttribute {
     pub(super) flaw: Option<Flaw>,
 }
 
-/// What is wrong with a value that can be read nevertheless.
+/// An error in a value that can still be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Flaw {
     /// It has no quotes.
@@ -24,19 +24,19 @@ pub(super) enum Flaw {
     LessThan(u32),
 }
 
-/// What is found in a tag.
+/// A step through a tag.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Step {
     Attribute(RawAttribute),
     /// A name without a value.
     MissingValue(Span),
-    /// No blank between an attribute and what is before it.
+    /// No blank before an attribute.
     MissingBlank(u32),
-    /// What is no attribute.
+    /// Text that is not an attribute.
     Junk(Span),
-    /// The offset behind the tag. Nothing comes behind this step.
+    /// The offset after the tag. The last step.
     End(u32),
-    /// The tag has no end; what follows starts at this offset. Nothing comes behind this step.
+    /// The tag has no end; the following content starts at this offset. The last step.
     Unclosed(u32),
 }
 
@@ -44,18 +44,19 @@ pub(super) enum Step {
 pub(super) struct Steps<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// `<?xml … ?>` and not `<a …>`.
+    /// Whether the steps are those of `<?xml … ?>` and not of `<a …>`.
     declaration: bool,
-    /// A missing blank was reported for this offset.
+    /// The offset for which a missing blank was last reported.
     reported: usize,
 }
 
-/// The length of the name at the start of `bytes`, which may be no good name.
+/// The length of the name at the start of `bytes`, valid or not.
 pub(super) fn name_length(bytes: &[u8]) -> usize {
     bytes.iter().position(|&byte| ends_name(byte)).unwrap_or(bytes.len())
 }
 
-/// What stands in no name and starts none; digits, which start none either, are most likely a name's.
+/// Whether a byte can neither be in a name nor start one; digits cannot start a name but probably belong to
+/// one.
 const fn is_punctuation(byte: u8) -> bool {
     byte.is_ascii_punctuation() && !matches!(byte, b'_' | b':' | b'-' | b'.')
 }
@@ -65,12 +66,12 @@ fn span(start: usize, end: usize) -> Span {
 }
 
 impl<'a> Steps<'a> {
-    /// Steps from `at`, which is behind the name of the tag.
+    /// The steps from `at`, which is after the name of the tag.
     pub(super) fn tag(text: &'a str, at: usize) -> Self {
         Self { bytes: text.as_bytes(), at, declaration: false, reported: usize::MAX }
     }
 
-    /// Steps from `at`, which is behind the `<?xml`.
+    /// The steps from `at`, which is after `<?xml`.
     pub(super) fn declaration(text: &'a str, at: usize) -> Self {
         Self { declaration: true, ..Self::tag(text, at) }
     }
@@ -107,7 +108,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The end of what starts with `byte` and is no attribute: a quoted text where it is closed in its line, else one byte.
+    /// The end of text that starts with `byte` and is not an attribute: a quoted text if it is closed on its
+    /// line, else one byte.
     fn end_of_junk(&self, byte: u8) -> usize {
         let behind = self.at + 1;
         if !matches!(byte, b'"' | b'\'') {
@@ -156,7 +158,7 @@ impl<'a> Steps<'a> {
         span(start, self.at)
     }
 
-    /// The value behind the quote at the current offset.
+    /// The value after the quote at the current offset.
     fn quoted(&mut self, quote: u8) -> (Span, Option<Flaw>) {
         let start = self.at + 1;
         let rest = &self.bytes[start..];
@@ -173,7 +175,7 @@ impl<'a> Steps<'a> {
             None | Some(b'/' | b'>' | b'?') => true,
             Some(&byte) => is_blank(byte),
         };
-        // the quote that seems to close this value opens the next one
+        // the quote that seems to close this value opens the next value
         let opens_next = rest[..close].ends_with(b"=");
         if opens_next && (!is_delimited || less_than.is_some()) || less_than.is_some() && !is_delimited {
             return self.unclosed(start, close);
@@ -183,7 +185,7 @@ impl<'a> Steps<'a> {
         (span(start, start + close), flaw)
     }
 
-    /// The value from `start` without closing quote: up to the end of the tag, or to the attribute behind it, whose opening
+    /// The unclosed value from `start`: up to the end of the tag, or to the next attribute, whose opening
     /// quote is at `limit`.
     fn unclosed(&mut self, start: usize, limit: usize) -> (Span, Option<Flaw>) {
         let rest = &self.bytes[start..start + limit];

@@ -1,4 +1,4 @@
-//! An XML document as elements and attributes that know where they stand.
+//! An XML document as elements and attributes with positions.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -10,35 +10,35 @@ use super::names::{Called, Name};
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
 
-/// An XML document, healthy or not: its text, and where elements and attributes are in it.
+/// An XML document, well-formed or not: its text, and the positions of elements and attributes.
 ///
-/// An element costs 40 bytes and an attribute 20; texts and values are read from the source when they are asked for.
+/// An element takes 40 bytes and an attribute 20; texts and values are read from the source on demand.
 pub struct Tree {
     source: SourceFile,
     parts: Parts,
 }
 
-/// What the builder finds in a text.
+/// The result of the builder.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     /// The elements in the order of their start tags; the first one is the root.
     pub(super) elements: Vec<Record>,
-    /// The attributes of all elements in their order, namespace declarations among them.
+    /// The attributes of all elements in order, including namespace declarations.
     pub(super) attributes: Vec<AttributeRecord>,
     /// The URIs of the namespaces that elements are in.
     pub(super) namespaces: Vec<Box<str>>,
-    /// What is neither markup nor text and was passed over, in order.
+    /// Skipped text that is neither markup nor character data, in order.
     pub(super) damage: Vec<Span>,
     pub(super) entities: Entities,
     pub(super) is_complete: bool,
 }
 
-/// No element, no namespace.
+/// No element, or no namespace.
 pub(super) const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record {
-    /// The `<` of the start tag; the name follows at once.
+    /// The `<` of the start tag; the name follows immediately.
     pub(super) start: u32,
     pub(super) tag_end: u32,
     /// The `<` of the end tag.
@@ -46,14 +46,14 @@ pub(super) struct Record {
     pub(super) end: u32,
     pub(super) parent: u32,
     pub(super) next: u32,
-    /// The first attribute; those of the next element follow the last one.
+    /// The first attribute; the attributes of the next element follow the last one.
     pub(super) attributes: u32,
     pub(super) namespace: u32,
     pub(super) name_length: u16,
     /// Length of the prefix with its colon.
     pub(super) prefix_length: u16,
     pub(super) tag: Name,
-    /// Whether more than blanks may stand in it beside elements, comments and processing instructions.
+    /// Whether the element may contain more than blanks, elements, comments and processing instructions.
     pub(super) has_text: bool,
 }
 
@@ -66,7 +66,7 @@ pub(super) struct AttributeRecord {
     /// Length of the prefix with its colon, and [`DECLARES`].
     pub(super) prefix_length: u16,
     pub(super) tag: Name,
-    /// Whether the value means what it says: no reference, no line end, no tab.
+    /// Whether the value is used unchanged: it has no reference, line end or tab.
     pub(super) is_plain: bool,
 }
 
@@ -99,7 +99,7 @@ pub struct Attribute<'a> {
 }
 
 impl Tree {
-    /// Reads the text of a source. What is wrong in it goes to `findings`, and the tree holds what can be read.
+    /// Reads the text of a source. Errors are added to `findings`, and the tree contains what can be read.
     pub fn new(source: SourceFile, findings: &mut Findings) -> Self {
         let parts = build(&source, findings);
         Self { source, parts }
@@ -120,22 +120,22 @@ impl Tree {
         self.get(0)
     }
 
-    /// The element of an id, which this tree gave out; the root's for any other.
+    /// The element of an id of this tree; the root for any other id.
     ///
     /// # Panics
-    /// When the tree has no element at all, so that no id can be its own.
+    /// When the tree has no element, so that the id belongs to another tree.
     pub fn element(&self, id: ElementId) -> Element<'_> {
         let id = if (id.0 as usize) < self.parts.elements.len() { id.0 } else { 0 };
         Element { tree: self, id }
     }
 
-    /// The first element that starts at an offset or behind it.
+    /// The first element that starts at or after an offset.
     pub fn next_element(&self, offset: u32) -> Option<Element<'_>> {
         let before = self.parts.elements.partition_point(|record| record.start < offset);
         self.get(before as u32)
     }
 
-    /// Whether the document is well-formed and was read to its end: no finding of severity error was made.
+    /// Whether the document is well-formed and was read completely: there is no finding of severity error.
     pub fn is_complete(&self) -> bool {
         self.parts.is_complete
     }
@@ -150,7 +150,7 @@ impl Tree {
         self.parts.elements.is_empty()
     }
 
-    /// Bytes that the tree takes beside its source.
+    /// The memory of the tree in bytes, without its source.
     pub fn memory(&self) -> usize {
         self.parts.elements.capacity() * size_of::<Record>()
             + self.parts.attributes.capacity() * size_of::<AttributeRecord>()
@@ -188,12 +188,12 @@ impl<'a> Element<'a> {
         Span::new(start, end).of(self.tree.text())
     }
 
-    /// The number by which [`Tree::element`] finds it again.
+    /// The id for [`Tree::element`].
     pub fn id(self) -> ElementId {
         ElementId(self.id)
     }
 
-    /// The tree that it belongs to.
+    /// The tree of the element.
     pub fn tree(self) -> &'a Tree {
         self.tree
     }
@@ -209,13 +209,13 @@ impl<'a> Element<'a> {
         self.record().tag
     }
 
-    /// The prefix; empty where there is none.
+    /// The prefix; empty without one.
     pub fn prefix(self) -> &'a str {
         let start = self.record().start + 1;
         self.at(start, (start + u32::from(self.record().prefix_length)).saturating_sub(1))
     }
 
-    /// The URI of the namespace that it is in; `None` in no namespace, and where the prefix is not declared.
+    /// The URI of its namespace; `None` without a namespace, and for an undeclared prefix.
     pub fn namespace(self) -> Option<&'a str> {
         self.tree.parts.namespaces.get(self.record().namespace as usize).map(|uri| &**uri)
     }
@@ -236,65 +236,65 @@ impl<'a> Element<'a> {
         Span::new(start, start + u32::from(self.record().name_length))
     }
 
-    /// What is between start tag and end tag.
+    /// The content between start tag and end tag.
     pub fn inner_span(self) -> Span {
         Span::new(self.record().tag_end, self.record().inner_end)
     }
 
-    /// Whether it is one tag, `<a/>`.
+    /// Whether the element is a single tag, `<a/>`.
     pub fn is_empty_tag(self) -> bool {
         let tag = self.tag_span();
         self.record().end == tag.end && tag.of(self.tree.text()).ends_with("/>")
     }
 
-    /// The attributes in their order, without those that declare namespaces.
+    /// The attributes in order, without namespace declarations.
     pub fn attributes(self) -> impl Iterator<Item = Attribute<'a>> {
         self.all_attributes().filter(|attribute| !attribute.record().declares())
     }
 
-    /// The attributes in their order, those that declare namespaces among them.
+    /// The attributes in order, including namespace declarations.
     pub(super) fn all_attributes(self) -> impl Iterator<Item = Attribute<'a>> {
         let numbers = self.tree.attribute_numbers(self.id);
         numbers.map(move |number| Attribute { tree: self.tree, element: self.id, number })
     }
 
-    /// The first attribute of this local name, whatever its prefix.
+    /// The first attribute with this local name, with any prefix.
     pub fn attribute(self, name: impl Called) -> Option<Attribute<'a>> {
         self.attributes().find(|attribute| name.is_attribute(*attribute))
     }
 
-    /// The element that it stands in.
+    /// The parent element.
     pub fn parent(self) -> Option<Element<'a>> {
         self.tree.get(self.record().parent)
     }
 
-    /// The elements that stand directly in it, in their order.
+    /// The child elements, in order.
     pub fn children(self) -> impl Iterator<Item = Element<'a>> {
         let first = self.tree.get(self.id + 1).filter(|child| child.record().parent == self.id);
         std::iter::successors(first, |child| self.tree.get(child.record().next))
     }
 
-    /// The first child of this local name.
+    /// The first child with this local name.
     pub fn child(self, name: impl Called) -> Option<Element<'a>> {
         self.children().find(|child| name.is_element(*child))
     }
 
-    /// The children of this local name, in their order.
+    /// The children with this local name, in order.
     pub fn children_named<N: Called>(self, name: N) -> impl Iterator<Item = Element<'a>> + use<'a, N> {
         self.children().filter(move |child| name.is_element(*child))
     }
 
-    /// All elements in it, at any depth, in the order of their start tags; not itself.
+    /// All elements below this one, at any depth, in the order of their start tags.
     pub fn descendants(self) -> impl Iterator<Item = Element<'a>> {
         let end = self.record().end;
         let is_inside = move |element: &Element<'a>| element.record().start < end;
         (self.id + 1..).map_while(move |id| self.tree.get(id)).take_while(is_inside)
     }
 
-    /// The character data directly in it, that of its children left out: CDATA sections and references resolved, each line
-    /// end one LF, blanks as they are.
+    /// The character data of the element itself, without that of its children: CDATA sections and references
+    /// are resolved, each line end is one LF, and blanks are kept.
     pub fn text(self) -> Cow<'a, str> {
-        // most elements with a text have nothing else in them
+        // most elements with text contain nothing else
         let inner = self.inner_span().of(self.tree.text());
         if memchr::memchr3(b'&', b'<', b'\r', inner.as_bytes()).is_none() {
             return Cow::Borrowed(inner);
@@ -306,7 +306,7 @@ impl<'a> Element<'a> {
         text
     }
 
-    /// Whether [`text`](Self::text) has anything but blanks, which is known without putting it together.
+    /// Whether [`text`](Self::text) has anything but blanks, determined without building the text.
     pub fn has_text(self) -> bool {
         if !self.record().has_text {
             return false;
@@ -316,13 +316,13 @@ impl<'a> Element<'a> {
             let range = span.start as usize..span.end as usize;
             bytes.get(range).unwrap_or_default().iter().all(|&byte| is_blank(byte))
         };
-        // most gaps are line ends and blanks, which have no pieces to look for
+        // most gaps contain only line ends and blanks
         let mut gaps = self.gaps().filter(|gap| !is_blank_span(*gap));
         gaps.any(|gap| self.tree.pieces(gap).any(|piece| !is_blank_span(piece.span)))
     }
 
-    /// From the first to the last character of [`text`](Self::text) that is no blank, as they stand in the source; where
-    /// there is none, the empty span behind the start tag.
+    /// The source of [`text`](Self::text) from its first to its last non-blank character; without one, the
+    /// empty span after the start tag.
     pub fn text_span(self) -> Span {
         if !self.record().has_text {
             return Span::empty(self.record().tag_end);
@@ -342,7 +342,7 @@ impl<'a> Element<'a> {
         span.unwrap_or(Span::empty(self.record().tag_end))
     }
 
-    /// What is between its children, its start tag and its end tag.
+    /// The gaps between the start tag, the children and the end tag.
     fn gaps(self) -> impl Iterator<Item = Span> {
         let mut start = self.record().tag_end;
         let ends = self.children().map(Element::span).chain([Span::empty(self.record().inner_end)]);
@@ -353,8 +353,8 @@ impl<'a> Element<'a> {
         })
     }
 
-    /// Where it stands among the elements: names from the root on, each with its number among the siblings of its name
-    /// where there are more, such as `ISO15745ProfileContainer/ISO15745Profile[2]/ProfileBody`.
+    /// The path from the root: names, each with its number if there are siblings with the same name, such as
+    /// `ISO15745ProfileContainer/ISO15745Profile[2]/ProfileBody`.
     pub fn path(self) -> String {
         let mut ancestors: Vec<_> = std::iter::successors(Some(self), |element| element.parent()).collect();
         ancestors.reverse();
@@ -398,14 +398,14 @@ impl<'a> Attribute<'a> {
         self.record().tag
     }
 
-    /// The prefix; empty where there is none.
+    /// The prefix; empty without one.
     pub fn prefix(self) -> &'a str {
         let start = self.record().name;
         let end = (start + u32::from(self.record().prefix_length & !DECLARES)).saturating_sub(1);
         Span::new(start, end).of(self.tree.text())
     }
 
-    /// The URI of the namespace that it is in; `None` without prefix, and where the prefix is not declared.
+    /// The URI of its namespace; `None` without prefix, and for an undeclared prefix.
     pub fn namespace(self) -> Option<Cow<'a, str>> {
         let prefix = self.prefix();
         match prefix {
@@ -418,7 +418,7 @@ impl<'a> Attribute<'a> {
         ancestors.find_map(|element| self.tree.declared(element.id, prefix))
     }
 
-    /// The value: references resolved, literal line ends and tabs made blanks.
+    /// The value: references are resolved, literal line ends and tabs are replaced by blanks.
     pub fn value(self) -> Cow<'a, str> {
         if self.record().is_plain {
             return Cow::Borrowed(self.value_span().of(self.tree.text()));
@@ -450,11 +450,11 @@ impl fmt::Debug for Attribute<'_> {
     }
 }
 
-/// Character data as it stands in the source.
+/// Character data as written in the source.
 #[derive(Clone, Copy)]
 struct Piece {
     span: Span,
-    /// In a CDATA section, where `&` is a character like any other.
+    /// Whether it is in a CDATA section, where `&` is a plain character.
     is_literal: bool,
 }
 
@@ -489,7 +489,8 @@ impl Tree {
         }
     }
 
-    /// The character data of a gap between tags: without comments, processing instructions and damage.
+    /// The character data of a gap between tags: without comments, processing instructions and malformed
+    /// markup.
     fn pieces(&self, gap: Span) -> impl Iterator<Item = Piece> {
         let mut at = gap.start as usize;
         let text = self.text();

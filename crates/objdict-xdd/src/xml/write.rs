@@ -1,4 +1,4 @@
-//! XML documents as text: the same calls give the same bytes, and no name or text can leave its place.
+//! XML documents as text: output is deterministic, and all names and texts are escaped.
 
 use std::borrow::Cow;
 
@@ -6,37 +6,38 @@ use quick_xml::escape::partial_escape;
 
 use super::chars::{is_forbidden, is_name, is_name_char, prefix_length};
 
-/// Writes a document: an XML declaration, two blanks for each level, LF as line end.
+/// Writes a document: an XML declaration, two blanks per level, LF as line end.
 #[derive(Debug, Default)]
 pub struct XmlWriter {
     text: String,
     open: Vec<String>,
-    /// Nothing was written since the innermost open element began.
+    /// Whether the innermost open element has no content yet.
     is_empty: bool,
     replaced: Vec<Replaced>,
 }
 
-/// A character that has no place in XML, so another was written for it: `_` in a name, U+FFFD in a text or value.
+/// A character that XML cannot represent and the written text replaces: by `_` in a name, by U+FFFD in a
+/// text or value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Replaced {
-    /// The element that it is of.
+    /// The element of the character.
     pub element: String,
-    /// The attribute that it is of; `None` for the name or text of the element.
+    /// The attribute of the character; `None` for the name or text of the element.
     pub attribute: Option<String>,
     /// The character.
     pub character: char,
 }
 
-/// So many replaced characters are told.
+/// The maximum number of replaced characters that are reported.
 const MAX_REPLACED: usize = 1000;
 
 impl XmlWriter {
-    /// A document that has its XML declaration, for the encoding UTF-8, and no element.
+    /// A document with an XML declaration for UTF-8, and without elements.
     pub fn new() -> Self {
         Self { text: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(), ..Self::default() }
     }
 
-    /// Begins an element. What follows is in it, until it is closed.
+    /// Opens an element. What follows is its content, until it is closed.
     pub fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
         let name = self.tag(name, attributes);
         self.text.push_str(">\n");
@@ -44,13 +45,13 @@ impl XmlWriter {
         self.is_empty = true;
     }
 
-    /// Writes an element that has nothing in it.
+    /// Writes an element without content.
     pub fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
         self.tag(name, attributes);
         self.text.push_str(" />\n");
     }
 
-    /// Writes an element that has only a text in it.
+    /// Writes an element that only contains a text.
     pub fn text_element(&mut self, name: &str, attributes: &[(&str, &str)], text: &str) {
         if text.is_empty() {
             return self.empty(name, attributes);
@@ -64,7 +65,7 @@ impl XmlWriter {
         self.text.push_str(">\n");
     }
 
-    /// Ends the element that was opened last. Without one, nothing happens.
+    /// Closes the element opened last. Does nothing without an open element.
     pub fn close(&mut self) {
         let Some(name) = self.open.pop() else { return };
         if std::mem::take(&mut self.is_empty) {
@@ -77,13 +78,13 @@ impl XmlWriter {
         self.text.push_str(">\n");
     }
 
-    /// The characters that could not be written so far; of very many the first ones.
+    /// The characters replaced so far, up to a limit.
     pub fn replaced(&self) -> &[Replaced] {
         &self.replaced
     }
 
-    /// The text so far, where the last call did not open an element; what follows continues it. So a long document need not
-    /// be in memory at once.
+    /// Takes the text written so far, unless the last call opened an element; later calls continue it. A
+    /// long document thus need not be in memory at once.
     pub fn take(&mut self) -> String {
         // an element without content is closed by changing its start tag
         if self.is_empty { String::new() } else { std::mem::take(&mut self.text) }
@@ -97,7 +98,7 @@ impl XmlWriter {
         self.text
     }
 
-    /// Writes a start tag but for its end; gives the name that it has.
+    /// Writes a start tag without its end; returns the written name.
     fn tag(&mut self, name: &str, attributes: &[(&str, &str)]) -> String {
         self.is_empty = false;
         let name = self.name(name, name);
@@ -122,7 +123,7 @@ impl XmlWriter {
         }
     }
 
-    /// A name that is one: what is not allowed in it, and a start that is none, become `_`.
+    /// A valid name: forbidden characters, and a forbidden first character, become `_`.
     fn name(&mut self, element: &str, name: &str) -> String {
         if prefix_length(name).is_some() {
             return name.to_owned();
@@ -151,12 +152,13 @@ impl XmlWriter {
     }
 }
 
-/// A text as it stands in an element. A CR would be read as LF, so it is written as a number.
+/// A text, escaped for an element. A CR is written as a number because it would be read as LF.
 pub(super) fn escaped_text(text: &str) -> Cow<'_, str> {
     partial_escape(text)
 }
 
-/// A value as it stands in double quotes. Tabs and line ends would be read as blanks, so they are written as numbers.
+/// A value, escaped for double quotes. Tabs and line ends are written as numbers because they would be read
+/// as blanks.
 pub(crate) fn escaped_value(value: &str) -> Cow<'_, str> {
     let escaped = partial_escape(value);
     if !escaped.contains(['"', '\t', '\n']) {

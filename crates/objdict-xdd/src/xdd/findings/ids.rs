@@ -1,4 +1,4 @@
-//! The rules about ids and what refers to them.
+//! The rules about ids and references to them.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -107,7 +107,7 @@ pub(super) struct Ids<'a> {
     uses: HashMap<ElementId, u32>,
 }
 
-/// An attribute that names an element.
+/// An attribute that refers to an element.
 #[derive(Clone, Copy)]
 pub(super) struct Reference<'a> {
     pub(super) element: Element<'a>,
@@ -115,7 +115,7 @@ pub(super) struct Reference<'a> {
     pub(super) target: Target,
 }
 
-/// A value without surrounding white space.
+/// The value without surrounding white space.
 pub(super) fn trimmed(value: Cow<'_, str>) -> Cow<'_, str> {
     match value {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
@@ -142,7 +142,7 @@ impl<'a> Ids<'a> {
         }
     }
 
-    /// The element of the id in an attribute.
+    /// The element with the id in an attribute.
     pub(super) fn element(&self, attribute: Attribute<'_>) -> Option<Element<'a>> {
         self.elements.get(&trimmed(attribute.value())).map(|(element, _)| *element)
     }
@@ -180,7 +180,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     let (rule, what, _) = about(reference.target);
     if findings.is_full(rule) {
-        // only counted
+        // a finding above the limit is only counted and needs no text
         findings.push(Diagnostic::new(rule, reference.attribute.value_span(), String::new()));
         return;
     }
@@ -197,7 +197,7 @@ fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     findings.push(Diagnostic::new(rule, at, message).help(help));
 }
 
-/// Whether a reference may lead to an element of this name.
+/// Whether a reference may refer to an element of this name.
 fn accepts(reference: &Reference<'_>, name: Name) -> bool {
     match reference.target {
         // these describe no value
@@ -212,7 +212,7 @@ fn accepts(reference: &Reference<'_>, name: Name) -> bool {
     }
 }
 
-/// The rule for dangling references, what they should refer to, and the elements of that kind.
+/// The rule for dangling references, a description of the expected target, and the elements of that kind.
 fn about(target: Target) -> (&'static RuleInfo, &'static str, &'static [Name]) {
     match target {
         Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter", &[n::parameter, n::varDeclaration]),
@@ -287,8 +287,8 @@ fn type_reference(element: Element<'_>) -> Option<Attribute<'_>> {
     element.child(n::dataTypeIDRef)?.attribute(n::uniqueIDRef)
 }
 
-/// The references that lead back to where they came from, one of each cycle. Without recursion: a hostile file may have
-/// a chain of any length.
+/// The references that form cycles, one of each cycle. Iterative, because a hostile file can have a chain of
+/// any length.
 fn cycles<'a>(
     elements: Vec<Element<'a>>,
     ids: &Ids<'a>,

@@ -1,4 +1,5 @@
-//! The rules about namespaces: which version a file is of, and which elements are in its namespace.
+//! The rules about namespaces: the version of a file, and the elements that are in the namespace of that
+//! version.
 
 use crate::diagnostic::{Diagnostic, Findings, counted, text_rules};
 use crate::xdd::schema;
@@ -31,7 +32,7 @@ text_rules! {
     source: "CiA 311 annex A",
 }
 
-/// What the namespaces of a container's elements are like.
+/// How the elements of a container use namespaces.
 pub(super) struct Forms<'a> {
     container: Element<'a>,
     version: Option<XddVersion>,
@@ -39,7 +40,7 @@ pub(super) struct Forms<'a> {
     foreign: Tally<'a>,
 }
 
-/// The first of some elements, and how many there are.
+/// The first of a group of elements, and their number.
 #[derive(Default)]
 struct Tally<'a> {
     first: Option<Element<'a>>,
@@ -64,13 +65,14 @@ impl<'a> Forms<'a> {
         self.version == Some(XddVersion::V1_0)
     }
 
-    /// Whether an element is in the container's namespace or in none, so that it means to be one of CiA 311.
+    /// Whether an element is in the namespace of the container or in none, and so is meant as an element of
+    /// CiA 311.
     pub(super) fn is_ours(&self, element: Element<'_>) -> bool {
         let namespace = element.namespace();
         namespace.is_none() || namespace == self.container.namespace()
     }
 
-    /// Looks at the namespace of an element of the schema.
+    /// Records the namespace of an element of the schema.
     pub(super) fn look_at(&mut self, element: Element<'a>, schema: &schema::Element) {
         let Some(version) = self.version else { return };
         let belongs_in = version == XddVersion::V1_0 || schema.is_global;
@@ -82,7 +84,7 @@ impl<'a> Forms<'a> {
         }
     }
 
-    /// Says what was found.
+    /// Reports the findings.
     pub(super) fn report(&self, findings: &mut Findings) {
         if self.version.is_none() {
             findings.push(self.unknown());

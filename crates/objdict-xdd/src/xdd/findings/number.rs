@@ -1,8 +1,8 @@
-//! Values as numbers, as far as they can be compared without knowing the data type.
+//! Values as numbers, as far as they can be compared without the data type.
 
 use std::cmp::Ordering;
 
-/// A number in decimal or hex, or with a fraction; or one that the node-ID is added to.
+/// A number in decimal or hex, with or without a fraction, or relative to the node-ID.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Number {
     Integer(i128),
@@ -33,7 +33,7 @@ impl Number {
         self.compare(other) == Some(Ordering::Equal)
     }
 
-    /// `None` where it depends on the node.
+    /// `None` if the result depends on the node-ID.
     pub(super) fn compare(&self, other: &Self) -> Option<Ordering> {
         match (self, other) {
             (Self::Integer(a), Self::Integer(b)) | (Self::OfNode(a), Self::OfNode(b)) => Some(a.cmp(b)),

@@ -114,7 +114,7 @@ fn twice<'a>(
     }
 }
 
-/// Compares an object with the parameter that it refers to.
+/// Compares an object with the parameter it refers to.
 fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     let Some(reference) = object.attribute(n::uniqueIDRef) else { return };
     let parameter =
@@ -134,7 +134,7 @@ fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings
 }
 
 fn data_type(object: Element<'_>, attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {
-    // what the type of an ARRAY or RECORD is that of, tools do not agree about
+    // tools disagree about the data type of an ARRAY or RECORD
     if object.child(n::CANopenSubObject).is_some() {
         return;
     }
@@ -153,7 +153,7 @@ fn data_type(object: Element<'_>, attribute: Attribute<'_>, parameter: Element<'
     findings.push(finding.label(element.name_span(), "the parameter").help("correct one of the two"));
 }
 
-/// Whether values of a data type may be called by a simple type.
+/// Whether a simple type may denote values of a data type.
 fn agree(data_type: DataType, simple: SimpleType) -> bool {
     let exact: &[SimpleType] = match data_type {
         DataType::BOOLEAN => &[SimpleType::Bool],
@@ -169,7 +169,7 @@ fn agree(data_type: DataType, simple: SimpleType) -> bool {
         DataType::REAL64 => &[SimpleType::Lreal],
         DataType::VISIBLE_STRING => &[SimpleType::String, SimpleType::Char],
         DataType::UNICODE_STRING => &[SimpleType::Wstring, SimpleType::String],
-        // none is exact
+        // other data types have no exact simple type
         _ => return true,
     };
     simple == SimpleType::Bitstring || exact.contains(&simple)
@@ -198,7 +198,7 @@ fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findi
     findings.push(finding.label(other.value_span(), "the parameter").help(help));
 }
 
-/// An end of the range of a parameter that has one range and nothing else.
+/// An end of the range of a parameter whose allowed values are a single range.
 fn single_range<'a>(parameter: Element<'a>, end: Name) -> Option<Element<'a>> {
     let mut allowed = parameter.child(n::allowedValues)?.children();
     let range = allowed.next().filter(|range| range.tag() == n::range)?;
@@ -219,7 +219,7 @@ fn value(
     let (stated, text) = (stated.trim_ascii(), text.trim_ascii());
     let is_same = match (Number::parse(stated), Number::parse(text)) {
         (Some(a), Some(b)) => a.is_same(&b),
-        // a number against a text may be a matter of spelling
+        // a number and a text may differ only in spelling
         (Some(_), None) | (None, Some(_)) => return,
         (None, None) => spelling(stated) == spelling(text),
     };
@@ -233,7 +233,7 @@ fn value(
     findings.push(finding.label(other.value_span(), "the parameter").help(help));
 }
 
-/// A text without what people write in one way or another: blanks and capital letters.
+/// A text without differences of spelling: blanks and capital letters.
 fn spelling(text: &str) -> String {
     text.split_ascii_whitespace().collect::<String>().to_ascii_lowercase()
 }
@@ -241,7 +241,7 @@ fn spelling(text: &str) -> String {
 fn counts(list: Element<'_>, findings: &mut Findings) {
     let indexes = list.children_named(n::CANopenObject).filter_map(|object| hex(object.attribute(n::index)?));
     let (ours, others): (Vec<u16>, Vec<u16>) = indexes.partition(|index| (0x2000..0x6000).contains(index));
-    // an EDS has the definitions of data types in no list, so some do not count them
+    // an EDS does not list the definitions of data types, so some tools do not count them
     let definitions = others.iter().filter(|&&index| index < 0x1000).count();
     let number = |name: Name| {
         let attribute = list.attribute(name)?;

@@ -1,4 +1,4 @@
-//! The rules about parameters and the values that they may have.
+//! The rules about parameters and their allowed values.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -87,7 +87,7 @@ fn is_single_range(allowed: Element<'_>) -> bool {
 
 fn condition(parameter: Element<'_>, findings: &mut Findings) {
     let Some(support) = parameter.attribute(n::support) else { return };
-    // a template may name the condition
+    // the condition can be in a template
     let has_condition =
         parameter.child(n::conditionalSupport).is_some() || parameter.attribute(n::templateIDRef).is_some();
     if support.value().trim_ascii() == "conditional" && !has_condition {
@@ -117,7 +117,7 @@ fn properties(parameter: Element<'_>, findings: &mut Findings) {
     }
 }
 
-/// The value of a child without a scaling of its own.
+/// The value of a child without its own scaling.
 fn number(element: Element<'_>) -> Option<(Attribute<'_>, Number)> {
     let is_scaled = element.attribute(n::offset).is_some() || element.attribute(n::multiplier).is_some();
     let attribute = element.attribute(n::value).filter(|_| !is_scaled)?;
@@ -179,7 +179,7 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
     }
 }
 
-/// Whether the digits in hex may be the bits of a negative number, so that they cannot be compared.
+/// Whether the hex digits may be the bits of a negative number, which cannot be compared.
 fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number)]) -> bool {
     let is_negative = |number: &Number| matches!(number, Number::Integer(number) if *number < 0);
     let is_hex = text.trim_ascii_start().to_ascii_lowercase().starts_with("0x");

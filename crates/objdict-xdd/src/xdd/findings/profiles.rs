@@ -78,13 +78,13 @@ text_rules! {
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     stated: Option<ProfileClass>,
-    /// Derived from its type, or else from its content.
+    /// Derived from the type, or else from the content.
     class: Option<ProfileClass>,
-    /// The same in the table.
+    /// The class as an element of the schema.
     pub(super) schema: Option<&'static schema::Element>,
 }
 
-/// What a body is; `None` for any other element.
+/// The body in an element; `None` for any other element.
 pub(super) fn body(element: Element<'_>) -> Option<Body> {
     if element.tag() != n::ProfileBody {
         return None;
@@ -222,7 +222,7 @@ fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &m
     }
 }
 
-/// What the device profile says of `name`, and what the communication network profile says instead.
+/// The value of `name` in the device profile, and the different one in the communication network profile.
 fn contradiction(
     rule: &'static RuleInfo,
     name: Name,

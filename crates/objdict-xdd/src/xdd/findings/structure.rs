@@ -1,4 +1,4 @@
-//! The rules about which elements and attributes there are, and in which order.
+//! The rules about the presence and order of elements and attributes.
 
 use crate::diagnostic::{Diagnostic, Severity, listing, text_rules};
 use crate::source::Span;

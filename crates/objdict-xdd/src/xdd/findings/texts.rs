@@ -33,13 +33,13 @@ text_rules! {
     source: "CiA 311 annex A",
 }
 
-/// The languages that a container's bodies do not list, as far as they were found.
+/// The languages found so far that the bodies of a container do not list.
 #[derive(Default)]
 pub(super) struct Languages<'a> {
     unlisted: Vec<(Element<'a>, String)>,
 }
 
-/// Looks at the names and descriptions of an element.
+/// Checks the names and descriptions of an element.
 pub(super) fn check<'a>(
     element: Element<'a>,
     body: Option<Element<'a>>,
@@ -63,7 +63,7 @@ pub(super) fn check<'a>(
             let finding = finding.label(first.tag_span(), "first here");
             findings.push(finding.help("keep one of them or correct the language of the other"));
         }
-        // a hostile file has thousands
+        // a hostile file can have thousands
         if before.len() < 64 {
             before.push(child);
         }
@@ -100,7 +100,7 @@ fn check_language<'a>(
     }
 }
 
-/// Whether all dictionaries are there that texts are taken from.
+/// Whether all dictionaries exist that texts refer to.
 pub(super) fn check_dictionaries(walk: &mut Walk<'_, '_>) {
     let dictionaries = walk.seen.of([n::dictionary]);
     let ids: HashSet<_> =

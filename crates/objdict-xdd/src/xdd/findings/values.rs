@@ -1,4 +1,4 @@
-//! The rules about what attributes and texts take.
+//! The rules about the values of attributes and texts.
 
 use crate::diagnostic::{Diagnostic, Findings, listing, text_rules};
 use crate::source::Span;
@@ -94,7 +94,7 @@ text_rules! {
     source: "CiA 311 annex A, XML Schema (language)",
 }
 
-/// Whether `text`, which stands at `at` and is called `name`, is what its kind takes; if not, a finding says so.
+/// Reports `text`, the value of `name` at `at`, unless it is valid for its kind.
 pub(super) fn check(text: &str, kind: Kind, at: Span, name: &str, findings: &mut Findings) -> bool {
     let trimmed = text.trim_ascii();
     let is_valid = match kind {
@@ -187,7 +187,7 @@ fn invalid_number(text: &str, shown: &str, name: &str, (low, high): (i128, i128)
     Diagnostic::new(&INVALID_NUMBER, at, message).help(help)
 }
 
-/// The hex digits that someone meant, filled up with zeros.
+/// The intended hex digits, padded with zeros.
 fn hex_help(text: &str, least: usize) -> String {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
     let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);
@@ -247,7 +247,7 @@ fn is_hex(text: &str, least: usize, most: usize) -> bool {
     is_even && (least..=most).contains(&length) && text.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
-/// Takes a time zone off: `Z`, or hours and minutes behind a sign.
+/// Removes a time zone: `Z`, or a sign with hours and minutes.
 fn without_zone(text: &str) -> &str {
     if let Some(text) = text.strip_suffix('Z') {
         return text;
@@ -313,7 +313,7 @@ fn is_name_character(character: char) -> bool {
     character.is_alphanumeric() || matches!(character, '.' | '-' | '_' | '\u{B7}') || is_combining(character)
 }
 
-/// Combining characters, which names may have after their first character.
+/// Combining characters, which are allowed in names except as the first character.
 fn is_combining(character: char) -> bool {
     matches!(character, '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
 }

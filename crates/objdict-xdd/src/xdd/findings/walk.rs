@@ -8,7 +8,7 @@ use crate::diagnostic::Findings;
 use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
 use crate::xml::{Attribute, Element, Name, n};
 
-/// The findings of the walk, and its memory for rules that compare several elements.
+/// The findings of the walk, and its state for rules that compare several elements.
 pub(super) struct Walk<'a, 'f> {
     pub(super) findings: &'f mut Findings,
     pub(super) forms: Forms<'a>,
@@ -24,7 +24,7 @@ pub(super) struct Walk<'a, 'f> {
 #[derive(Default)]
 pub(super) struct Seen<'a>(Vec<Element<'a>>);
 
-/// What [`Seen`] has.
+/// The elements in [`Seen`].
 const LOOKED_AT: [Name; 15] = [
     n::parameter,
     n::varDeclaration,
@@ -44,7 +44,7 @@ const LOOKED_AT: [Name; 15] = [
 ];
 
 impl<'a> Seen<'a> {
-    /// Those of some names.
+    /// The elements of the given names.
     pub(super) fn of<const N: usize>(&self, names: [Name; N]) -> impl Iterator<Item = Element<'a>> {
         self.0.iter().copied().filter(move |element| names.contains(&element.tag()))
     }
@@ -56,7 +56,7 @@ impl<'a> Seen<'a> {
 }
 
 impl<'a> Walk<'a, '_> {
-    /// An element, whose place in the schema is known, with everything in it.
+    /// An element with a known place in the schema, and its content.
     pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::Element) {
         self.forms.look_at(element, schema);
         match element.tag() {
@@ -161,7 +161,7 @@ impl<'a> Walk<'a, '_> {
             let Some((number, known)) = found else { continue };
             if number < at && is_in_order {
                 self.findings.push(structure::wrong_order(element, child, last));
-                // one finding covers all that follow
+                // one finding covers all following elements
                 is_in_order = false;
             } else if number >= at {
                 (at, last) = (number, Some(child));

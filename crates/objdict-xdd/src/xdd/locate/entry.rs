@@ -1,4 +1,4 @@
-//! Places of objects and sub-objects: an attribute of theirs, or what their parameter says instead.
+//! Places of objects and sub-objects: their attributes, or the parameter that replaces them.
 
 use super::{Locator, attribute_of, text_of, value_of};
 use crate::model::{Field, SimpleType};
@@ -9,7 +9,7 @@ use crate::xdd::schema::OBJECT;
 use crate::xml::{Element, Name, Tree, n};
 
 impl Locator {
-    /// The span of a field of an object or sub-object; a sub-object that is not there stands in its object.
+    /// The span of a field of an object or sub-object; for a missing sub-object, that of its object.
     pub(super) fn entry(
         &self,
         tree: &Tree,
@@ -38,7 +38,7 @@ impl Locator {
         if sub.is_none() { Some(object) } else { object.children_named(n::CANopenSubObject).find(is_sub) }
     }
 
-    /// Where the parameter of an element says a field.
+    /// The span of a field in the parameter of an element.
     pub(in crate::xdd) fn in_parameter(
         &self,
         tree: &Tree,

@@ -1,4 +1,4 @@
-//! Places of everything but objects.
+//! Places of everything except objects.
 
 use super::{attribute_of, text_of, value_of};
 use crate::model::{BaudRates, Field, ObjectList, Part};
@@ -32,7 +32,7 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
     Some(value.unwrap_or(element.tag_span()))
 }
 
-/// The element that a part stands in.
+/// The element of a part.
 fn element<'a>(layout: &Layout<'a>, part: &Part) -> Option<Element<'a>> {
     match part {
         Part::Commissioning => layout.in_network(&[n::NetworkManagement, n::deviceCommissioning]),
@@ -50,7 +50,7 @@ fn element<'a>(layout: &Layout<'a>, part: &Part) -> Option<Element<'a>> {
     }
 }
 
-/// The object that an item of a list names.
+/// The object that an item of a list refers to.
 fn item(layout: &Layout<'_>, list: ObjectList, field: Option<&Field>) -> Option<Span> {
     let Some(Field::Item(number)) = field else { return None };
     let index = |object: &Element<'_>| EntryAttributes::of(*object).index();
@@ -58,7 +58,7 @@ fn item(layout: &Layout<'_>, list: ObjectList, field: Option<&Field>) -> Option<
     objects.nth(usize::try_from(*number).ok()?.checked_sub(1)?).map(Element::tag_span)
 }
 
-/// The characteristics that carry what CiA 311 has no place for, by their category.
+/// The characteristics that hold what CiA 311 has no place for, by category.
 pub(super) fn carried(layout: &Layout<'_>, name: &str) -> Option<Span> {
     let capabilities = layout.in_device(&[n::DeviceFunction, n::capabilities])?;
     let is_it = |list: &Element<'_>| {
@@ -111,13 +111,13 @@ fn feature(layout: &Layout<'_>, field: &Field) -> Option<Span> {
     attribute.map(value_of).or(part.filter(|_| is_feature).map(Element::tag_span))
 }
 
-/// What a field says of a bit rate.
+/// The meaning of a field of a bit rate.
 #[derive(Clone, Copy)]
 enum Rate {
     Kbit(u16),
     Auto,
     Default,
-    /// One that there is not.
+    /// A bit rate that does not exist.
     Wrong,
 }
 
@@ -133,7 +133,7 @@ fn rate_of(field: &Field) -> Option<Rate> {
     }
 }
 
-/// The element of a bit rate, else that around all of them.
+/// The element of a bit rate, else the element around all of them.
 fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
     let list = layout.in_network(&[n::TransportLayers, n::PhysicalLayer, n::baudRate])?;
     let mut values =
@@ -154,7 +154,7 @@ fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
 
 fn commissioning(node: Element<'_>, field: &Field) -> Option<Span> {
     let found = attribute_of(node, &DEVICE_COMMISSIONING, field);
-    // CANopenEditor writes the second
+    // CANopenEditor writes `NodeID`
     let other = || node.attribute(n::NodeID).filter(|_| *field == Field::NodeId);
     found.or_else(other).map(value_of)
 }
@@ -169,7 +169,7 @@ fn dummy(usage: Element<'_>, name: &str) -> Option<Span> {
     entries.next().map(value_of)
 }
 
-/// An attribute of a channel: `Type2` is the data type of the second.
+/// An attribute of a channel: `Type2` is the data type of the second channel.
 fn channel(channels: Element<'_>, name: &str) -> Option<Span> {
     let digits = name.bytes().rev().take_while(u8::is_ascii_digit).count();
     let (word, number) = name.split_at(name.len() - digits);

@@ -1,4 +1,4 @@
-//! What a parameter says of its entry goes to the entry; the rest stays in the parameter.
+//! Moves the properties of an entry from its parameter to the entry; the rest stays in the parameter.
 
 use super::entry::value_type;
 use super::parameters::Definitions;
@@ -12,8 +12,8 @@ use crate::xdd::fact::value_text;
 use crate::xdd::schema::Slots;
 use crate::xdd::types;
 
-/// Fills the entry at `place`, whose data type is known, with what its parameter says, and takes that out of the parameter.
-/// What the entry's own attributes say counts; the parameter keeps what differs.
+/// Fills the entry at `place`, whose data type is known, from its parameter, and removes the used properties
+/// from the parameter. The attributes of the entry have priority; the parameter keeps different values.
 pub(crate) fn absorb(
     entry: &mut Entry,
     parameter: &mut Parameter,
@@ -33,7 +33,7 @@ pub(crate) fn absorb(
     denotation(entry, &mut parameter.denotation);
 }
 
-/// The name of an entry, where its own attribute is missing; a parameter that says nothing else needs no label.
+/// The name of an entry without an attribute for it; a parameter without other texts needs no label.
 pub(crate) fn name(entry: &mut Entry, labels: &mut Labels) {
     if entry.name.is_empty()
         && let Some(name) = labels.names().next().map(|(_, name)| name.trim_ascii())
@@ -45,12 +45,12 @@ pub(crate) fn name(entry: &mut Entry, labels: &mut Labels) {
     }
 }
 
-/// Whether labels are but one name, in English.
+/// Whether the labels are a single English name.
 fn is_only(labels: &Labels, name: &str) -> bool {
     matches!(&labels.0[..], [Label::Name { lang, text }] if &**lang == "en" && &**text == name)
 }
 
-/// The data type of an entry, where its own attribute is missing.
+/// The data type of an entry without an attribute for it.
 pub(crate) fn data_type(entry: &mut Entry, parameter: &mut Parameter, definitions: &Definitions<'_>) {
     let object_type = entry.object_type;
     let template = definitions.template(parameter);
@@ -65,7 +65,8 @@ pub(crate) fn data_type(entry: &mut Entry, parameter: &mut Parameter, definition
     }
 }
 
-/// The access type of an entry. rwr and rww can only be said by the parameter; where it says nothing it may be read.
+/// The access type of an entry. Only the parameter can specify rwr and rww; without any access type the
+/// entry is readable.
 fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parameter>) {
     let stated = parameter.access.or(template.and_then(|template| template.access));
     let access = match stated.unwrap_or(ParameterAccess::Read) {
@@ -88,7 +89,7 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
     }
 }
 
-/// How a parameter says an access type.
+/// The access type as a parameter spells it.
 pub(crate) const fn written_access(access: Access) -> ParameterAccess {
     match access {
         Access::Const => ParameterAccess::Const,
@@ -116,14 +117,14 @@ impl Values<'_> {
         self.absorb(Slots::Actual, &mut parameter.actual_value);
     }
 
-    /// Takes a value of the parameter, and out of it what it says no more than the entry.
+    /// Takes a value from the parameter, and removes it there if the entry has all of it.
     fn absorb(&mut self, slot: Slots, value: &mut Option<ScaledValue>) {
         if value.as_ref().is_some_and(|value| self.fill(slot, value)) {
             *value = None;
         }
     }
 
-    /// Takes the limits, where the parameter allows one range of plain values.
+    /// Takes the limits if the parameter allows a single range of plain values.
     fn range(&mut self, allowed: &mut Option<AllowedValues>, definitions: &Definitions<'_>) {
         let Some(stated) = allowed.as_ref() else { return };
         let AllowedValues { values, ranges, .. } = definitions.allowed(stated);
@@ -131,7 +132,7 @@ impl Values<'_> {
         if !values.is_empty() {
             return;
         }
-        // both of them, whatever the first one says
+        // no short circuit: both limits are filled
         let is_stated = self.fill(Slots::Low, min) & self.fill(Slots::High, max);
         let is_own = stated.template.is_none();
         if is_stated && is_own {
@@ -139,7 +140,7 @@ impl Values<'_> {
         }
     }
 
-    /// Fills a value that the entry does not have. Whether the entry then says all that the parameter does.
+    /// Fills a missing value. Returns whether the entry then has everything that the parameter has.
     fn fill(&mut self, slot: Slots, value: &ScaledValue) -> bool {
         let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
         let Some(text) = value_text(&value.value, self.data_type) else { return is_plain };
@@ -163,7 +164,8 @@ impl Values<'_> {
     }
 }
 
-/// The name of the entry in the application. One in English is the entry's; others stay with the parameter too.
+/// The name of the entry in the application. An English name moves to the entry; others also stay in the
+/// parameter.
 fn denotation(entry: &mut Entry, labels: &mut Labels) {
     let Some(name) = labels.name_in("en") else { return };
     let own = entry.configured.as_ref().and_then(|configured| configured.denotation.clone());

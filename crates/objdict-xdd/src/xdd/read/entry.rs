@@ -8,14 +8,14 @@ use crate::xdd::schema::{At, OBJECT};
 use crate::xdd::shape::stack_attribute;
 use crate::xml::{Attribute, Element, Name, n};
 
-/// So many attributes has an object.
+/// The number of attributes of an object.
 const COUNT: usize = OBJECT.attributes.len();
 
-/// The attributes of a `CANopenObject` or `CANopenSubObject`, not yet understood.
+/// The unparsed attributes of a `CANopenObject` or `CANopenSubObject`.
 pub(crate) struct EntryAttributes<'a> {
-    /// In the order of the table; the first is `index` or `subIndex`.
+    /// In the order of the schema; the first is `index` or `subIndex`.
     known: [Option<Attribute<'a>>; COUNT],
-    /// Those that the standard does not have.
+    /// The attributes that the standard does not define.
     unknown: Vec<Attribute<'a>>,
 }
 
@@ -40,12 +40,12 @@ impl<'a> EntryAttributes<'a> {
         found
     }
 
-    /// The attribute of a name.
+    /// The attribute with this name.
     pub(crate) fn get(&self, name: Name) -> Option<Attribute<'a>> {
         self.known[OBJECT.attribute(name)?.0]
     }
 
-    /// Whether the element is only there for its sub-objects.
+    /// Whether the element exists only for its sub-objects.
     pub(crate) fn is_orphan(&self) -> bool {
         self.get(n::objectType).is_some_and(|code| code.value() == defaults::ORPHAN)
     }
@@ -61,7 +61,7 @@ impl<'a> EntryAttributes<'a> {
         self.index().and_then(|number| u8::try_from(number).ok())
     }
 
-    /// What the attributes say but for values.
+    /// Reads all attributes except values.
     pub(crate) fn read(&self, findings: &mut Findings) -> Entry {
         let mut entry = Entry::default();
         if let Some(name) = self.get(n::name) {
@@ -102,7 +102,7 @@ impl<'a> EntryAttributes<'a> {
     }
 }
 
-/// The data type of an entry's values: a DOMAIN has the type of that name, stated or not.
+/// The data type of the values of an entry: for object type DOMAIN always DOMAIN.
 pub(crate) fn value_type(entry: &Entry) -> Option<DataType> {
     match (entry.data_type, entry.object_type) {
         (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),

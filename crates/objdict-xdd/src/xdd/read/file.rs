@@ -1,4 +1,4 @@
-//! The headers of the profiles, and what their bodies say of the file.
+//! The headers of the profiles, and the file attributes of their bodies.
 
 use super::Reader;
 use crate::diagnostic::Findings;
@@ -12,7 +12,7 @@ use crate::xdd::shape;
 use crate::xml::{Element, n};
 
 impl<'a> Reader<'a> {
-    /// The headers of both profiles; those that would be written anyway say nothing.
+    /// The headers of both profiles; headers equal to the placeholders are dropped.
     pub(super) fn headers(&mut self) {
         let header = |profile: Option<Profile<'a>>| profile.and_then(|profile| profile.header);
         let (device, network) = (header(self.layout.device), header(self.layout.network));
@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
         Some(header).filter(|_| !says_nothing)
     }
 
-    /// What the bodies say of the file. Of the communication network profile only what differs is kept.
+    /// The file attributes of the bodies. Of the communication network profile, only differences are kept.
     pub(super) fn files(&mut self) {
         let mut info = |profile: Option<Profile<'a>>| {
             profile.map(|profile| file_info(profile.body, &mut self.leftovers, &mut self.findings))
@@ -44,17 +44,17 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The attributes of a body about the file.
+/// The file attributes of a body.
 fn file_info<'a>(body: Element<'a>, leftovers: &mut Leftovers<'a>, findings: &mut Findings) -> FileInfo {
     let mut info = FileInfo::default();
     for attribute in body.attributes() {
         let text = Text::of(attribute);
-        // the network profile has less
+        // the network profile has fewer attributes
         let known = DEVICE_BODY.attribute(attribute.tag()).map(|(_, known)| known);
         let is_taken = match attribute.tag() {
             n::formatName => text.trimmed() == "CANopen",
             n::formatVersion => text.trimmed() == "1.0",
-            // says which profile this is
+            // the type of the profile
             n::r#type => true,
             _ => known.is_some_and(|known| fact::take(&mut info, known, &text, findings)),
         };
@@ -65,7 +65,7 @@ fn file_info<'a>(body: Element<'a>, leftovers: &mut Leftovers<'a>, findings: &mu
     info
 }
 
-/// What the network profile says of the file and the device profile does not.
+/// The file attributes of the network profile that differ from the device profile.
 fn difference(network: FileInfo, device: &FileInfo) -> FileInfo {
     fn other<T: PartialEq>(network: Option<T>, device: &Option<T>) -> Option<T> {
         network.filter(|network| device.as_ref() != Some(network))

@@ -1,4 +1,4 @@
-//! Who made the device: `DeviceIdentity`, and `identity` of the communication network profile.
+//! The identity of the device: `DeviceIdentity`, and `identity` of the communication network profile.
 
 use super::Reader;
 use crate::diagnostic::Findings;
@@ -35,7 +35,7 @@ impl<'a> Reader<'a> {
         self.device.identity = Some(Box::new(rest));
     }
 
-    /// What the communication network profile says of the device; where it says the same as the device profile, nothing.
+    /// The identity in the communication network profile, without what equals the device profile.
     pub(super) fn network_identity(&mut self, element: Element<'a>) {
         let mut read: Identity = shape::read(element, &IDENTITY, &mut self.leftovers);
         let mut identity = rest(&mut read);
@@ -96,12 +96,12 @@ fn numbers(element: Element<'_>, info: &mut DeviceInfo, findings: &mut Findings)
     (info.vendor_number, info.product_number) = (vendor, product);
 }
 
-/// Whether labels are but one description, in English: what an EDS has.
+/// Whether the labels are a single English description, which is all an EDS has.
 fn is_plain_description(labels: &Labels) -> bool {
     matches!(&labels.0[..], [Label::Description { lang, uri: None, .. }] if &**lang == defaults::LANGUAGE)
 }
 
-/// Drops what the device profile says too.
+/// Drops what equals the device profile.
 fn drop_same(identity: &mut DeviceIdentity, device: &DeviceIdentity) {
     fn drop<T: Default + PartialEq>(own: &mut T, device: &T) {
         if own == device {

@@ -1,4 +1,5 @@
-//! XDD and XDC texts to the model. Reading never fails: what cannot be read is a finding, an invalid value or left over, and goes on.
+//! From XDD and XDC texts to the model. Reading never fails: what cannot be read becomes a finding, an
+//! invalid value or a leftover.
 
 mod absorb;
 mod entry;
@@ -25,8 +26,8 @@ use crate::diagnostic::Findings;
 use crate::model::{ApplicationProcess, Device, DeviceInfo, DeviceKind, FileInfo};
 use crate::xml::{Element, Tree, n};
 
-/// Reads one of the [`containers`] of a tree as the description of a device type or, where it is told or has a node in
-/// it, of a node.
+/// Reads one of the [`containers`] of a tree as the description of a device type or, if `kind` requests it
+/// or the container has a node, of a node.
 pub fn read(tree: &Tree, number: usize, kind: DeviceKind) -> (Device, Findings) {
     match containers(tree).get(number) {
         Some(&container) => read_container(container, kind),
@@ -45,7 +46,7 @@ fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings
     reader.finish(kind)
 }
 
-/// A description in the making.
+/// A description while it is read.
 struct Reader<'a> {
     layout: Layout<'a>,
     device: Device,
@@ -58,12 +59,12 @@ impl<'a> Reader<'a> {
         Self { layout, device: Device::default(), findings: Findings::new(), leftovers: Leftovers::default() }
     }
 
-    /// Facts about the device, for writing.
+    /// The device information, created if needed.
     fn info(&mut self) -> &mut DeviceInfo {
         self.device.device_info.get_or_insert_default()
     }
 
-    /// The device profile but for its file attributes, and the objects that refer to it.
+    /// The device profile without its file attributes, and the objects that refer to it.
     fn device_body(&mut self) {
         let (mut application, parameters) = match self.layout.device {
             Some(Profile { body, .. }) => self.device_parts(body),
@@ -78,8 +79,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the parts of the device profile. The parameters of the application processes are only found: objects refer to
-    /// them.
+    /// Reads the parts of the device profile. Parameters of the application processes are only collected,
+    /// because objects refer to them.
     fn device_parts(&mut self, body: Element<'a>) -> (Vec<ApplicationProcess>, Vec<Slot<'a>>) {
         let mut application = Vec::new();
         let mut slots = Vec::new();

@@ -1,4 +1,4 @@
-//! The communication network profile but for its objects: features, bit rates, dummies, channels, the node.
+//! The communication network profile without its objects: features, bit rates, dummies, channels, the node.
 
 use super::Reader;
 use super::objects::count;
@@ -16,7 +16,7 @@ use crate::xdd::shape;
 use crate::xml::{Element, Name, n};
 
 impl<'a> Reader<'a> {
-    /// The communication network profile but for its file attributes and objects.
+    /// The communication network profile without its file attributes and objects.
     pub(super) fn network_body(&mut self) {
         let Some(Profile { body, .. }) = self.layout.network else { return };
         self.children(body, |this, element| match element.tag() {
@@ -28,7 +28,8 @@ impl<'a> Reader<'a> {
         self.leftovers.text(body);
     }
 
-    /// Offers each child to `read`. What is not read, and the second element of a name, is left over.
+    /// Passes each child to `read`. Children that it does not read, and the second child of a name, become
+    /// leftovers.
     fn children(&mut self, parent: Element<'a>, mut read: impl FnMut(&mut Self, Element<'a>) -> bool) {
         let mut seen = Vec::new();
         for element in parent.children() {
@@ -77,7 +78,7 @@ impl<'a> Reader<'a> {
         true
     }
 
-    /// What the list says of itself. A count is left over where it is not the number of objects.
+    /// The attributes of an object list. A count that is not the number of objects becomes a leftover.
     fn object_list(&mut self, list: Element<'a>) {
         self.derive_lists();
         for attribute in list.attributes() {
@@ -221,7 +222,7 @@ impl<'a> Reader<'a> {
     fn commissioning(&mut self, element: Element<'a>) {
         let mut node = Commissioning::default();
         for attribute in element.attributes() {
-            // CANopenEditor writes the second
+            // CANopenEditor writes `NodeID`
             let name = match attribute.tag() {
                 n::nodeID | n::NodeID if node.node_id.is_some() => Name::OTHER,
                 n::NodeID => n::nodeID,
@@ -248,22 +249,22 @@ pub(crate) const fn count_attribute(list: ObjectList) -> Name {
     }
 }
 
-/// What an EDS calls attributes of a channel, in front of its number.
+/// The keys of an EDS for attributes of a channel, without its number.
 const CHANNEL_KEYS: [(Name, &str); 4] =
     [(n::dataType, "Type"), (n::accessType, "Dir"), (n::startIndex, "Range"), (n::addressOffset, "PPOffset")];
 
-/// The attribute of a channel that a key is, without its number.
+/// The attribute of a channel for a key without its number.
 pub(crate) fn channel_attribute(word: &str) -> Name {
     CHANNEL_KEYS.iter().find(|(_, key)| *key == word).map_or_else(|| Name::of(word), |(name, _)| *name)
 }
 
-/// The field of an attribute of a channel. An EDS has one for both ends of the range.
+/// The field of an attribute of a channel. An EDS has one field for both ends of the range.
 pub(crate) fn channel_field(name: Name, number: usize) -> Field {
     let key = CHANNEL_KEYS.iter().find(|(known, _)| *known == name && name != n::startIndex);
     Field::Named(format!("{}{number}", key.map_or(name.text(), |(_, key)| key)).into())
 }
 
-/// The word of an EDS for a direction.
+/// The keyword of an EDS for a direction.
 fn direction(word: &str) -> Box<str> {
     DIRECTIONS.iter().find(|(xdd, _)| *xdd == word).map_or(word, |(_, eds)| eds).into()
 }
@@ -278,12 +279,13 @@ fn offset(text: &str) -> Box<str> {
 pub(crate) const DIRECTIONS: [(&str, &str); 3] =
     [("readOnly", "ro"), ("writeOnly", "wo"), ("readWriteOutput", "rww")];
 
-/// How many indexes there are in a range: the number of objects of a channel that does not say it.
+/// The number of indexes in a range, which is the default for the number of objects of a channel.
 pub(crate) fn range_length(range: Option<(u16, u16)>) -> Option<u32> {
     range.map(|(first, last)| u32::from(last.saturating_sub(first)) + 1)
 }
 
-/// What a list of supported bit rates says of those that are not in it. 100 kbit/s and detection are no keys of an EDS.
+/// The bit rates that a list of supported ones does not contain. 100 kbit/s and automatic detection have no
+/// keys in an EDS.
 fn none_supported() -> BaudRates {
     let mut rates = BaudRates::default();
     for (kbit, ..) in BaudRates::default().iter() {
@@ -292,7 +294,7 @@ fn none_supported() -> BaudRates {
     rates
 }
 
-/// What is said of a bit rate that CiA 311 has.
+/// The field of a bit rate of CiA 311.
 fn rate(rates: &mut BaudRates, kbit: u16) -> Option<&mut Option<bool>> {
     Some(match kbit {
         10 => &mut rates.kbit_10,
@@ -320,7 +322,7 @@ fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
     }
 }
 
-/// The field of a bit rate that there is not.
+/// The field of a bit rate that does not exist.
 pub(crate) fn supported_field() -> Field {
     Field::Named("supportedBaudRate".into())
 }

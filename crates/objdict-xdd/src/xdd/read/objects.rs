@@ -1,4 +1,4 @@
-//! The object list: objects, sub-objects, and what they refer to.
+//! The object list: objects, sub-objects, and the parameters they refer to.
 
 use super::Reader;
 use super::absorb::{self, absorb};
@@ -16,7 +16,8 @@ use crate::xdd::types;
 use crate::xml::{Element, n};
 
 impl<'a> Reader<'a> {
-    /// Reads all objects. The parameters that belong to no entry, or to several, go to the application processes.
+    /// Reads all objects. Parameters that belong to no entry, or to several, go to the application
+    /// processes.
     pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<Slot<'a>>) {
         let mut parameters = Parameters::new(slots, application, &self.layout);
         let definitions = Definitions::of(application);
@@ -46,7 +47,7 @@ impl<'a> Reader<'a> {
         drop_written_types(&mut self.device, application);
     }
 
-    /// The lists that an EDS has: all objects from 1000h on, by what CiA 306-1 §4.6.3.1 says of their indexes.
+    /// The object lists of an EDS: all objects from 1000h on, by the index ranges of CiA 306-1 §4.6.3.1.
     pub(super) fn derive_lists(&mut self) {
         if self.device.objects.is_empty() {
             return;
@@ -55,20 +56,20 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// How many of some indexes `CANopenObjectList` counts in a list. It has no other number for definitions of data types than
-/// that of the optional objects.
+/// The number of the given indexes that `CANopenObjectList` counts in a list. Definitions of data types
+/// count as optional objects, because they have no count of their own.
 pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
     indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }
 
-/// The entries of an object list, one after the other.
+/// The entries of an object list, in order.
 struct Entries<'t, 'a> {
     parameters: &'a mut Parameters<'t>,
     definitions: &'a Definitions<'a>,
     variables: Vec<&'a VarDeclaration>,
     findings: &'a mut Findings,
     leftovers: &'a mut Leftovers<'t>,
-    /// How many objects and sub-objects were met.
+    /// The number of objects and sub-objects read so far.
     number: usize,
 }
 
@@ -141,7 +142,7 @@ impl<'t> Entries<'t, '_> {
         entry
     }
 
-    /// What a reference leads to, as a parameter.
+    /// The parameter for a reference.
     fn source(&mut self, reference: Reference) -> Option<Source> {
         match reference {
             Reference::None | Reference::Dangling => None,
@@ -164,11 +165,11 @@ impl<'t> Entries<'t, '_> {
     }
 }
 
-/// Where an entry gets from what it does not say itself.
+/// The parameter from which an entry takes what its attributes do not have.
 enum Source {
-    /// A parameter of its own.
+    /// A parameter that belongs to the entry alone.
     Own(Parameter),
-    /// A copy of what is not its own.
+    /// A copy of a parameter that does not belong to the entry.
     Shared(Parameter),
 }
 
@@ -180,7 +181,7 @@ impl Source {
     }
 }
 
-/// Puts invalid_values into the order of their fields: attributes come before parameters, and both may have some.
+/// Sorts the invalid values by field: attributes are read before parameters, and both can have some.
 fn in_order(invalid_values: &mut InvalidValues) {
     if invalid_values.iter().is_sorted_by_key(|invalid| &invalid.field) {
         return;
@@ -193,7 +194,7 @@ fn in_order(invalid_values: &mut InvalidValues) {
     }
 }
 
-/// Drops the types of ARRAYs and RECORDs that would be written anyway.
+/// Drops the types of ARRAYs and RECORDs that the writer generates.
 fn drop_written_types(device: &mut Device, application: &mut [ApplicationProcess]) {
     for process in application {
         process.data_types.retain(|definition| {

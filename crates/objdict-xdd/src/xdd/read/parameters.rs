@@ -13,12 +13,12 @@ use crate::xdd::schema::PARAMETER;
 use crate::xdd::shape;
 use crate::xml::{Attribute, Element, n};
 
-/// All parameters of a description. They are read when it is known whose they are.
+/// All parameters of a description. They are read once it is known which entry they belong to.
 pub(crate) struct Parameters<'a> {
     slots: Vec<Slot<'a>>,
-    /// What each object and sub-object in the order of the file refers to.
+    /// What each object and sub-object refers to, in the order of the file.
     references: Vec<Reference>,
-    /// The ids that groups and conditions speak of.
+    /// The ids that groups and conditions refer to.
     named: HashSet<Box<str>>,
 }
 
@@ -26,13 +26,13 @@ pub(crate) struct Parameters<'a> {
 #[derive(Debug)]
 pub(crate) struct Slot<'a> {
     element: Element<'a>,
-    /// Its application process.
+    /// The application process of the parameter.
     process: usize,
-    /// How many objects and sub-objects refer to it.
+    /// The number of objects and sub-objects that refer to it.
     uses: u32,
     /// Whether it belongs to an entry.
     is_own: bool,
-    /// What it says, where several refer to it and the first of them was met.
+    /// The parsed parameter, if several entries refer to it and the first of them was read.
     shared: Option<Box<Parameter>>,
 }
 
@@ -47,21 +47,21 @@ impl<'a> Slot<'a> {
     }
 }
 
-/// What `uniqueIDRef` refers to.
+/// The target of `uniqueIDRef`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reference {
-    /// There is no such attribute.
+    /// No such attribute.
     None,
-    /// Nothing that has a type or value.
+    /// No element with a type or value.
     Dangling,
-    /// The parameter of this number.
+    /// The parameter with this number.
     Parameter(u32),
-    /// The variable of this number, in the order of [`variables`].
+    /// The variable with this number, in the order of [`variables`].
     Variable(u32),
 }
 
 impl<'a> Parameters<'a> {
-    /// Looks up what the objects refer to.
+    /// Resolves the references of the objects.
     pub(crate) fn new(
         mut slots: Vec<Slot<'a>>,
         application: &[ApplicationProcess],
@@ -77,12 +77,12 @@ impl<'a> Parameters<'a> {
         Self { slots, references, named }
     }
 
-    /// What the object or sub-object of this number refers to.
+    /// The target of the object or sub-object with this number.
     pub(crate) fn reference(&self, number: usize) -> Reference {
         self.references.get(number).copied().unwrap_or(Reference::None)
     }
 
-    /// The parameter that one entry alone refers to; it is its own.
+    /// A parameter with a single reference; it belongs to the entry.
     pub(crate) fn own(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<Parameter> {
         let slot = self.slots.get_mut(number as usize).filter(|slot| slot.uses == 1)?;
         slot.is_own = true;
@@ -96,12 +96,12 @@ impl<'a> Parameters<'a> {
         Some(slot.shared.get_or_insert_with(|| Box::new(shape::read(element, &PARAMETER, leftovers))))
     }
 
-    /// Whether a group or a condition speaks of an id.
+    /// Whether a group or a condition refers to an id.
     pub(crate) fn is_named(&self, id: &str) -> bool {
         self.named.contains(id)
     }
 
-    /// Gives those that belong to no entry to their application processes.
+    /// Moves the parameters that belong to no entry to their application processes.
     pub(crate) fn give_rest(self, application: &mut [ApplicationProcess], leftovers: &mut Leftovers<'a>) {
         for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
             if let Some(process) = application.get_mut(slot.process) {
@@ -117,7 +117,8 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Looks up `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids the first counts.
+/// Resolves `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids, the
+/// first counts.
 fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &Layout<'_>) -> Vec<Reference> {
     let mut targets: HashMap<Cow<'_, str>, Reference> = HashMap::with_capacity(slots.len());
     for (number, slot) in (0..).zip(slots) {
@@ -155,7 +156,7 @@ pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Ite
     })
 }
 
-/// The ids of parameters that groups and conditions speak of.
+/// The ids of parameters that groups and conditions refer to.
 fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<Box<str>> {
     fn of_groups(groups: &[ParameterGroup], ids: &mut HashSet<Box<str>>) {
         for group in groups {
@@ -176,14 +177,14 @@ fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<
     ids
 }
 
-/// What parameters refer to: types and templates, by their ids.
+/// The targets of references in parameters: types and templates, by id.
 pub(crate) struct Definitions<'a> {
     types: HashMap<&'a str, &'a TypeDefinition>,
     templates: HashMap<&'a str, &'a Parameter>,
     allowed: HashMap<&'a str, &'a AllowedValues>,
 }
 
-/// So many types may be defined by each other; more is a circle.
+/// The maximum depth of derived types; a deeper chain is a cycle.
 const MAX_DERIVATIONS: usize = 16;
 
 impl<'a> Definitions<'a> {
@@ -204,7 +205,7 @@ impl<'a> Definitions<'a> {
         found
     }
 
-    /// The simple type behind a reference; `None` for arrays, structs and what is not there.
+    /// The simple type behind a reference; `None` for arrays, structs and dangling references.
     pub(crate) fn simple(&self, reference: &DataTypeRef) -> Option<SimpleType> {
         let mut reference = reference;
         for _ in 0..MAX_DERIVATIONS {
@@ -227,7 +228,7 @@ impl<'a> Definitions<'a> {
         self.templates.get(parameter.template.as_deref()?).copied()
     }
 
-    /// The allowed values with those of their template, where there is nothing else.
+    /// The allowed values, or those of their template if they only refer to it.
     pub(crate) fn allowed<'b>(&self, allowed: &'b AllowedValues) -> &'b AllowedValues
     where
         'a: 'b,

@@ -20,7 +20,8 @@ const SUPPORT: Kind = Kind::Word(&["mandatory", "optional", "conditional"]);
 
 /// Variables of functions that have a type.
 static VARIABLES: &[&Element] = &[&VARIABLE_REF];
-/// Declares the simple types, and the list of them with a type that the description defines and [`VARIABLES`] behind them.
+/// Declares the simple types, and the list of them followed by a type that the description defines and
+/// [`VARIABLES`].
 macro_rules! simple_types {
     ($($NAME:ident)+) => {
         elements! { $($NAME local $NAME of Nothing;)+ }
@@ -145,7 +146,7 @@ elements! {
     PARAMETER_REF global parameterRef of Nothing (uniqueIDRef*: Kind::Reference(Target::Parameter));
 }
 
-/// A reference alone in its element.
+/// An element with only a reference.
 type Id = Box<str>;
 
 /// Declares the elements that hold a value with its own scaling.
@@ -167,7 +168,7 @@ values! {
     STEP local step
 }
 
-/// Declares parameters and their templates, which have less.
+/// Declares parameters and their templates, which have fewer children.
 macro_rules! parameters {
     ($($NAME:ident $name:ident ($Part:ident $($in:tt)*) $labels:ident $least:ident $types:tt $denotation:ident [$($more:tt)*];)+) => {elements! {
         $($NAME global $name of $Part (

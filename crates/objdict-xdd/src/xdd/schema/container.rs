@@ -26,7 +26,7 @@ const DEVICE_CLASSES: Kind = Kind::Word(&["compact", "modular", "configurable"])
 elements! {
     CONTAINER global ISO15745ProfileContainer of Nothing, [some PROFILE];
     PROFILE global ISO15745Profile of Nothing, [one DEVICE_HEADER, key BODY];
-    // abstract: which of the bodies below it is says `xsi:type`
+    // abstract: `xsi:type` selects one of the bodies below
     BODY local ProfileBody of Nothing;
 
     PROFILE_IDENTIFICATION local ProfileIdentification of Nothing = Kind::Text;
@@ -50,7 +50,7 @@ elements! {
     PROFILE_LOCATION local ProfileLocation of Nothing = Kind::Text;
 }
 
-/// Declares the header of each profile, which differ in the class that they are read and written with.
+/// Declares the header of each profile; they differ only in their class.
 macro_rules! headers {
     ($($NAME:ident $class:literal)+) => {elements! {
         $($NAME local ProfileHeader of ProfileHeader, [
@@ -69,7 +69,7 @@ macro_rules! headers {
 
 headers! { DEVICE_HEADER "Device" NETWORK_HEADER "CommunicationNetwork" }
 
-/// Declares the bodies, which say the same of the file.
+/// Declares the bodies, which have the same file attributes.
 macro_rules! bodies {
     ($($NAME:ident ($($attribute:tt)*) [$($content:tt)+])+) => {elements! {
         $($NAME local ProfileBody of FileInfo (
@@ -94,6 +94,6 @@ bodies! {
         maybe DEVICE_IDENTITY, maybe DEVICE_MANAGER, some DEVICE_FUNCTION, any APPLICATION_PROCESS, any EXTERNAL_HANDLE
     ]
     NETWORK_BODY () [key APPLICATION_LAYERS, one TRANSPORT_LAYERS, maybe NETWORK_MANAGEMENT]
-    // where it only names a file that is not XML
+    // for a profile that only refers to a file that is not XML
     EXTERNAL_NETWORK_BODY () [one EXTERNAL_HANDLE]
 }

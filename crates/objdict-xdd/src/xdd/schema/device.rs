@@ -1,4 +1,4 @@
-//! The device profile but for its application process: identity, manager and function (CiA 311 annex A).
+//! The device profile without its application process: identity, manager and function (CiA 311 annex A).
 
 use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, slot};
 use crate::model::{
@@ -9,7 +9,7 @@ use crate::xdd::shape::lenses::{LABEL_DICTIONARY, LABEL_LANG, LABEL_TEXT, LABEL_
 use crate::xdd::shape::{Identity, MarkedLabels, MarkedText, MarkedVersion};
 use crate::xml::n;
 
-/// One of them at least is a name or a description.
+/// At least one of them is a name or a description.
 pub(super) static LABELS: &[&Element] = &[&LABEL, &DESCRIPTION, &LABEL_REF, &DESCRIPTION_REF];
 
 const FLAG: Kind = Kind::Boolean;

@@ -1,5 +1,6 @@
-//! CiA 311 (versions 1.0 and 1.1) in one table: which elements there are, what stands in them in which order, what their
-//! attributes take, and where the model keeps it. Reading, writing, checking, locating and the words of findings go by it.
+//! CiA 311 (versions 1.0 and 1.1) in one table: the elements, their content and its order, the values of
+//! their attributes, and their fields in the model. Reading, writing, checking, locating and the wording of
+//! findings use this table.
 
 mod application;
 mod container;
@@ -24,18 +25,18 @@ use super::shape::{Parts, TextField, Values};
 use crate::model::{Entry, Field, Value};
 use crate::xml::{Name, n};
 
-/// An element in a certain place: `range` of `allowedValues` is another one than `range` of `rangeList`.
+/// An element in a certain context: `range` of `allowedValues` differs from `range` of `rangeList`.
 #[derive(Debug)]
 pub(crate) struct Element {
     pub name: Name,
-    /// Whether version 1.1 declares it globally, so that it is in the namespace there.
+    /// Whether version 1.1 declares the element globally, so that it is in the namespace there.
     pub is_global: bool,
     pub attributes: &'static [Attribute],
-    /// What the text is; `None` where only elements may stand.
+    /// The kind of the text; `None` if only elements are allowed.
     pub text: Option<Attribute>,
-    /// The elements in it, in their order.
+    /// The child elements, in order.
     pub content: &'static [Slot],
-    /// The attributes and children that version 1.0 does not have.
+    /// The attributes and children that version 1.0 does not define.
     pub newer: &'static [Name],
 }
 
@@ -48,45 +49,46 @@ pub(crate) struct Attribute {
     pub at: At,
 }
 
-/// Whether an attribute or element must be there.
+/// Whether an attribute or element is required.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Need {
     Optional,
-    /// The standard wants it, and readers do without.
+    /// Required by the standard, optional for readers.
     Required,
-    /// Without it the rest means nothing.
+    /// Without it the element has no meaning.
     Key,
-    /// The standard does not have it there, and the model does: it is a finding, and is read and written.
+    /// Not defined by the standard at this place but part of the model: reported, and still read and
+    /// written.
     Stray,
 }
 
-/// Where a part of the model keeps something: for writing, and for reading.
+/// The field of a part of the model: for writing, and for reading.
 pub(crate) struct Lens<T: ?Sized> {
     pub get: for<'a> fn(&'a dyn Any) -> Option<&'a T>,
     pub get_mut: for<'a> fn(&'a mut dyn Any) -> Option<&'a mut T>,
 }
 
-/// Where the part keeps the value of an attribute.
+/// Where the part stores the value of an attribute.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum At {
-    /// Nowhere, or whoever reads the element knows.
+    /// Not stored, or stored by the code that reads the element.
     Nowhere,
-    /// In a field that takes texts; what it does not take is left over.
+    /// In a field for texts; a text it does not accept becomes a leftover.
     Text(Lens<dyn TextField>),
-    /// In a field that an EDS has too; what it does not take is an invalid value.
+    /// In a field that an EDS has too; a text it does not accept becomes an invalid value.
     Fact(FactAt),
-    /// Among the values of an entry, which are read when the data type is known.
+    /// Among the values of an entry, which are read once the data type is known.
     Value(Slots),
 }
 
-/// Where the part keeps what an EDS has too.
+/// Where the part stores a value that an EDS has too.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FactAt {
-    /// `None` for what only CiA 311 has: the field is called like the attribute.
+    /// `None` for a field that only CiA 311 has: it is named like the attribute.
     pub field: Option<&'static Field>,
-    /// The greatest number, where that of the type is too much.
+    /// The maximum, if it is lower than that of the type.
     pub most: Option<u64>,
-    /// What is written where nobody stated anything. It is read as nothing.
+    /// The placeholder for a missing value. The reader drops it.
     pub unstated: Option<&'static str>,
     pub lens: Lens<dyn Fact>,
 }
@@ -100,24 +102,24 @@ pub(crate) enum Slots {
     High,
 }
 
-/// Where the part keeps elements.
+/// Where the part stores elements.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Child {
-    /// Nowhere, or whoever reads the element knows.
+    /// Not stored, or stored by the code that reads the element.
     Nowhere,
-    /// The element stands around others of the same part.
+    /// The element groups others of the same part.
     Same,
-    /// It always says this.
+    /// The element has this constant content.
     Fixed(&'static str),
-    /// In parts.
+    /// As parts.
     Parts(Lens<dyn Parts>),
-    /// In values: the first attribute of the element, or its text.
+    /// As values: the first attribute of the element, or its text.
     Values(Lens<dyn Values>),
     /// One for the first element of the choice, and one for the others.
     Either(&'static Child, &'static Child),
 }
 
-/// A place in the order of an element's children: one element, or a choice of several.
+/// A place in the order of the children: one element, or a choice of several.
 #[derive(Debug)]
 pub(crate) struct Slot {
     pub of: &'static [&'static Element],
@@ -127,10 +129,10 @@ pub(crate) struct Slot {
     pub at: Child,
 }
 
-/// At least as many places as the content of any element has.
+/// The maximum number of slots of an element.
 pub(crate) const MAX_SLOTS: usize = 16;
 
-/// No upper bound.
+/// No maximum.
 const MANY: u32 = u32::MAX;
 
 impl<T: ?Sized> Clone for Lens<T> {
@@ -148,18 +150,18 @@ impl<T: ?Sized> std::fmt::Debug for Lens<T> {
 }
 
 impl Slot {
-    /// The element of a name, if it may stand here.
+    /// The element with this name, if it is allowed here.
     pub(crate) fn element(&self, name: Name) -> Option<&'static Element> {
         self.of.iter().copied().find(|element| element.name == name)
     }
 
-    /// How often elements of this one's name may stand here. Only `variableRef` may stand more often than what else
-    /// stands in its place.
+    /// The maximum number of elements with the name of this one. Only `variableRef` may occur more often
+    /// than its alternatives.
     pub(crate) fn most_of(&self, element: &Element) -> u32 {
         if element.name == n::variableRef { MANY } else { self.most }
     }
 
-    /// Its elements with where the part keeps them: one for all, or one for each.
+    /// Its elements and where the part stores them: one place for all, or one for each.
     pub(crate) fn kept(&self) -> impl Iterator<Item = (&'static Element, Child)> {
         let at = move |number: usize| match self.at {
             Child::Either(first, others) => Some(if number == 0 { *first } else { *others }),
@@ -170,17 +172,17 @@ impl Slot {
 }
 
 impl Element {
-    /// Whether the standard does not say what is in it, as with the simple types.
+    /// Whether the standard leaves the content open, as for the simple types.
     pub(crate) fn is_opaque(&self) -> bool {
         self.attributes.is_empty() && self.content.is_empty() && self.text.is_none()
     }
 
-    /// Whether names and descriptions stand in it.
+    /// Whether the element can contain names and descriptions.
     pub(crate) fn has_labels(&self) -> bool {
         self.content.iter().any(|slot| slot.need != Need::Stray && slot.element(n::label).is_some())
     }
 
-    /// The attribute of a name.
+    /// The attribute with this name.
     pub(crate) fn attribute(&self, name: Name) -> Option<(usize, &'static Attribute)> {
         self.attributes.iter().enumerate().find(|(_, attribute)| attribute.name == name)
     }
@@ -190,21 +192,21 @@ impl Element {
         self.attributes.iter().find(|attribute| attribute.field().as_ref() == Some(field))
     }
 
-    /// The place of a child in the order, looked for from `from` on first: children mostly stand in their order.
+    /// The slot of a child. The search begins at `from`, because children are usually in order.
     pub(crate) fn slot(&self, name: Name, from: usize) -> Option<(usize, &'static Element)> {
         let slots = || self.content.iter().enumerate();
         let find = |(number, slot): (usize, &Slot)| Some((number, slot.element(name)?));
         slots().skip(from).find_map(find).or_else(|| slots().take(from).find_map(find))
     }
 
-    /// What its values stand in where it has one value: its first attribute, else its text.
+    /// What holds the value of an element with one value: its first attribute, else its text.
     pub(crate) fn holder(&self) -> Name {
         self.attributes.first().filter(|_| self.text.is_none()).map_or(n::text, |attribute| attribute.name)
     }
 }
 
 impl Attribute {
-    /// The field that it is in the model, where it is no mere text.
+    /// The field of the model, if it is not a plain text.
     pub(crate) fn field(&self) -> Option<Field> {
         match self.at {
             At::Fact(FactAt { field: Some(field), .. }) => Some(field.clone()),
@@ -219,7 +221,7 @@ impl Attribute {
         }
     }
 
-    /// A value as this attribute has it, which an EDS spells as `text`; `None` where the attribute cannot say it.
+    /// An EDS value in the spelling of this attribute; `None` if the attribute cannot express it.
     pub(crate) fn spelled(&self, text: &str) -> Option<String> {
         let number = || match text.strip_prefix("0x") {
             Some(digits) => u32::from_str_radix(digits, 16).ok(),
@@ -238,7 +240,7 @@ impl Attribute {
                 "1" => "optional".to_owned(),
                 _ => return None,
             },
-            // the parameter says what is input and what is output
+            // the parameter specifies inputs and outputs
             (Kind::Word(_), "rwr" | "rww") | (Kind::Boolean, _) => return None,
             _ => text.to_owned(),
         })
@@ -274,7 +276,7 @@ impl Slots {
     }
 }
 
-/// The element of the identity whose text an EDS has in a field.
+/// The element of the identity whose text is a field of an EDS.
 pub(crate) fn identity_element(field: &Field) -> Option<&'static Element> {
     Some(match field {
         Field::VendorName => &VENDOR_NAME,
@@ -286,7 +288,7 @@ pub(crate) fn identity_element(field: &Field) -> Option<&'static Element> {
     })
 }
 
-/// A field of a part, or a function that finds it.
+/// A field of a part, or a function that returns it.
 macro_rules! lens {
     ($Part:ident self) => {
         $crate::xdd::schema::Lens {
@@ -303,8 +305,8 @@ macro_rules! lens {
 }
 use lens;
 
-/// Where the value of an attribute is kept: `[field]` takes texts, `{Field field}` is called so in an EDS, `<Value>` is one
-/// of an entry, and `(CONSTANT)` a place of its own.
+/// Where the value of an attribute is stored: `[field]` takes texts, `{Field field}` has that name in an
+/// EDS, `<Value>` is a value of an entry, and `(CONSTANT)` is defined separately.
 macro_rules! at {
     ($Part:ident) => { At::Nowhere };
     ($Part:ident [$($path:tt)+]) => { At::Text(lens!($Part $($path)+)) };
@@ -325,8 +327,8 @@ macro_rules! at {
 }
 use at;
 
-/// Where elements are kept: `[field]` in parts, `{field}` in values, `same` in the same part, and `(CONSTANT)` in a place
-/// of its own.
+/// Where elements are stored: `[field]` as parts, `{field}` as values, `same` in the same part, and
+/// `(CONSTANT)` is defined separately.
 macro_rules! child {
     ($Part:ident) => { Child::Nowhere };
     ($Part:ident same) => { Child::Same };
@@ -338,7 +340,7 @@ macro_rules! child {
 }
 use child;
 
-/// The counts of a [`Slot`].
+/// The minimum and maximum of a [`Slot`].
 macro_rules! slot {
     (one $of:tt $at:expr) => { slot!(@ $of, 1, 1, Required, $at) };
     (key $of:tt $at:expr) => { slot!(@ $of, 1, 1, Key, $at) };
@@ -358,12 +360,13 @@ use slot;
 
 /// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names];`
 ///
-/// The mark behind the name of an attribute is `?` (optional), `!` (required), `*` (without it the element means nothing) or
-/// `+` (a stray one).
+/// The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it the element
+/// has no meaning) or `+` (stray).
 ///
-/// A child is `count WHAT`, where the count is `one`, `key` (one, and nothing works without it), `maybe`, `some`, `two` (at
-/// least), `any` or `stray`, and WHAT is an element, a choice `[A | B]` or a list `(LIST)` of elements. Behind `=>` stands
-/// where the part keeps it; an element of `Nothing` keeps nothing, or whoever reads it knows.
+/// A child is `count WHAT`, where the count is `one`, `key` (one; the element has no meaning without it),
+/// `maybe`, `some`, `two` (at least), `any` or `stray`, and WHAT is an element, a choice `[A | B]` or a list
+/// `(LIST)` of elements. `=>` is followed by where the part stores it; an element of `Nothing` is not
+/// stored, or by the code that reads it.
 macro_rules! elements {
     ($($NAME:ident $form:ident $name:ident of $Part:ident
         $(($($attribute:ident $need:tt: $kind:expr $(=> $at:tt)?),+ $(,)?))?
@@ -404,7 +407,7 @@ mod tests {
 
     use super::*;
 
-    /// Everything in an element, each once.
+    /// Every element below `root`, each once.
     pub(in crate::xdd) fn all(root: &'static Element) -> Vec<&'static Element> {
         let mut all = vec![root];
         let mut seen: HashSet<*const Element> = HashSet::new();

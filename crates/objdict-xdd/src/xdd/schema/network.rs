@@ -18,9 +18,9 @@ const ENTITIES: Kind = Kind::Words(&["slave", "master", "server", "client", "int
 const ACCESS: Kind = Kind::Word(&["ro", "wo", "rw", "const"]);
 const PDO_MAPPING: Kind = Kind::Word(&["no", "default", "optional", "TPDO", "RPDO"]);
 const INDEX: Kind = Kind::Hex(4, 4);
-/// The standard says two digits, and most tools write four.
+/// The standard specifies two digits, and most tools write four.
 const DATA_TYPE: Kind = Kind::Hex(2, 4);
-/// The standard says four digits, and defines 32 bits.
+/// The standard specifies four digits, and defines 32 bits.
 const FLAGS: Kind = Kind::Hex(2, 8);
 const FLAG: Kind = Kind::Boolean;
 
@@ -84,7 +84,7 @@ elements! {
 
     TRANSPORT_LAYERS local TransportLayers of Nothing, [one PHYSICAL_LAYER];
     PHYSICAL_LAYER local PhysicalLayer of Nothing, [one BAUD_RATE];
-    // that there is no rate at all is the business of cia306/no-baud-rate
+    // a missing bit rate is reported by cia306/no-baud-rate
     BAUD_RATE local baudRate of Nothing (defaultValue?: Kind::BaudRate), [any SUPPORTED_BAUD_RATE];
     SUPPORTED_BAUD_RATE local supportedBaudRate of Nothing (value*: Kind::BaudRate);
 
@@ -120,7 +120,7 @@ elements! {
     );
 }
 
-/// Declares objects and sub-objects. A missing name is the business of cia306/missing-name.
+/// Declares objects and sub-objects. A missing name is reported by cia306/missing-name.
 macro_rules! entries {
     ($($NAME:ident $name:ident ($address:ident $kind:expr) ($($own:tt)*) [$($content:tt)*])+) => {elements! {
         $($NAME local $name of Entry (

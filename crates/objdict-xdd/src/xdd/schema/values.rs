@@ -1,50 +1,50 @@
-//! What attributes and texts take.
+//! The kinds of values of attributes and texts.
 
-/// What a text is.
+/// The kind of a text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     /// Any text.
     Text,
     /// `true`, `false`, `1` or `0`.
     Boolean,
-    /// A whole number in decimal from the first to the second.
+    /// A whole number in decimal, from the first to the second.
     Number(i128, i128),
-    /// A number with or without a fraction. The standard calls it a text.
+    /// A number with or without a fraction. The standard declares a string.
     Decimal,
-    /// Hex digits, at least and at most so many.
+    /// Hex digits: the minimum and maximum number.
     Hex(usize, usize),
-    /// `yyyy-mm-dd`, with a time zone or without.
+    /// `yyyy-mm-dd`, with or without a time zone.
     Date,
-    /// `hh:mm:ss`, with a fraction and a time zone or without.
+    /// `hh:mm:ss`, with or without a fraction and a time zone.
     Time,
     /// One of these words.
     Word(&'static [&'static str]),
-    /// Some of these words with blanks between them.
+    /// Some of these words, separated by blanks.
     Words(&'static [&'static str]),
     /// A bit rate of the list.
     BaudRate,
-    /// A bit rate in any words.
+    /// A bit rate in any spelling.
     Rate,
     /// `Dummy0001=0` to `Dummy0007=1`.
     Dummy,
-    /// A name of its own in the whole file.
+    /// An id that is unique in the file.
     Id,
-    /// The name of another element.
+    /// The id of another element.
     Reference(Target),
-    /// A name of the form that names in XML have.
+    /// An XML name.
     Name,
     /// A language such as `en` or `de-at`.
     Language,
-    /// Languages with blanks between them.
+    /// Languages, separated by blanks.
     Languages,
-    /// Names with blanks between them.
+    /// Names, separated by blanks.
     Names,
 }
 
-/// What a reference may lead to.
+/// The possible target of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
-    /// What an object of the dictionary stands for in the application.
+    /// The counterpart of an object of the dictionary in the application.
     Application,
     Parameter,
     DataType,
@@ -67,7 +67,7 @@ impl Kind {
     pub(super) const NATURAL: Self = Self::Number(0, i128::MAX);
 }
 
-/// The bit rates that `supportedBaudRate` takes.
+/// The bit rates that `supportedBaudRate` allows.
 pub(crate) const BAUD_RATES: [&str; 10] = [
     "10 Kbps",
     "20 Kbps",

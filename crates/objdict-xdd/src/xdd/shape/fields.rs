@@ -1,31 +1,31 @@
-//! Fields that hold values as texts.
+//! Fields that store values as texts.
 
 use std::borrow::Cow;
 
 use super::Text;
 
-/// A field that an attribute or the text of an element holds.
+/// A field for an attribute or the text of an element.
 pub(crate) trait TextField {
-    /// Takes a value; `false` when it has one already, or when this is none.
+    /// Takes a value; `false` if the field already has one or the text is not valid.
     fn accept(&mut self, text: &str) -> bool;
 
     /// Whether it has a value.
     fn is_set(&self) -> bool;
 
-    /// The value; `None` when there is nothing to write.
+    /// The value; `None` if there is nothing to write.
     fn text(&self) -> Option<Cow<'_, str>>;
 }
 
-/// A field that elements hold, each of which has one value.
+/// A field for elements with one value each.
 pub(crate) trait Values {
-    /// Room for another value; `None` where there is none.
+    /// Adds a value; `None` if the field is full.
     fn add(&mut self) -> Option<&mut dyn TextField>;
 
-    /// Each value that there is.
+    /// Calls `put` for each value.
     fn each(&self, put: &mut dyn FnMut(&str));
 }
 
-/// A text that is always there; missing, it is empty.
+/// A text that always exists; a missing one is empty.
 impl TextField for Box<str> {
     fn accept(&mut self, text: &str) -> bool {
         let is_first = !self.is_set();

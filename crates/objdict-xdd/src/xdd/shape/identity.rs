@@ -1,21 +1,22 @@
-//! Who made the device and what it is called: `DeviceIdentity` of the device profile, `identity` of the network profile.
+//! The vendor and the names of the device: `DeviceIdentity` of the device profile, `identity` of the network
+//! profile.
 
 use super::Part;
 use super::parts::parts;
 use crate::model::{Date, DeviceIdentity, DeviceVersion, Labels};
 use crate::xml::{Name, n};
 
-/// All that the element says.
+/// The complete content of the element.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Identity {
     pub(crate) vendor_name: Option<MarkedText>,
-    /// As it is written.
+    /// As written.
     pub(crate) vendor_id: Option<MarkedText>,
     pub(crate) vendor_text: Option<MarkedLabels>,
     pub(crate) device_family: Option<MarkedLabels>,
     pub(crate) product_family: Option<MarkedText>,
     pub(crate) product_name: Option<MarkedText>,
-    /// As it is written.
+    /// As written.
     pub(crate) product_id: Option<MarkedText>,
     pub(crate) product_text: Option<MarkedLabels>,
     pub(crate) order_numbers: Vec<MarkedText>,
@@ -25,7 +26,7 @@ pub(crate) struct Identity {
     pub(crate) instance_name: Option<MarkedText>,
 }
 
-/// An element that may say whether it is read-only.
+/// An element with an optional `readOnly` attribute.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Marked<T> {
     pub(crate) read_only: Option<bool>,
@@ -44,7 +45,7 @@ impl<T> From<T> for Marked<T> {
     }
 }
 
-/// Without what an EDS has.
+/// Without the fields that an EDS has.
 impl From<DeviceIdentity> for Identity {
     fn from(rest: DeviceIdentity) -> Self {
         let labels = |labels: Labels| Some(labels).filter(|labels| !labels.is_empty()).map(Marked::from);
@@ -63,7 +64,8 @@ impl From<DeviceIdentity> for Identity {
 }
 
 impl Identity {
-    /// The mark of each element in their order, with its name; the second of a name is `orderNumber[2]`.
+    /// The `readOnly` mark of each element in order, with its name; the second element of a name is
+    /// `orderNumber[2]`.
     fn marks(&mut self) -> impl Iterator<Item = (String, &mut Option<bool>)> {
         fn marks<'a, T: 'a>(
             name: Name,
@@ -93,12 +95,12 @@ impl Identity {
         .flatten()
     }
 
-    /// The elements that say whether they are read-only, as the model lists them.
+    /// The elements with a `readOnly` attribute, as the model lists them.
     pub(crate) fn read_only(&mut self) -> Vec<(Box<str>, bool)> {
         self.marks().filter_map(|(name, mark)| Some((name.into(), (*mark)?))).collect()
     }
 
-    /// Marks the elements that are listed. Labels that are not there are an element of their own for that.
+    /// Marks the listed elements. Labels that do not exist are created for their mark.
     pub(crate) fn mark(&mut self, read_only: &[(Box<str>, bool)]) {
         let labels = [&mut self.vendor_text, &mut self.device_family, &mut self.product_text];
         labels.into_iter().for_each(|labels| *labels = Some(labels.take().unwrap_or_default()));

@@ -1,10 +1,10 @@
-//! Fields of parts that have variants, which the table cannot name by a path.
+//! Fields of enums, which the table cannot name by a path.
 
 use super::{Parts, TextField};
 use crate::model::{Label, TextRef, TypeDefinition, TypeShape};
 use crate::xdd::schema::Lens;
 
-/// A place in some variants of a part.
+/// A field of some variants of a part.
 macro_rules! lenses {
     ($($NAME:ident: $Part:ident $(. $field:ident)? => $kind:ident $($variant:pat => $at:expr),+;)+) => {$(
         pub(crate) const $NAME: Lens<dyn $kind> = Lens {

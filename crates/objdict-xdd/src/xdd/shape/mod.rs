@@ -1,7 +1,7 @@
-//! The plain parts of CiA 311: read from elements and written to elements along the table.
+//! The plain parts of CiA 311, read and written by the schema.
 //!
-//! Reading goes by local names and never fails: of two things that can stand once the first counts, and everything that
-//! has no place in the model goes to the [`Leftovers`].
+//! Reading compares local names and never fails: of two values for one field the first counts, and
+//! everything without a place in the model goes to the [`Leftovers`].
 
 mod fields;
 mod identity;
@@ -25,7 +25,7 @@ use super::schema::{self, At, Child, Need};
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
-/// What an element says.
+/// Reads an element.
 pub(crate) fn read<'a, T: Default + 'static>(
     element: xml::Element<'a>,
     schema: &'static schema::Element,
@@ -36,7 +36,7 @@ pub(crate) fn read<'a, T: Default + 'static>(
     part
 }
 
-/// What an element says but for the elements `later` in it, which are found and not read.
+/// Reads an element except its children `later`, which are only collected.
 pub(crate) fn read_without<'a, T: Default + 'static>(
     element: xml::Element<'a>,
     schema: &'static schema::Element,
@@ -61,7 +61,7 @@ impl<'a> Reader<'_, 'a> {
             let At::Text(lens) = known?.at else { return None };
             Some((lens.get_mut)(part)?.accept(text))
         });
-        // children mostly stand in their order
+        // children are usually in order
         let mut at = 0;
         let mut fixed = 0_u32;
         for child in element.children() {
@@ -84,7 +84,7 @@ impl<'a> Reader<'_, 'a> {
         }
     }
 
-    /// Takes a child, and says whether the part has room for it.
+    /// Reads a child; `false` if the part has no room for it.
     fn child(
         &mut self,
         child: xml::Element<'a>,
@@ -126,14 +126,15 @@ impl<'a> Reader<'_, 'a> {
         true
     }
 
-    /// Offers each attribute and the text of an element. What is not accepted is left over.
+    /// Passes each attribute and the text of an element to `accept`. What it does not accept becomes a
+    /// leftover.
     fn attributes(&mut self, element: xml::Element<'a>, mut accept: impl FnMut(Name, &str) -> Option<bool>) {
         for attribute in element.attributes() {
             if accept(attribute.tag(), &attribute.value()) != Some(true) {
                 self.leftovers.attribute(element, attribute);
             }
         }
-        // an element around others has blanks between them
+        // an element with children contains blanks between them
         if element.has_text() {
             if accept(n::text, &element.text()) != Some(true) {
                 self.leftovers.text(element);
@@ -166,7 +167,7 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Xdd
     }
     for slot in schema.content {
         for (element, kept) in slot.kept() {
-            // what the standard demands stands there even when it is empty
+            // a required element is written even if it is empty
             let is_demanded = slot.least > 0 && slot.of.len() == 1;
             let open = |out: &mut XddWriter, element| match slot.need {
                 Need::Stray => out.open_local(element),
@@ -215,7 +216,7 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Xdd
     }
 }
 
-/// Shows each text of a part, and of all parts in it, with the attribute that holds it.
+/// Visits each text of a part and of its nested parts, with the attribute that holds it.
 pub(crate) fn visit(
     part: &dyn Any,
     schema: &'static schema::Element,

@@ -1,4 +1,4 @@
-//! Parts of the model that stand in elements of their own.
+//! Parts of the model that have their own elements.
 
 use std::any::Any;
 
@@ -12,27 +12,27 @@ use crate::model::{
 };
 use crate::xml::{Name, n};
 
-/// A part that stands in one element.
+/// A part that is one element.
 pub(crate) trait Part: PartialEq + Any {
-    /// One that says nothing yet, in an element of a name.
+    /// An empty part for an element of a name.
     fn new(name: Name) -> Self;
 
-    /// The name of its element, where there are several for such parts.
+    /// The name of its element, if parts of this type can have several.
     fn name(&self) -> Option<Name> {
         None
     }
 }
 
-/// A field of such parts.
+/// A field that stores such parts.
 pub(crate) trait Parts {
-    /// Room for one more, in an element of a name; `None` where there is none.
+    /// Adds a part for an element of a name; `None` if the field is full.
     fn add(&mut self, name: Name) -> Option<&mut dyn Any>;
 
-    /// Each of them, with the name of its element where there are several.
+    /// Calls `put` for each part, with the name of its element if there are several.
     fn each(&self, put: &mut dyn FnMut(Option<Name>, &dyn Any));
 }
 
-/// One that is always there; it is written when it says something.
+/// A part that always exists; an empty one is not written.
 impl<T: Part> Parts for T {
     fn add(&mut self, name: Name) -> Option<&mut dyn Any> {
         if *self == T::new(name) { Some(self) } else { None }
@@ -76,7 +76,7 @@ impl<T: Part> Parts for Vec<T> {
     }
 }
 
-/// Parts that always stand in elements of one name, or of any.
+/// Parts with one element name, or with any.
 macro_rules! parts {
     ($($Part:ty),+ $(,)?) => {$(
         impl Part for $Part {
@@ -138,7 +138,7 @@ impl Part for TypeDefinition {
     }
 }
 
-/// An element such as `UDINT`, which has nothing in it.
+/// An empty element such as `UDINT`.
 impl Parts for Option<SimpleType> {
     fn add(&mut self, name: Name) -> Option<&mut dyn Any> {
         if self.is_some() {

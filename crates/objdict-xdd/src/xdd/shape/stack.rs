@@ -1,33 +1,34 @@
-//! What description files say to the generators of CANopenNode: properties of parameters, as CANopenEditor spells them.
+//! Settings for the generators of CANopenNode: properties of parameters, as CANopenEditor spells them.
 
 use crate::model::{Property, StackOptions};
 
-/// Takes the properties that CANopenEditor gives a meaning out of a list. What is no value of its property, and what
-/// stands again, stays in the list.
+/// Takes the properties that CANopenEditor defines out of a list. Invalid values and repeated properties
+/// stay in the list.
 pub(crate) fn take_stack_options(options: &mut Option<Box<StackOptions>>, properties: &mut Vec<Property>) {
     let mut taken = options.take().unwrap_or_default();
     properties.retain(|property| !take(&mut taken, &property.name, &property.value));
     *options = Some(taken).filter(|taken| **taken != StackOptions::default());
 }
 
-/// Takes a setting whose value is spelled as it would be written again.
+/// Takes a setting if its value is spelled as the writer spells it.
 fn take(options: &mut StackOptions, name: &str, value: &str) -> bool {
     let mut alone = StackOptions::default();
     let is_whole = alone.set(name, value) && alone.settings().all(|(_, written)| written == value);
     is_whole && options.set(name, value)
 }
 
-/// The properties that [`take_stack_options`] took, in the order of CANopenEditor. They stand before others.
+/// The properties that [`take_stack_options`] took, in the order of CANopenEditor. They precede other
+/// properties.
 pub(crate) fn stack_properties(options: &StackOptions) -> Vec<Property> {
     let property = |(name, value): (&str, String)| Property { name: name.into(), value: value.into() };
     options.settings().map(property).collect()
 }
 
-/// Takes an attribute of a `CANopenObject` or `CANopenSubObject` by which older versions of CANopenEditor said the same;
-/// `false` when it is none of those, or no value of it.
+/// Takes an attribute of a `CANopenObject` or `CANopenSubObject` that older versions of CANopenEditor used
+/// instead; `false` for any other attribute or an invalid value.
 pub(crate) fn stack_attribute(options: &mut StackOptions, name: &str, value: &str) -> bool {
     let property = match name {
-        // the one name is misspelled in the files
+        // the first spelling is an error of CANopenEditor
         "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" => "CO_storageGroup",
         "edseditor_extension_notifyonchange" | "edseditor_extenstion_notifyonchange" => "CO_flagsPDO",
         _ => return false,

@@ -1,12 +1,12 @@
-//! Values as attributes and texts hold them.
+//! Values as texts of attributes and elements.
 
 use std::borrow::Cow;
 
 use crate::model::{Date, LedColor, LedColors, LedOn, LedType, ParameterAccess, Support};
 
-/// A value that has a text.
+/// A value with a text.
 pub(crate) trait Text: Sized {
-    /// The value of a text; `None` where it is none.
+    /// The value of a text; `None` if it is not valid.
     fn parse(text: &str) -> Option<Self>;
 
     /// The text of the value.
@@ -66,7 +66,7 @@ macro_rules! numbers {
 
 numbers! { u8 u32 }
 
-/// The words that a schema lists.
+/// The words of an enumeration of the schema.
 macro_rules! words {
     ($($Words:ty)+) => {$(
         impl Text for $Words {
@@ -83,7 +83,7 @@ macro_rules! words {
 
 words! { LedColor LedColors LedOn LedType ParameterAccess Support }
 
-/// The text without white space around it, which means nothing in values of XML Schema.
+/// The text without surrounding white space, which is not significant in values of XML Schema.
 pub(super) fn collapsed(text: &str) -> &str {
     text.trim_matches([' ', '\t', '\n', '\r'])
 }

@@ -25,7 +25,7 @@ impl Writer<'_> {
         self.application(out);
     }
 
-    /// `DeviceIdentity`; `None` where nothing is known.
+    /// `DeviceIdentity`; `None` if nothing is known.
     fn identity(&self) -> Option<Identity> {
         let unknown = DeviceInfo::default();
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
@@ -42,7 +42,7 @@ impl Writer<'_> {
         let text = |text: &Option<String>| text.as_deref().map(|text| MarkedText::from(Box::from(text)));
         let order_code = text(&info.order_code);
         let further = std::mem::take(&mut rest.further_order_numbers);
-        // the first of them is the order code
+        // the first one is the order code
         let is_missing = order_code.is_none() && !further.is_empty();
         let first = is_missing.then(MarkedText::default).or(order_code);
         let read_only = std::mem::take(&mut rest.read_only);
@@ -78,7 +78,7 @@ impl Writer<'_> {
     }
 }
 
-/// The function with the characteristic that it must have.
+/// The function with its mandatory characteristic.
 fn complete(function: &DeviceFunction) -> DeviceFunction {
     let mut function = function.clone();
     if function.characteristics.is_empty() {

@@ -1,5 +1,5 @@
-//! The canonical XDD and XDC of a device that has no source text: both profiles, complete as the schema of CiA 311 demands,
-//! and in its order. What the standard demands and the model does not have is in `defaults`.
+//! The canonical XDD and XDC of a device without source text: both profiles, complete and in the order of
+//! the CiA 311 schema. Placeholders for missing mandatory content are in `defaults`.
 
 mod device;
 mod network;
@@ -16,8 +16,8 @@ use super::{defaults, fact, shape};
 use crate::model::{Device, FileInfo, InvalidValue};
 use crate::xml::n;
 
-/// The canonical text of a device in a version of CiA 311, in UTF-8. What is configured for a node is written; of a device
-/// without it ([`Device::unconfigured`]) the text is an XDD.
+/// The canonical text of a device in a version of CiA 311, in UTF-8. A configuration for a node is included;
+/// without one ([`Device::unconfigured`]) the text is an XDD.
 pub fn write(device: &Device, version: XddVersion) -> String {
     let device = device.expanded();
     let parameters = EntryParameters::of(&device);
@@ -30,7 +30,7 @@ pub fn write(device: &Device, version: XddVersion) -> String {
     out.finish()
 }
 
-/// A device being written.
+/// A device while it is written.
 struct Writer<'a> {
     device: &'a Device,
     parameters: &'a EntryParameters,
@@ -58,7 +58,7 @@ impl Writer<'_> {
         out.close();
     }
 
-    /// What a body says of its file.
+    /// The file attributes of a body.
     fn file(&self, class: ProfileClass) -> FileInfo {
         let device = self.device.file_info.clone().unwrap_or_default();
         let own = self.device.headers.network_file.as_deref().filter(|_| class == ProfileClass::Network);

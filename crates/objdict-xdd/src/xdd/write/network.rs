@@ -1,4 +1,4 @@
-//! The communication network profile but for its objects.
+//! The communication network profile without its objects.
 
 use super::Writer;
 use crate::model::{
@@ -17,7 +17,7 @@ use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{Name, n};
 
-/// The data types that may stand in `dummyUsage`.
+/// The data types allowed in `dummyUsage`.
 const DUMMIES: std::ops::RangeInclusive<u16> = 1..=7;
 
 impl Writer<'_> {
@@ -137,7 +137,7 @@ fn dynamic_channel(number: usize, segment: &Segment, invalid_values: &InvalidVal
     }
 }
 
-/// The offset of a segment as pairs of hex digits, where it is a number: an EDS writes `0x100` or `256`.
+/// The offset of a segment as pairs of hex digits, if it is a number: an EDS writes `0x100` or `256`.
 fn address_offset(text: &str) -> String {
     let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) if digits.len().is_multiple_of(2) && hex_number(digits, 8).is_some() => {
@@ -187,7 +187,7 @@ fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     }
 }
 
-/// What CiA 311 calls the detection of the bit rate.
+/// The term of CiA 311 for automatic bit rate detection.
 const AUTO: &str = "auto-baudRate";
 
 fn bit_rate(kbit: u16) -> String {

@@ -9,7 +9,8 @@ use crate::xdd::xdd_writer::XddWriter;
 use crate::xdd::{defaults, fact};
 use crate::xml::n;
 
-/// The attribute that names the parameter of an entry. Among the unknown keys of an entry it names one of others.
+/// The attribute that refers to the parameter of an entry. Among the unknown keys of an entry, it refers to
+/// a parameter of others.
 pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
 impl Writer<'_> {
@@ -74,7 +75,7 @@ impl Writer<'_> {
     }
 }
 
-/// The text of a value, or the one that is none.
+/// The text of a value, or the invalid text.
 pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
     match value {
         Some(value) => Some(print(index, entry.data_type, value)),
@@ -82,8 +83,8 @@ pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field
     }
 }
 
-/// Identifiers, mappings and other communication parameters are read in hex, as in an EDS. Strings need quotes only where
-/// there would be nothing without, or where they have some of their own: XML keeps blanks.
+/// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS. XML preserves
+/// blanks, so a string needs quotes only if it is empty or contains quotes.
 fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
     match value {
         Value::Text(text) if !text.is_empty() && !is_quoted(text) => text.to_string(),

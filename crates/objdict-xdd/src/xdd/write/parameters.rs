@@ -1,5 +1,5 @@
-//! The parameters of entries: what the application process says of them, and what their attributes say, once more as most
-//! tools look for it.
+//! The parameters of entries: the content of the application process, and a copy of the attributes of the
+//! entries, where most tools look for it.
 
 use std::collections::HashMap;
 
@@ -18,13 +18,13 @@ use crate::xdd::types::simple_type;
 #[derive(Debug, Default)]
 pub(super) struct EntryParameters {
     parameters: Vec<Parameter>,
-    /// Which of them belongs to an object or a sub-index.
+    /// The number of the parameter of an object or a sub-index.
     numbers: HashMap<(u16, Option<u8>), usize>,
     pub(super) types: Vec<TypeDefinition>,
 }
 
 impl EntryParameters {
-    /// Makes them.
+    /// Creates the parameters of a device.
     pub(super) fn of(device: &Device) -> Self {
         let mut made = Self::default();
         let mut ids = Ids::of(device);
@@ -44,7 +44,7 @@ impl EntryParameters {
         made
     }
 
-    /// All of them, in the order of the objects.
+    /// All parameters, in the order of the objects.
     pub(super) fn all(&self) -> impl Iterator<Item = &Parameter> {
         self.parameters.iter()
     }
@@ -64,7 +64,7 @@ impl EntryParameters {
         self.parameters.push(parameter);
     }
 
-    /// The parameter of an ARRAY or RECORD: its type is made of those of its sub-indexes.
+    /// The parameter of an ARRAY or RECORD: its type is composed from those of its sub-indexes.
     fn structure(&mut self, maker: &Maker<'_>, object: &Object, ids: &mut Ids) -> Option<Parameter> {
         let mut parameter = maker.start()?;
         if parameter.data_type.is_none()
@@ -73,14 +73,14 @@ impl EntryParameters {
             parameter.data_type = Some(DataTypeRef::Defined(definition.unique_id.clone()));
             self.types.push(definition);
         }
-        // nothing makes a type of it, so it is only written for what else it says
+        // it has no type, so it is only written if it has other content
         let is_needed = parameter.data_type.is_some() || maker.says_more(&parameter);
         maker.finish(&mut parameter);
         Some(parameter).filter(|_| is_needed)
     }
 }
 
-/// An entry whose parameter is made.
+/// An entry whose parameter is created.
 struct Maker<'a> {
     index: u16,
     sub: Option<u8>,
@@ -88,8 +88,8 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// The parameter of an entry with a value. An entry without data type or access type has none, unless it is needed: a
-    /// parameter says something of both, stated or not.
+    /// The parameter of an entry with a value. An entry without data type or access type gets a parameter
+    /// only if needed, because a parameter always implies both.
     fn parameter(&self) -> Option<Parameter> {
         let entry = self.entry;
         let mut parameter = self.start()?;
@@ -116,7 +116,8 @@ impl Maker<'_> {
         Some(parameter)
     }
 
-    /// What the application process says of the entry; `None` where it refers to a parameter of others.
+    /// The content of the application process for the entry; `None` if the entry refers to a parameter of
+    /// others.
     fn start(&self) -> Option<Parameter> {
         if self.entry.extra.get(REFERENCE).is_some() {
             return None;
@@ -124,12 +125,12 @@ impl Maker<'_> {
         Some(self.entry.parameter.as_deref().cloned().unwrap_or_default())
     }
 
-    /// Whether there is something to say that has no other place.
+    /// Whether the parameter has content with no other place.
     fn says_more(&self, parameter: &Parameter) -> bool {
         *parameter != Parameter::default() || self.entry.stack.is_some()
     }
 
-    /// Names and properties, which every parameter has.
+    /// Adds names and properties, which every parameter has.
     fn finish(&self, parameter: &mut Parameter) {
         if parameter.labels.is_empty() {
             parameter.labels = Labels::name(defaults::LANGUAGE, &self.entry.name);
@@ -139,7 +140,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The range of the limits, where there are both.
+    /// The range of the limits, if both are set.
     fn allowed_values(&self) -> Option<AllowedValues> {
         let min = self.value(self.entry.low_limit.as_ref(), &Field::LowLimit)?;
         let max = self.value(self.entry.high_limit.as_ref(), &Field::HighLimit)?;
@@ -147,7 +148,7 @@ impl Maker<'_> {
         Some(AllowedValues { ranges: vec![range], ..AllowedValues::default() })
     }
 
-    /// A value, or the text that is none.
+    /// A value, or the invalid text.
     fn value(&self, value: Option<&Value>, field: &Field) -> Option<ScaledValue> {
         let text = value_text(self.index, self.entry, value, field)?;
         Some(ScaledValue { value: text.into(), ..ScaledValue::default() })

@@ -1,4 +1,4 @@
-//! The types of ARRAYs and RECORDs that the parameters of these objects refer to.
+//! The types of ARRAYs and RECORDs that their parameters refer to.
 
 use std::any::Any;
 use std::collections::HashSet;
@@ -8,7 +8,7 @@ use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Element, Kind, PAR
 use crate::xdd::shape;
 use crate::xdd::types::definition_of;
 
-/// Ids that start like those that the writer gives: no id may stand twice.
+/// Used ids with the prefix of the writer, because ids must be unique.
 #[derive(Debug, Default)]
 pub(super) struct Ids(HashSet<Box<str>>);
 
@@ -27,7 +27,7 @@ impl Ids {
         ids
     }
 
-    /// This id or, where it is taken, one like it; it is taken from now on.
+    /// This id or, if it is used, a similar one; reserves it.
     pub(super) fn take(&mut self, id: &str) -> Box<str> {
         let mut free = id.to_owned();
         let mut number = 1;
@@ -39,12 +39,12 @@ impl Ids {
         free.into()
     }
 
-    /// Whether an id is free.
+    /// Whether an id is unused.
     fn is_free(&self, id: &str) -> bool {
         !self.0.contains(id)
     }
 
-    /// The ids of a part and of all parts in it.
+    /// Records the ids of a part and of its nested parts.
     fn note(&mut self, part: &dyn Any, schema: &'static Element) {
         shape::visit(part, schema, &mut |attribute, text| {
             if matches!(attribute.kind, Kind::Id) && text.starts_with("UID_") {
@@ -53,7 +53,7 @@ impl Ids {
         });
     }
 
-    /// The type of an ARRAY or RECORD, if all of its ids are free; they are taken from now on.
+    /// The type of an ARRAY or RECORD, if all its ids are unused; reserves them.
     pub(super) fn definition_of(&mut self, index: u16, object: &Object) -> Option<TypeDefinition> {
         let definition = definition_of(index, object)?;
         let mut ids = Ids::default();

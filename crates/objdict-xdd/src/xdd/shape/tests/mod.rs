@@ -1,4 +1,4 @@
-//! Each part from an element to the model and back.
+//! Round trips of each part: from an element to the model and back.
 
 use super::*;
 use crate::diagnostic::Findings;
@@ -19,7 +19,7 @@ use crate::xdd::schema::{
 use crate::xdd::version::XddVersion;
 use crate::xml::Tree;
 
-/// What stands in a `ProfileBody`, and what is left over of it.
+/// The part in a `ProfileBody`, and the leftovers.
 fn in_body<T: Default + 'static>(body: &str, schema: &'static Element) -> (T, Vec<ExtraSection>) {
     let text = format!("<ProfileBody xmlns:q1='urn:1' xmlns:q2='urn:2'>{body}</ProfileBody>");
     let mut findings = Findings::new();
@@ -32,12 +32,13 @@ fn in_body<T: Default + 'static>(body: &str, schema: &'static Element) -> (T, Ve
     (part.unwrap_or_else(|| panic!("no element in {body}")), leftovers.into_sections())
 }
 
-/// What is written in a `ProfileBody`, as if it were not indented there. Texts must not have line ends with two blanks.
+/// What is written in a `ProfileBody`, without its indentation. Texts must not have line ends with two
+/// blanks.
 fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     format!("\n{}", written(version, body, put)).replace("\n  ", "\n").trim_start_matches('\n').to_owned()
 }
 
-/// What is written in a `ProfileBody`, without what surrounds it.
+/// What is written in a `ProfileBody`, without the elements around it.
 fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     let mut out = XddWriter::new(version);
     out.open_body(body);
@@ -55,7 +56,7 @@ fn read_whole<T: Default + 'static>(text: &str, schema: &'static Element) -> T {
     part
 }
 
-/// What is left over of an element, a line for each value.
+/// The leftovers of an element, one line for each value.
 fn left_over<T: Default + 'static>(text: &str, schema: &'static Element) -> String {
     let mut lines = String::new();
     for section in in_body::<T>(text, schema).1 {
@@ -65,7 +66,7 @@ fn left_over<T: Default + 'static>(text: &str, schema: &'static Element) -> Stri
     lines
 }
 
-/// A snippet in the style of version 1.1 is read without a rest, and written again as it stands.
+/// A snippet in the style of version 1.1 is read without leftovers and written unchanged.
 fn stays_as_it_is<T: Default + 'static>(snippet: &str, schema: &'static Element, body: ProfileClass) -> T {
     let part: T = read_whole(snippet, schema);
     let text = unindented(XddVersion::V1_1, body, |out| write(&part, schema, out));
@@ -124,7 +125,7 @@ fn header() {
     insta::assert_json_snapshot!(header);
 }
 
-/// The lines of a snippet that version 1.0 has no place for, prefixes aside.
+/// The lines of a snippet that version 1.0 does not have, ignoring prefixes.
 fn missing_in_1_0<T: Default + 'static>(
     snippet: &str,
     schema: &'static Element,
@@ -140,7 +141,7 @@ fn missing_in_1_0<T: Default + 'static>(
             missing.push('\n');
         }
     }
-    // what stands there in their place
+    // the lines that replace them
     lines.for_each(|line| missing.push_str(&format!("+{line}\n")));
     missing
 }
@@ -160,7 +161,7 @@ fn version_1_0_has_less() {
     insta::assert_snapshot!("variable_1_0", variable.split("</varDeclaration>").next().unwrap_or_default());
 }
 
-/// Writes what the table allows in an element, by dice.
+/// Writes random content that the table allows in an element.
 struct Dice(u64);
 
 impl Dice {
@@ -170,7 +171,7 @@ impl Dice {
     }
 
     fn value(&mut self, kind: Kind) -> String {
-        // texts that are hard to carry
+        // texts that are hard to preserve
         const TEXTS: [&str; 6] = ["a", "<b> & \"c\" ", " '\t", "&#10;]]>", "\r\nд", "<!--😀\u{FEFF}"];
         match kind {
             Kind::Boolean => ["true", "false"][self.roll(2) as usize].to_owned(),
@@ -195,7 +196,7 @@ impl Dice {
             for (first, kept) in slot.kept() {
                 let many = if slot.need == Need::Stray { 2 } else { u64::from(slot.most.min(3)) + 1 };
                 let count = if matches!(kept, Child::Same | Child::Fixed(_)) { 1 } else { self.roll(many) };
-                // the stray ones stand in the place of others
+                // stray elements replace others
                 let is_other = depth > 6 || first.name == n::variableRef && slot.need == Need::Stray;
                 for _ in 0..if is_other { 0 } else { count } {
                     match kept {
@@ -218,7 +219,7 @@ impl Dice {
     }
 }
 
-/// The fields of a part as they are shown, each with its value.
+/// The fields of a part in debug format, each with its value.
 fn fields(part: &impl std::fmt::Debug) -> Vec<String> {
     let shown = format!("{part:#?}").replace("\n     ", "\u{0}");
     let fields = shown.lines().filter_map(|line| line.strip_prefix("    "));
@@ -228,8 +229,8 @@ fn fields(part: &impl std::fmt::Debug) -> Vec<String> {
         .collect()
 }
 
-/// Whatever the table allows has a place in the model, and comes back when it is written. Version 1.0 may lose something,
-/// once. Every field is one that the table names.
+/// All content that the table allows has a place in the model and survives a round trip. Version 1.0 may
+/// lose something once. Every field is named in the table.
 fn survives<T: Default + PartialEq + std::fmt::Debug + 'static>(
     schema: &'static Element,
     body: ProfileClass,
