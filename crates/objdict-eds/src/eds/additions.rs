@@ -1,4 +1,4 @@
-//! What a text must get so that it describes a device with more objects: as changes, so that all else stays.
+//! Adds objects to the text of a device description, as changes, so that the rest of the text is kept.
 
 use super::section::SectionName;
 use super::write;
@@ -8,9 +8,9 @@ use crate::ini::{Document, Section};
 use crate::model::{Device, Field, Object, Part, Place, Value};
 use crate::source::{SourceFile, Span};
 
-/// The changes that make the text of `before` one of `after`, which has objects and sub-indexes besides, other lists,
-/// other counts and other connected modules. `None` where an object that grew is stored compactly: its text has no place
-/// for single entries.
+/// The changes that turn the text of `before` into one of `after`, which has additional objects and
+/// sub-indexes, and other lists, counts and connected modules. `None` if an object with new entries is
+/// stored compactly: its text has no place for single entries.
 pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     let mut changes = Vec::new();
     let mut new = Device { kind: after.kind, ..Device::default() };
@@ -48,13 +48,13 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     Some(changes)
 }
 
-/// Whether a compactly stored object has entries that it had not.
+/// Whether a compactly stored object has new entries.
 fn has_grown(old: &Object, new: &Object) -> bool {
     let count = |object: &Object| object.compact.as_ref().map(|compact| compact.count);
     count(old) != count(new) || old.subs.len() != new.subs.len()
 }
 
-/// What an object says of itself that is another thing now: how many entries it has.
+/// The key of an object that changes with new entries: their number.
 fn grown(index: u16, old: &Object, new: &Object) -> Vec<Change> {
     let mut changes = Vec::new();
     if let Some(count) =
@@ -73,7 +73,7 @@ fn grown(index: u16, old: &Object, new: &Object) -> Vec<Change> {
     changes
 }
 
-/// The section with the connected modules: new, or with other numbers.
+/// The section of the connected modules: new, or with other numbers.
 fn connected(before: &Device, after: &Device) -> Vec<Change> {
     let of = |device: &Device| device.modules.as_ref().and_then(|modules| modules.connected.clone());
     let (old, new) = (of(before), of(after));
@@ -87,7 +87,7 @@ fn connected(before: &Device, after: &Device) -> Vec<Change> {
     set.chain(gone.map(|item| Change::Remove(place(Field::Item(item))))).collect()
 }
 
-/// The sections that describe a device's objects, with their keys.
+/// The sections that describe the objects of a device, with their keys.
 fn sections(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
     let text = String::from_utf8(write::write(device, &Style { compact: true, ..Style::default() }));
     let document = Document::new(SourceFile::from_text("additions", text.unwrap_or_default()));

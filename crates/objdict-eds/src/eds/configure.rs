@@ -1,4 +1,5 @@
-//! EDS to DCF and back, by edits of the text: comments, order, spelling, line ends and encoding stay.
+//! Conversion between EDS and DCF by edits of the text, so that comments, order, spelling, line ends and
+//! encoding are kept.
 
 use super::section::SectionName;
 use crate::ini::{Document, Editor, Section};
@@ -8,8 +9,8 @@ use crate::source::EditError;
 /// The keys that only a DCF has (CiA 306-1 §5.3.1).
 const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"];
 
-/// The bytes of `document` as a DCF called `file_name` for the node `node`. What the node says replaces what the
-/// document says of it; `last_eds` is the file that it was made from.
+/// The bytes of `document` as a DCF with the name `file_name` for the node `node`. The values of `node`
+/// replace those of the document; `last_eds` is the file it was created from.
 ///
 /// # Errors
 /// When the document cannot be written in its encoding.
@@ -39,7 +40,7 @@ pub fn to_dcf(
     editor.to_bytes()
 }
 
-/// The bytes of `document` as an EDS called `file_name`: without the node and what was configured for it.
+/// The bytes of `document` as an EDS with the name `file_name`: without the node and its configured values.
 ///
 /// # Errors
 /// When the document cannot be written in its encoding.
@@ -65,7 +66,7 @@ pub fn to_eds(document: &Document, file_name: &str) -> Result<Vec<u8>, EditError
     editor.to_bytes()
 }
 
-/// All sections that have a header, with what they describe.
+/// All sections with a header, with their parts.
 struct Sections {
     all: Vec<(Part, Section)>,
 }
@@ -89,7 +90,7 @@ impl Sections {
     }
 }
 
-/// The keys of `DeviceComissioning` (CiA 306-1 §5.4): those that readers ask for always, the others where they are set.
+/// The keys of `DeviceComissioning` (CiA 306-1 §5.4): those that readers require, and others if set.
 fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
     let number = |number: Option<u32>| number.unwrap_or_default().to_string();
     let text = |text: &Option<String>| text.clone().unwrap_or_default();

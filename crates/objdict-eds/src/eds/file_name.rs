@@ -1,4 +1,4 @@
-//! The rule that needs the name under which a file was opened, which the model does not know.
+//! The rule that needs the name under which a file was opened, which is not part of the model.
 
 use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say, text_rule};
 use crate::model::{Device, Field, Part, Place};

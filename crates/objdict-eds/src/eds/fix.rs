@@ -1,4 +1,4 @@
-//! Changes of a description to edits of its text: what they do not touch stays as it was, byte for byte.
+//! Changes of a description as edits of its text: the rest of the text stays unchanged, byte for byte.
 
 mod list;
 mod section;
@@ -15,7 +15,7 @@ use crate::literal::{self, Quirks};
 use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::source::{Edits, Span};
 
-/// The edits that make the changes, in the order of the text; `None` where it has no place for one of them.
+/// The edits for the changes, in the order of the text; `None` if one of them has no place in the text.
 pub fn edits(
     document: &Document,
     locator: &Locator,
@@ -29,13 +29,13 @@ pub fn edits(
     rewriter.finish()
 }
 
-/// A text in the making.
+/// A text while it is rewritten.
 struct Rewriter<'a> {
     document: &'a Document,
     locator: &'a Locator,
     device: &'a Device,
     edits: Edits<'a>,
-    /// The sections that get other keys, by where their headers start.
+    /// The sections with changed keys, by the start of their header lines.
     sections: BTreeMap<u32, SectionEdit>,
     /// New sections, each with the part and its lines.
     added: Vec<(Part, Vec<String>)>,
@@ -74,13 +74,13 @@ impl<'a> Rewriter<'a> {
                 return self.remove_section(&self.document.section_at(header)?);
             }
             Change::Tidy(what) => return ini::tidy(self.document, *what, &mut self.edits),
-            // no edit of the text
+            // not an edit of the text
             Change::Encode(_) => return None,
         }
         Some(())
     }
 
-    /// Puts a comment above the line that holds the start of a span.
+    /// Adds a comment above the line that contains the start of a span.
     fn comment(&mut self, span: Span, text: &str) -> Option<()> {
         let at = self.document.line_at(span.start)?.span.start;
         let is_line = !text.contains(['\n', '\r']);
@@ -101,7 +101,8 @@ impl<'a> Rewriter<'a> {
         Some(())
     }
 
-    /// The section that holds a field, and under which key: an entry of a compactly stored object has no section of its own.
+    /// The section that holds a field, and its key there: an entry of a compactly stored object has no own
+    /// section.
     fn holder(&self, part: &Part, field: &Field) -> Option<(Section, Field)> {
         match (self.section(part), part) {
             (Some(section), _) => Some((section, field.clone())),
@@ -133,7 +134,7 @@ impl<'a> Rewriter<'a> {
         self.edit(section)?.remove(&name).then_some(())
     }
 
-    /// Takes all sections of a part away: an object with its sub-indexes and what else belongs to it.
+    /// Removes all sections of a part: an object with its sub-indexes and related sections.
     fn remove_part(&mut self, part: &Part) -> Option<()> {
         let sections = match *part {
             Part::Object(index) => self.sections_of(|part| object_of(part) == Some(index)),
@@ -148,8 +149,8 @@ impl<'a> Rewriter<'a> {
         (!sections.is_empty()).then_some(())
     }
 
-    /// Takes a section away with the blank lines behind it. Comments behind the last key stay where they most likely belong
-    /// to what follows.
+    /// Removes a section with the blank lines after it. Comments after the last key stay if they probably
+    /// belong to the following section.
     fn remove_section(&mut self, section: &Section) -> Option<()> {
         let header = section.header?;
         let last = self.document.line_at(end_of(self.document, section))?;
@@ -172,12 +173,12 @@ impl<'a> Rewriter<'a> {
         Some(())
     }
 
-    /// The section of a part; the first one counts.
+    /// The section of a part; of several, the first.
     fn section(&self, part: &Part) -> Option<Section> {
         self.locator.sections(self.document, part).next()
     }
 
-    /// The keys of a section, to change them; `None` where there are too many.
+    /// The keys of a section, for changes; `None` if there are too many.
     fn edit(&mut self, section: Section) -> Option<&mut SectionEdit> {
         if section.entries.len() > MAX_FIX_LINES {
             return None;
@@ -203,7 +204,7 @@ impl<'a> Rewriter<'a> {
         self.edits.into_list().ok()
     }
 
-    /// Puts new sections behind those that come before them in the canonical order.
+    /// Inserts new sections after their predecessors in the canonical order.
     fn insert_sections(&mut self) -> Option<()> {
         let mut added = std::mem::take(&mut self.added);
         if added.is_empty() {
@@ -245,8 +246,8 @@ fn object_of(part: &Part) -> Option<u16> {
     }
 }
 
-/// An offset in the last line that belongs to a section: its last key, or a comment right behind it that says something
-/// to a tool.
+/// An offset in the last line of a section: its last key, or a comment directly after it that is a setting
+/// of a tool.
 fn end_of(document: &Document, section: &Section) -> u32 {
     let header = section.header.map_or(0, |header| header.line.start);
     let last = section.entries.last().map_or(header, |entry| entry.key.start);
@@ -263,7 +264,7 @@ fn end_of(document: &Document, section: &Section) -> u32 {
     end
 }
 
-/// `key=value`, where that is read as what it says.
+/// `key=value`, if a reader reads back the same key and value.
 fn key_line(key: &str, value: &str) -> Option<String> {
     let line = format!("{key}={value}");
     let mut lines = Lines::new(&line);
@@ -306,7 +307,7 @@ mod tests {
         Some(edits.text().unwrap())
     }
 
-    /// What `fix` makes of the text, as pairs of what is replaced by what.
+    /// Asserts what `fix` replaces in the text, as pairs of old and new text.
     fn assert_fixes(fix: &Fix, replacements: &[(&str, &str)]) {
         let mut expected = TEXT.to_owned();
         for (old, new) in replacements {

@@ -1,5 +1,5 @@
-//! A text in the canonical order and spelling. Sections and keys are moved as they stand, with the comments that belong to
-//! them, so nothing is lost that a writer of the model does not know of.
+//! A text in canonical order and spelling. Sections and keys are moved unchanged with their comments, so
+//! nothing is lost that the model does not contain.
 
 mod section;
 mod spell;
@@ -10,7 +10,7 @@ use super::section::{SectionName, section_name};
 use crate::ini::{Document, Line, LineKind};
 use crate::model::{Device, Part};
 
-/// How much is changed. A text of which something else would be read with all of it gets less.
+/// How much is changed. If the complete rearrangement would change the meaning of a text, less is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// The order of the keys in a section.
@@ -22,7 +22,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// From all to the order of the sections alone.
+    /// From all changes down to only the order of the sections.
     pub const ALL: [Self; 4] = [
         Self { keys: true, names: true, values: true },
         Self { keys: true, names: true, values: false },
@@ -31,7 +31,7 @@ impl Extent {
     ];
 }
 
-/// The arranged text of a document, from which `device` was read.
+/// The rearranged text of a document from which `device` was read.
 pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
     let mut layout = Layout::of(document);
     layout.blocks.sort_by_key(|block| block.rank);
@@ -49,7 +49,7 @@ pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
     text.text
 }
 
-/// A text in the making.
+/// A text while it is arranged.
 struct Text {
     text: String,
     line_end: &'static str,
@@ -72,7 +72,7 @@ impl Text {
         }
     }
 
-    /// An empty line before what follows, but for the start of the text.
+    /// Adds an empty line, except at the start of the text.
     fn paragraph(&mut self) {
         if !self.text.is_empty() {
             self.line("");
@@ -80,21 +80,21 @@ impl Text {
     }
 }
 
-/// A document as blocks that can be moved.
+/// A document as blocks that are moved as a whole.
 #[derive(Default)]
 struct Layout<'a> {
-    /// What stands before the first section, and belongs to none.
+    /// The lines before the first section.
     start: Vec<Vec<&'a str>>,
     blocks: Vec<Block<'a>>,
-    /// What stands behind the last section with an empty line between.
+    /// The lines after the last section, separated from it by an empty line.
     end: Vec<Vec<&'a str>>,
 }
 
-/// Lines that are neither header nor key, since the last one of these: paragraphs between empty lines.
+/// Lines since the last header or key that are neither: paragraphs between empty lines.
 #[derive(Default)]
 struct Notes<'a> {
     paragraphs: Vec<Vec<&'a str>>,
-    /// Whether an empty line stands before the first paragraph.
+    /// Whether an empty line precedes the first paragraph.
     is_apart: bool,
     /// Whether the last line was empty.
     is_open: bool,
@@ -114,13 +114,13 @@ impl<'a> Notes<'a> {
         self.is_open = false;
     }
 
-    /// All lines, whatever is between them.
+    /// All lines of all paragraphs.
     fn all(self) -> Vec<&'a str> {
         self.paragraphs.into_iter().flatten().collect()
     }
 
-    /// What belongs to the section before: the lines that follow it at once, unless they stand right above the next header;
-    /// then only those that say something to a tool.
+    /// The lines that belong to the section before: those directly after it. If they are directly above the
+    /// next header, only the settings of tools among them.
     fn split_behind(&mut self, is_end: bool) -> Vec<&'a str> {
         if self.is_apart || self.paragraphs.is_empty() {
             return Vec::new();
@@ -164,7 +164,7 @@ impl<'a> Layout<'a> {
                     };
                     match layout.blocks.last_mut() {
                         Some(block) => block.entries.push(entry),
-                        // what belongs to no section stays where it is
+                        // lines without a section keep their place
                         None => layout.before_sections(&entry, line.span.of(text).trim()),
                     }
                 }
@@ -175,7 +175,7 @@ impl<'a> Layout<'a> {
         layout
     }
 
-    /// Keeps a key that belongs to no section where it is.
+    /// Keeps the place of a key without a section.
     fn before_sections(&mut self, entry: &section::Entry<'a>, line: &'a str) {
         if self.start.is_empty() {
             self.start.push(Vec::new());
@@ -186,7 +186,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Gives the section before, or the start of the text, the notes that belong to it.
+    /// Adds notes that belong to the section before, or to the start of the text.
     fn end_section(&mut self, notes: &mut Notes<'a>, is_end: bool) {
         match self.blocks.last_mut() {
             Some(block) => block.behind = notes.split_behind(is_end),
@@ -200,7 +200,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// A section without its keys yet. What stands behind the header in its line becomes a comment above it.
+/// A section without its keys yet. Text after the header becomes a comment above it.
 fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> Block<'a> {
     let part = SectionName::parse(name).part;
     let line = header.span.of(text);

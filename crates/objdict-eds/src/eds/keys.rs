@@ -1,11 +1,12 @@
-//! Keys to fields, fast: a large description has a hundred thousand of them.
+//! Fast conversion of keys to fields: a large description has a hundred thousand keys.
 
 use crate::model::Field;
 
 /// No field.
 const NONE: u8 = u8::MAX;
 
-/// The numbers of all fixed fields, in groups that share length, first and last letter: one or two each.
+/// The numbers of all fixed fields, in groups with the same length, first and last letter: usually one or
+/// two per group.
 struct Groups {
     /// The first field of each group.
     first: [u8; 256],
@@ -25,7 +26,8 @@ static GROUPS: Groups = {
     groups
 };
 
-/// The group of a name, the same for upper and lower case. With these factors hardly any two names share a group by chance.
+/// The group of a name, independent of upper and lower case. With these factors there are hardly any random
+/// collisions.
 #[inline]
 const fn group_of(name: &[u8]) -> usize {
     match name {
@@ -37,7 +39,7 @@ const fn group_of(name: &[u8]) -> usize {
     }
 }
 
-/// Whether two names are spelled alike and have 8 to 16 bytes: two numbers that may overlap.
+/// Whether two names of 8 to 16 bytes are equal: compares two integers that may overlap.
 #[inline]
 fn is_same(name: &[u8], text: &[u8]) -> bool {
     let ends = |name: &[u8]| Some((*name.first_chunk::<8>()?, *name.last_chunk::<8>()?));
@@ -50,7 +52,7 @@ fn is_same(name: &[u8], text: &[u8]) -> bool {
 pub(crate) struct Key(u8);
 
 impl Key {
-    /// The key of a text, whatever the case of its letters; `None` for one that the standard does not have.
+    /// The key with this name in any case; `None` for one that the standard does not define.
     #[inline]
     pub(crate) fn find(text: &str) -> Option<Self> {
         let number = GROUPS.first[group_of(text.as_bytes())];
@@ -60,7 +62,7 @@ impl Key {
         }
     }
 
-    /// The key of a text among those of a group, from the one with this number on.
+    /// The key with this name in a group, starting at the given number.
     fn search(text: &str, mut number: u8) -> Option<Self> {
         while let Some((name, _)) = Field::NAMED.get(usize::from(number)) {
             if name.eq_ignore_ascii_case(text) {
@@ -82,7 +84,7 @@ impl Key {
 pub(crate) struct KeySet([u64; 2]);
 
 impl KeySet {
-    /// Puts a key; false when it was there already.
+    /// Adds a key; `false` if the set already contains it.
     #[inline]
     pub(crate) fn insert(&mut self, Key(number): Key) -> bool {
         let (word, bit) = (&mut self.0[usize::from(number >> 6) & 1], 1 << (number & 63));
@@ -91,7 +93,7 @@ impl KeySet {
         is_new
     }
 
-    /// Whether a key is among them.
+    /// Whether the set contains a key.
     pub(crate) fn contains(&self, Key(number): Key) -> bool {
         self.0[usize::from(number >> 6) & 1] & (1 << (number & 63)) != 0
     }

@@ -1,5 +1,5 @@
-//! Places to spans. Nothing is stored per datum: the place names its section and key, and the text is searched for
-//! them when a finding is shown. A clean file pays nothing.
+//! From places to spans. The locator stores nothing per value: the place names its section and key, and the
+//! text is searched when a finding is shown. A file without findings costs nothing.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
@@ -13,20 +13,20 @@ use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
 
-/// The headers of a document, sorted by what they stand for.
+/// The headers of a document, sorted by part.
 #[derive(Debug)]
 pub struct Locator {
     state: RandomState,
-    /// The number of the part, and where its header line starts.
+    /// The number of the part, and the start of its header line.
     headers: Vec<(u32, u32)>,
-    /// The keys of the sections that were asked for, by where their header line starts. A long list with many findings
-    /// would be read from its start for each of them.
+    /// The keys of sections that were requested, by the start of their header line. Otherwise a long list
+    /// with many findings would be read from its start for each of them.
     keys: Mutex<HashMap<u32, Keys>>,
-    /// The place of each section in the canonical order, for those who add some.
+    /// The rank of each section in the canonical order, needed to add sections.
     outline: OnceLock<Vec<(Rank, u32)>>,
 }
 
-/// Hash of each key of a section in lower case, and where its line starts, in order of the hashes.
+/// The hash of each key of a section in lower case, and the start of its line, sorted by hash.
 type Keys = Vec<(u32, u32)>;
 
 impl Locator {
@@ -44,13 +44,13 @@ impl Locator {
         }
         // a misspelt section only counts if none has the correct name
         found.append(&mut misspelt);
-        // sections are mostly in their order already
+        // sections are usually in order already
         found.sort_by_key(|(number, _)| *number);
         Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
-    /// The span of a place: the value of its key where that is not empty, else the key; the name of its section where
-    /// the key is missing. `None` for the device as a whole and for sections that are not there.
+    /// The span of a place: the value of its key if that is not empty, else the key; the name of its section
+    /// if the key is missing. `None` for the device as a whole and for missing sections.
     pub fn locate(&self, document: &Document, place: &Place) -> Option<Span> {
         let text = document.text();
         let mut header = None;
@@ -88,7 +88,7 @@ impl Locator {
         })
     }
 
-    /// The sections in the order of the text: where each would stand, and where its header line starts.
+    /// The sections in the order of the text: the canonical rank, and the start of the header line.
     pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
         let text = document.text();
         self.outline.get_or_init(|| {
@@ -102,7 +102,7 @@ impl Locator {
         })
     }
 
-    /// The sections of a part, in their order; more than one where it stands twice.
+    /// The sections of a part, in order; several if the part is defined twice.
     pub(crate) fn sections(&self, document: &Document, part: &Part) -> impl Iterator<Item = Section> {
         let text = document.text();
         let is_of_part = |section: &Section| {
@@ -111,14 +111,15 @@ impl Locator {
         self.starts(part).filter_map(|start| document.section_at(start)).filter(is_of_part)
     }
 
-    /// Where the headers start that may be those of a part.
+    /// The start of the headers that may belong to a part.
     fn starts(&self, part: &Part) -> impl Iterator<Item = u32> {
         let number = number_of(&self.state, part);
         let from = self.headers.partition_point(|(other, _)| *other < number);
         self.headers[from..].iter().take_while(move |(other, _)| *other == number).map(|(_, start)| *start)
     }
 
-    /// The value of a key, or the key where it has none, in the section whose header line starts at `header`.
+    /// The value of a key, or the key if the value is empty, in the section whose header line starts at
+    /// `header`.
     fn find_key(&self, text: &str, header: u32, field: &Field) -> Option<Span> {
         let name = field.name();
         let value_of = |line: Line| match line.kind {
@@ -152,7 +153,7 @@ impl Locator {
         keys
     }
 
-    /// An entry without a section of its own stands in its object's.
+    /// For an entry without its own section, the section of its object.
     fn nearest(&self, document: &Document, part: &Part) -> Option<Span> {
         match *part {
             Part::Entry(index, _) => self.locate(document, &Place::object(index)),
@@ -161,14 +162,14 @@ impl Locator {
     }
 }
 
-/// So many lines of a section are looked at for a key before all its keys are sorted.
+/// The number of lines of a section that are searched for a key before all its keys are sorted.
 const SHORT: usize = 32;
 
 fn is_header(line: &Line) -> bool {
     matches!(line.kind, LineKind::Section { .. })
 }
 
-/// A number by which the sections of a part are found: that of an object or entry, or a hash, which is not the number of one.
+/// The number of a part for lookup: from its index and sub-index, or a hash that cannot collide with those.
 fn number_of(state: &RandomState, part: &Part) -> u32 {
     const OBJECT: u32 = 1 << 31;
     match *part {

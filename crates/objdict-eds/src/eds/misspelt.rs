@@ -1,10 +1,10 @@
-//! Names that are almost those of the standard: what they were meant to be.
+//! Finds the intended name for a misspelt one.
 
 use super::keys::Key;
 use super::section::FIXED;
 use crate::model::{Field, ModulePart, Part};
 
-/// Words of sections that belong to a module, behind its number.
+/// Names of sections of a module, after its number.
 const OF_MODULE: [(Word, ModulePart); 4] = [
     (Word::new("ModuleInfo"), ModulePart::Info),
     (Word::new("Comments"), ModulePart::Comments),
@@ -12,11 +12,11 @@ const OF_MODULE: [(Word, ModulePart); 4] = [
     (Word::new("SubExtends"), ModulePart::SubExtends),
 ];
 
-/// Words of sections that belong to an object, behind its index.
+/// Names of sections of an object, after its index.
 const OF_OBJECT: [Word; 4] =
     [Word::new("Name"), Word::new("Value"), Word::new("Denotation"), Word::new("ObjectLinks")];
 
-/// The key that a name was meant to be in the section of a part, where only one is near.
+/// The intended key for a name in the section of a part, if only one is similar.
 pub(super) fn key(part: &Part, name: &str) -> Option<Key> {
     let text = Word::new(name);
     let names = KEYS.iter().zip(Field::NAMED);
@@ -58,13 +58,13 @@ fn is_of_entry(field: &Field) -> bool {
     (Field::ParameterName..=Field::ParamRefd).contains(field)
 }
 
-/// The part that the name of a section was meant to be.
+/// The intended part for the name of a section.
 pub(super) fn section(name: &str) -> Option<Part> {
     if let Some((number, rest)) = name.strip_prefix(['M', 'm']).and_then(|rest| number(rest, 10)) {
         let names = OF_MODULE.iter().map(|(word, part)| (word, *part));
         return nearest(&Word::new(rest), names).map(|part| Part::Module(number, part));
     }
-    // without four digits, the letters of a word may be taken for those of an index
+    // with fewer than four digits, letters of a word could be read as digits of the index
     let index = name.get(..4).and_then(|digits| number(digits, 16)).filter(|(index, _)| *index >= 0x1000);
     if let Some((index, _)) = index {
         let parts = [
@@ -84,25 +84,25 @@ fn number(text: &str, radix: u32) -> Option<(u16, &str)> {
     Some((u16::from_str_radix(&text[..digits], radix).ok()?, &text[digits..]))
 }
 
-/// The longest name that may be a misspelt one.
+/// The maximum length of a misspelt name.
 const LONGEST: usize = 32;
 
-/// A name without what separates its words, in lower case, with what is quickly compared: a file may have a million
-/// unknown names.
+/// A name without separators, in lower case, with masks for a quick comparison, because a file can have a
+/// million unknown names.
 #[derive(Clone, Copy)]
 struct Word {
     letters: [u8; LONGEST],
     length: usize,
-    /// Its letters, a bit each.
+    /// The letters of the name, one bit each.
     mask: u32,
-    /// Its digits. Names with different numbers are different names.
+    /// The digits of the name. Names with different digits are not similar.
     digits: u32,
 }
 
 impl Word {
     const EMPTY: Self = Self { letters: [0; LONGEST], length: 0, mask: 0, digits: 0 };
 
-    /// A name; nothing for one that is too long.
+    /// A name; empty if it is too long.
     const fn new(name: &str) -> Self {
         let name = name.as_bytes();
         let mut word = Self::EMPTY;
@@ -131,7 +131,7 @@ impl Word {
         &self.letters[..self.length]
     }
 
-    /// The number of edits at most between a name and the one that was meant.
+    /// The maximum number of edits between a misspelt and the intended name.
     fn most_edits(&self, other: &Self) -> usize {
         match self.length.min(other.length) {
             0..=3 => 0,
@@ -140,7 +140,7 @@ impl Word {
         }
     }
 
-    /// Whether few edits may turn one name into the other.
+    /// Whether a few edits may turn one name into the other.
     fn may_be(&self, other: &Self) -> bool {
         let most = self.most_edits(other);
         self.length > 0
@@ -172,7 +172,7 @@ static SECTIONS: [Word; FIXED.len()] = {
     words
 };
 
-/// What belongs to the name that a text was meant to be: the only one with the fewest edits.
+/// The value of the intended name: the only one with the fewest edits.
 fn nearest<'a, T>(text: &Word, names: impl IntoIterator<Item = (&'a Word, T)>) -> Option<T> {
     let mut best: Option<(usize, Option<T>)> = None;
     for (name, meant) in names {
@@ -190,7 +190,7 @@ fn nearest<'a, T>(text: &Word, names: impl IntoIterator<Item = (&'a Word, T)>) -
     best.and_then(|(_, meant)| meant)
 }
 
-/// The number of letters to change, add, remove or exchange with the next one to turn one name into the other.
+/// The number of letters to change, add, remove or swap with the next one to turn one name into the other.
 fn edits(from: &[u8], to: &[u8]) -> usize {
     let mut before = [0; LONGEST + 1];
     let mut row: [usize; LONGEST + 1] = std::array::from_fn(|column| column);

@@ -1,16 +1,16 @@
-//! The order of sections in a description and of keys in a section: that of the canonical text.
+//! The order of sections in a description and of keys in a section, as in the canonical text.
 
 use super::keys::Key;
 use crate::model::{Field, ModulePart, ObjectList, Part};
 
-/// Where a section stands among others. Sections that the standard does not have come last, and stay in their order.
+/// The position of a section. Unknown sections come last, in their original order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Rank {
-    /// What it is about: the file, the device, the modules, the objects of a list.
+    /// The subject: the file, the device, the modules, the objects of a list.
     group: u16,
-    /// The object that it belongs to; 0 for what stands before all objects of its group.
+    /// The index of the object; 0 for sections before all objects of the group.
     index: u16,
-    /// What it says of the object.
+    /// The kind of section of the object.
     kind: u8,
     /// The sub-index.
     sub: u8,
@@ -25,7 +25,7 @@ const MANUFACTURER: u16 = u16::MAX - 2;
 const OTHERS: u16 = u16::MAX;
 
 impl Rank {
-    /// The place of a part's section.
+    /// The rank of the section of a part.
     pub(super) fn of(part: &Part) -> Self {
         let general = |group| Self { group, index: 0, kind: 0, sub: 0 };
         match *part {
@@ -36,7 +36,7 @@ impl Rank {
             Part::Commissioning => general(5),
             Part::DynamicChannels => general(6),
             Part::Tools => general(7),
-            // they are numbered by their order
+            // tools are numbered by their order
             Part::Tool(_) => general(8),
             Part::SupportedModules => general(9),
             Part::Module(number, part) => module(number, part),
@@ -52,7 +52,7 @@ impl Rank {
         }
     }
 
-    /// Whether the standard has the section.
+    /// Whether the standard defines the section.
     pub(super) fn is_known(self) -> bool {
         self.group != OTHERS
     }
@@ -70,7 +70,7 @@ fn object(index: u16, kind: u8, sub: u8) -> Rank {
     Rank { group: ObjectList::of(index).map_or(TYPES, group_of_list), index, kind, sub }
 }
 
-/// Modules in the order of their numbers, each with its parts behind it.
+/// Modules in the order of their numbers, each followed by its parts.
 fn module(number: u16, part: ModulePart) -> Rank {
     let group = MODULES.saturating_add(number).min(TYPES - 2);
     let rank = |kind, index, sub| Rank { group, index, kind, sub };
@@ -80,7 +80,7 @@ fn module(number: u16, part: ModulePart) -> Rank {
         ModulePart::FixedObjects => rank(2, 0, 0),
         ModulePart::Fixed(index) => rank(3, index, 0),
         ModulePart::FixedEntry(index, sub) => rank(4, index, sub),
-        // behind all fixed objects
+        // after all fixed objects
         ModulePart::SubExtends => rank(5, u16::MAX, 0),
         ModulePart::SubExt(index) => rank(6, u16::MAX, (index >> 8) as u8),
     }
@@ -110,7 +110,7 @@ const OBJECT_KEYS: [Field; 20] = [
     Field::ParamRefd,
 ];
 
-/// The keys that say how many others follow.
+/// The keys that count the items after them.
 pub(super) const COUNTERS: [Field; 6] = [
     Field::SupportedObjects,
     Field::NrOfEntries,
@@ -120,7 +120,7 @@ pub(super) const COUNTERS: [Field; 6] = [
     Field::Items,
 ];
 
-/// Where a key stands in its section; `None` for one that has no place there.
+/// The rank of a key in its section; `None` for a key without a defined place.
 pub(super) fn key_rank(name: &str) -> Option<u32> {
     let Some(key) = Key::find(name) else {
         let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();

@@ -1,4 +1,4 @@
-//! Names of sections: what each stands for, and how real files spell it.
+//! Names of sections: their parts, and their spellings in real files.
 
 use std::fmt;
 
@@ -6,32 +6,32 @@ use super::misspelt;
 use crate::diagnostic;
 use crate::model::{ModulePart, ObjectList, Part};
 
-/// A section name, understood.
+/// A parsed section name.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct SectionName {
     /// What the section describes.
     pub part: Part,
-    /// How the name departs from the standard's spelling.
+    /// How the name differs from the spelling of the standard.
     pub(crate) spelling: Spelling,
 }
 
 /// How a section name is spelled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) enum Spelling {
-    /// As the standard says; the case of letters is free.
+    /// The spelling of the standard, in any case.
     #[default]
     Standard,
     /// `[DeviceCommissioning]`; the standard has one `m`.
     CorrectCommissioning,
     /// `[1018sub01]`, `[M01ModuleInfo]`: a leading zero in the index, sub-index or module number.
     LeadingZero,
-    /// `[0x1018]` or `[1018 sub1]`: understood, but other tools do not.
+    /// `[0x1018]` or `[1018 sub1]`: read here, but not by other tools.
     Decorated,
     /// `[OptionalObject]`: almost a name of the standard.
     Misspelt,
 }
 
-/// The names with no number in them.
+/// The names without a number.
 pub(super) static FIXED: [(&str, Part); 12] = [
     ("FileInfo", Part::FileInfo),
     ("DeviceInfo", Part::DeviceInfo),
@@ -48,7 +48,7 @@ pub(super) static FIXED: [(&str, Part); 12] = [
 ];
 
 impl SectionName {
-    /// What a name stands for; [`Part::Section`] for one that the standard does not have.
+    /// Parses a name; an unknown name becomes [`Part::Section`].
     pub fn parse(name: &str) -> Self {
         if let Some(part) = plain_object(name.as_bytes()).or_else(|| object_part(name)) {
             return Self::standard(part);
@@ -79,12 +79,12 @@ impl SectionName {
     }
 }
 
-/// The name of a part's section in the standard's spelling; `None` for [`Part::Device`].
+/// The section name of a part in the spelling of the standard; `None` for [`Part::Device`].
 pub(crate) fn section_name(part: &Part) -> Option<String> {
     (*part != Part::Device).then(|| diagnostic::section_name(part))
 }
 
-/// An object of four digits, or a sub-index of it: what nearly all sections are, by the shortest way.
+/// Fast path for almost all sections: an object with four digits, or a sub-index of it.
 fn plain_object(name: &[u8]) -> Option<Part> {
     let (&[first, second, third, last], rest) = name.split_first_chunk()?;
     let digits = [hex_digit(first)?, hex_digit(second)?, hex_digit(third)?, hex_digit(last)?];
@@ -109,9 +109,9 @@ fn hex_digit(byte: u8) -> Option<u8> {
     }
 }
 
-/// The number of a name that starts with hex digits, and the known suffix behind them. A list of names is not a number:
-/// `[A]` to `[FFFF]` are objects, `[Face2]` is not. As many digits as can be belong to the number, for `Denotation` starts
-/// with hex digits itself.
+/// The number of a name that starts with hex digits, and the known suffix after it. A name without a known
+/// suffix has no number: `[A]` to `[FFFF]` are objects, `[Face2]` is not. The number takes as many digits as
+/// possible, because `Denotation` also starts with hex digits.
 fn hex_prefix(name: &str) -> Option<(u16, &str)> {
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).take(5).count();
     let digits = (1..=digits).rev().find(|&digits| suffix_of(&name[digits..]).is_some())?;
@@ -119,7 +119,7 @@ fn hex_prefix(name: &str) -> Option<(u16, &str)> {
     Some((index, &name[digits..]))
 }
 
-/// What the text behind an index says.
+/// The meaning of the text after an index.
 enum Suffix<'a> {
     None,
     Sub(&'a str),
@@ -144,7 +144,7 @@ fn suffix_of(rest: &str) -> Option<Suffix<'_>> {
     }
 }
 
-/// An object, a sub-index or a section that belongs to one, in the standard's spelling.
+/// An object, a sub-index or a related section, in the spelling of the standard.
 fn object_part(name: &str) -> Option<Part> {
     if name.starts_with('0') {
         return None;
@@ -189,7 +189,7 @@ fn odd_object(name: &str) -> Option<SectionName> {
     Some(SectionName { part, spelling })
 }
 
-/// The text from the last four digits of its index on, where only zeros stand before them.
+/// The text from the last four digits of its index on, if only zeros precede them.
 fn without_zeros(text: &str) -> &str {
     let digits = text.bytes().take_while(u8::is_ascii_hexdigit).count();
     let zeros = text.bytes().take_while(|&byte| byte == b'0').count();
@@ -217,7 +217,8 @@ fn module_section(name: &str) -> Option<SectionName> {
     Some(SectionName { part: Part::Module(number, part), spelling })
 }
 
-/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the object is spelled in as many ways as one of the device itself.
+/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the index has the same spellings as that of an object of
+/// the device.
 fn module_object(name: &str) -> Option<(ModulePart, Spelling)> {
     let behind = |word: &str| {
         let head = name.get(..word.len())?;

@@ -1,19 +1,20 @@
-//! How a new text is written.
+//! The style of a new text.
 
 use crate::literal::RealSpelling;
 use crate::source::Encoding;
 
-/// How an EDS or DCF is written that is no edit of another text.
+/// How a new EDS or DCF is written, as opposed to an edit of an existing text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Style {
     /// How REAL numbers are spelled.
     pub real: RealSpelling,
-    /// Whether strings that are values stand in quotes, as dcfgen and dcf2dev demand.
+    /// Whether string values are quoted, as dcfgen and dcf2dev require.
     pub quote_strings: bool,
-    /// Whether what is stored compactly stays so (`CompactSubObj`), with the names of all entries; otherwise every entry
-    /// gets a section, for many readers know nothing else.
+    /// Whether compact storage is kept (`CompactSubObj`), with the names of all entries; otherwise every
+    /// entry gets a section, because many readers do not support compact storage.
     pub compact: bool,
-    /// The encoding; `None` for ISO 646, as the standard demands. What it lacks is written in other letters.
+    /// The encoding; `None` for ISO 646, as the standard requires. Characters that it lacks are
+    /// transliterated.
     pub encoding: Option<Encoding>,
 }
 

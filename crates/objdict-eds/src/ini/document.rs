@@ -1,29 +1,30 @@
-//! An INI file as its text, cut into sections where they are asked for.
+//! An INI file as its text, split into sections on demand.
 
 use super::{Line, LineKind, Lines};
 use crate::source::{SourceFile, Span};
 
-/// An INI file, healthy or not: its text is the truth, and lines and sections are views of it.
+/// An INI file, well-formed or not: the text is the source, and lines and sections are views of it.
 #[derive(Debug)]
 pub struct Document {
     source: SourceFile,
 }
 
-/// A section with its entries, as spans of the text. The entries before the first header are one without header.
+/// A section with its entries, as spans of the text. The entries before the first header are a section
+/// without header.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
     /// The header line; `None` before the first header.
     pub header: Option<Header>,
-    /// The entries in their order.
+    /// The entries, in order.
     pub entries: Vec<Entry>,
-    /// The comment lines among and behind them.
+    /// The comment lines among and after the entries.
     pub comments: Vec<Span>,
 }
 
 /// The header of a section.
 #[derive(Clone, Copy, Debug)]
 pub struct Header {
-    /// The name without brackets and blanks around it.
+    /// The name, without the brackets and surrounding blanks.
     pub name: Span,
     /// The whole line.
     pub line: Span,
@@ -34,7 +35,7 @@ pub struct Header {
 pub struct Entry {
     /// The key, not empty.
     pub key: Span,
-    /// The value without blanks around it.
+    /// The value, without surrounding blanks.
     pub value: Span,
 }
 
@@ -59,7 +60,7 @@ impl Document {
         Lines::new(self.text())
     }
 
-    /// The bytes of the file, put together from its lines: always the bytes that were read.
+    /// The bytes of the file, composed from its lines: always equal to the bytes that were read.
     pub fn print(&self) -> Vec<u8> {
         if self.source.is_read_only() {
             return self.source.to_bytes();
@@ -71,7 +72,7 @@ impl Document {
         self.source.encode(&text).unwrap_or_else(|_| self.source.to_bytes())
     }
 
-    /// How new lines end: like the first one, or with CR LF where it has no end.
+    /// The line end of new lines: that of the first line, or CR LF if it has none.
     pub fn line_end(&self) -> &'static str {
         match self.lines().next().map(|line| Span::new(line.span.end, line.next).of(self.text())) {
             Some("\n") => "\n",
@@ -97,11 +98,11 @@ impl Document {
         Some(section)
     }
 
-    /// The line that holds `offset`.
+    /// The line that contains `offset`.
     pub fn line_at(&self, offset: u32) -> Option<Line> {
         let text = self.text().as_bytes();
         let before = match text.split_at((offset as usize).min(text.len())) {
-            // the line feed belongs to the line that it ends
+            // the line feed is part of the line that it ends
             ([before @ .., b'\r'], [b'\n', ..]) => before,
             (before, _) => before,
         };
@@ -109,8 +110,8 @@ impl Document {
         Lines::from(self.text(), start as u32).next()
     }
 
-    /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry. One section
-    /// at a time is in memory, and its list is used again for the next.
+    /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry.
+    /// Only one section is in memory at a time, and its list is reused for the next.
     pub fn visit(&self, mut visit: impl FnMut(&Section), mut other: impl FnMut(&Line)) {
         let mut section = Section::default();
         let mut lines = self.lines();

@@ -1,4 +1,4 @@
-//! Edits of a document by spans: what they do not touch stays as it was, byte for byte.
+//! Edits of a document by spans: the rest of the text stays unchanged, byte for byte.
 
 use super::{Document, Line, LineKind, Section};
 use crate::source::{EditError, Edits, Span};
@@ -9,28 +9,29 @@ pub struct Editor<'a> {
     document: &'a Document,
     line_end: &'static str,
     edits: Edits<'a>,
-    /// The first text that is more than a line.
+    /// The first new text that contains a line end.
     many_lines: Option<String>,
 }
 
 impl<'a> Editor<'a> {
-    /// No changes yet. New lines end like the first line of the document, or with CR LF where it has none.
+    /// An editor without changes. New lines end like the first line of the document, or with CR LF if it has
+    /// none.
     pub fn new(document: &'a Document) -> Self {
         let line_end = document.line_end();
         Self { document, line_end, edits: Edits::new(document.source()), many_lines: None }
     }
 
-    /// Puts `text` in the place of `span`.
+    /// Replaces `span` by `text`.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
         self.edits.replace(span, text);
     }
 
-    /// Takes the lines of a span away, which starts with a line and ends with one.
+    /// Removes the lines of a span, which consists of complete lines.
     pub fn remove(&mut self, span: Span) {
         self.replace(span, "");
     }
 
-    /// Gives a key a value: where it stands, else in a new line behind the last key of the section.
+    /// Sets a key: in its place, or in a new line after the last key of the section.
     pub fn set(&mut self, section: &Section, key: &str, value: &str) {
         self.check_line(key);
         self.check_line(value);
@@ -45,7 +46,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Takes the line of a key away.
+    /// Removes the line of a key.
     pub fn remove_key(&mut self, section: &Section, key: &str) {
         let text = self.document.text();
         let entries = section.entries.iter().filter(|entry| entry.key.of(text).eq_ignore_ascii_case(key));
@@ -54,8 +55,8 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Takes a section away: its header, its entries and the blank lines behind them. Comments behind the last entry
-    /// stay, for they most likely belong to what follows.
+    /// Removes a section: its header, its entries and the blank lines after them. Comments after the last
+    /// entry stay, because they probably belong to the following section.
     pub fn remove_section(&mut self, section: &Section) {
         let Some(first) = section.header.and_then(|header| self.line_at(header.line.start)) else { return };
         let last = self.line_at(end_of(section)).unwrap_or(first);
@@ -65,7 +66,7 @@ impl<'a> Editor<'a> {
         self.remove(Span::new(first.span.start, end));
     }
 
-    /// Adds a section behind another one, or at the start of the document.
+    /// Adds a section after another one, or at the start of the document.
     pub fn insert_section(&mut self, behind: Option<&Section>, name: &str, entries: &[(&str, String)]) {
         self.check_line(name);
         for (key, value) in entries {
@@ -87,14 +88,14 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Remembers a text that is more than a line.
+    /// Records a text that contains a line end.
     fn check_line(&mut self, text: &str) {
         if text.contains(['\n', '\r']) {
             self.many_lines.get_or_insert_with(|| text.to_owned());
         }
     }
 
-    /// Adds lines behind the line that holds `offset`, which may be the last one and have no line end.
+    /// Adds lines after the line that contains `offset`, which may be the last one and without line end.
     fn insert_lines(&mut self, offset: u32, lines: &[String]) {
         let at = self.line_at(offset).map_or(offset, |line| line.span.end);
         let text: String = lines.iter().flat_map(|line| [self.line_end, line.as_str()]).collect();
@@ -108,15 +109,16 @@ impl<'a> Editor<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text has a line end in it.
+    /// When two changes overlap, or a new text contains a line end.
     pub fn text(&self) -> Result<String, EditError> {
         self.sound()?.text()
     }
 
-    /// The edited document in the encoding of the file; without changes, the bytes as they came.
+    /// The edited document in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
-    /// When two changes overlap, a new text has a line end in it, or the file cannot be written in its encoding.
+    /// When two changes overlap, a new text contains a line end, or the document cannot be written in the
+    /// encoding of the file.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         self.sound()?.to_bytes()
     }

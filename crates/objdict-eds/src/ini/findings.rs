@@ -1,4 +1,5 @@
-//! The rules about the lines of an INI file. They need the text, so the reader raises them and not the linter.
+//! The rules about the lines of an INI file. They need the text, so the reader reports them and not the
+//! linter.
 
 pub mod lines;
 

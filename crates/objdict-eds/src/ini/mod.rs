@@ -1,4 +1,5 @@
-//! The INI layer under EDS, DCF and node lists: lossless on bytes, with a span for everything, and never an error.
+//! The INI layer under EDS, DCF and node lists: preserves all bytes, with a span for everything. Reading
+//! never fails.
 
 mod document;
 mod edit;

@@ -1,52 +1,52 @@
-//! Lines of an INI file, told apart and measured; nothing is copied and nothing can fail.
+//! Splits an INI file into classified lines with spans; nothing is copied and scanning never fails.
 
 use crate::source::Span;
 
 /// One line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// What it is.
+    /// The kind of the line.
     pub kind: LineKind,
     /// The line without its line end.
     pub span: Span,
-    /// Where the next line starts: [`span`](Self::span) and the line end reach up to it.
+    /// The start of the next line: from the end of [`span`](Self::span) to here is the line end.
     pub next: u32,
 }
 
-/// What a line is.
+/// The kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
-    /// Nothing but blanks.
+    /// Only blanks.
     Blank,
     /// A comment: `;` by the standard (CiA 306-1 §4.2), `#` and `//` in real files.
     Comment,
-    /// `[name]`; also where blanks stand before it, text behind it, or where the `]` is missing.
+    /// `[name]`; also with blanks before it, with text after it, or without the `]`.
     Section {
-        /// The name without brackets and blanks around it.
+        /// The name, without the brackets and surrounding blanks.
         name: Span,
     },
     /// `key=value`.
     Entry {
-        /// The text before the first `=` without blanks around it; never empty.
+        /// The text before the first `=` without surrounding blanks; never empty.
         key: Span,
-        /// The text behind it without blanks around it.
+        /// The text after the `=` without surrounding blanks.
         value: Span,
     },
     /// Anything else.
     Junk,
 }
 
-/// The lines of a text. Their spans and line ends cover every byte of it.
+/// The lines of a text. Their spans and line ends cover every byte of the text.
 #[derive(Clone, Debug)]
 pub struct Lines<'a> {
     bytes: &'a [u8],
-    /// Where the next line starts.
+    /// The start of the next line.
     at: usize,
-    /// The bytes that were not looked at yet, mostly eight at a time.
+    /// The bytes that are not scanned yet; scanning takes eight at a time.
     rest: &'a [u8],
-    /// Where those start that were looked at last.
+    /// The start of the word scanned last.
     word: usize,
-    /// Which of them may be a `=` or a line end and were not asked for yet: their top bits.
+    /// The bytes of that word that may be a `=` or a line end and are not returned yet: their top bits.
     marks: u64,
 }
 
@@ -56,7 +56,7 @@ impl<'a> Lines<'a> {
         Self::from(text, 0)
     }
 
-    /// The lines of `text` from the line that starts at `offset`.
+    /// The lines of `text`, starting with the line at `offset`.
     pub fn from(text: &'a str, offset: u32) -> Self {
         Self::of(text.as_bytes(), offset as usize)
     }
@@ -67,7 +67,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// The section headers of a text: the lines that [`Lines`] calls so, without a look at the others.
+/// The section headers of a text: the same lines as in [`Lines`], without scanning the others.
 pub(crate) fn headers(text: &str) -> impl Iterator<Item = Line> {
     let bytes = text.as_bytes();
     memchr::memchr_iter(b'[', bytes).filter_map(move |bracket| {
@@ -87,7 +87,7 @@ impl Iterator for Lines<'_> {
 }
 
 impl Lines<'_> {
-    /// The next line: [`next`](Self::next) for loops over all lines of a file, which it becomes a part of.
+    /// The next line: [`next`](Self::next), inlined into loops over all lines of a file.
     #[inline(always)]
     pub(crate) fn advance(&mut self) -> Option<Line> {
         let (bytes, start) = (self.bytes, self.at);
@@ -112,8 +112,8 @@ impl Lines<'_> {
         Some(Line { kind, span: span(start, end), next: self.at as u32 })
     }
 
-    /// The next `=` or line end, and then the end of the text. Lines are so short that a search through larger vectors takes
-    /// longer to begin than this takes to look at eight bytes at a time, each of them once.
+    /// The next `=` or line end, and finally the end of the text. Lines are short, so the start of a search
+    /// with larger vectors costs more than looking at eight bytes at a time, each of them once.
     #[inline(always)]
     fn mark(&mut self) -> usize {
         loop {
@@ -139,7 +139,8 @@ impl Lines<'_> {
 /// A one in each byte of a word.
 const ONES: u64 = u64::from_ne_bytes([1; 8]);
 
-/// The top bits of the bytes of a word that are less than `limit`, at most 80h; a byte behind one of them may be wrong.
+/// The top bits of the bytes of a word that are less than `limit`, at most 80h; the result may be wrong for
+/// bytes after the first match.
 #[inline]
 const fn below(word: u64, limit: u8) -> u64 {
     word.wrapping_sub(ONES * limit as u64) & !word & (ONES << 7)
@@ -156,7 +157,7 @@ fn span(start: usize, end: usize) -> Span {
     Span::new(start as u32, end as u32)
 }
 
-/// What most lines are: an entry without blanks at its ends and around the `=`.
+/// Fast path for most lines: an entry without blanks at its ends and around the `=`.
 #[inline]
 fn plain_entry(bytes: &[u8], start: usize, equals: usize, end: usize) -> Option<LineKind> {
     let around = [bytes[equals - 1], bytes[end - 1], *bytes.get(equals + 1)?];
@@ -173,7 +174,7 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
         ([], _) => LineKind::Blank,
         ([b';' | b'#', ..] | [b'/', b'/', ..], _) => LineKind::Comment,
         ([b'[', ..], _) => {
-            // names are so short that a search through vectors takes longer to begin
+            // names are short, so the start of a vector search costs more
             let close = bytes[start..end].iter().position(|byte| *byte == b']');
             let close = close.map_or(end, |length| start + length);
             let (from, to) = trim(bytes, start + 1, close);
@@ -188,7 +189,7 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
     }
 }
 
-/// Blanks and tabs, and what DOS and C leave at the end of a file: NUL and Ctrl-Z.
+/// Blanks and tabs, and the NUL and Ctrl-Z that DOS and C leave at the end of a file.
 const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0 | 0x1A)
 }

@@ -1,10 +1,10 @@
-//! What is wrong alike in many lines, fixed in all of them.
+//! Fixes for problems that affect many lines in the same way.
 
 use super::{Document, LineKind};
 use crate::diagnostic::Tidy;
 use crate::source::{Edits, Span, transliterate};
 
-/// The edits that tidy a document up; `None` where it cannot be done without losing something.
+/// The edits that tidy up a document; `None` if something would be lost.
 pub(crate) fn tidy(document: &Document, what: Tidy, edits: &mut Edits<'_>) -> Option<()> {
     match what {
         Tidy::LineEnds => line_ends(document, edits),
@@ -15,7 +15,7 @@ pub(crate) fn tidy(document: &Document, what: Tidy, edits: &mut Edits<'_>) -> Op
     Some(())
 }
 
-/// All lines end like most of them do, with LF or CR LF.
+/// Gives all lines the line end of most of them, LF or CR LF.
 fn line_ends(document: &Document, edits: &mut Edits<'_>) {
     let text = document.text();
     let spans = || document.lines().map(|line| Span::new(line.span.end, line.next));
@@ -26,7 +26,7 @@ fn line_ends(document: &Document, edits: &mut Edits<'_>) {
     }
 }
 
-/// All comments start with `;` in the first column.
+/// Starts all comments with `;` in the first column.
 fn comments(document: &Document, edits: &mut Edits<'_>) {
     let text = document.text();
     for line in document.lines().filter(|line| line.kind == LineKind::Comment) {
@@ -37,14 +37,14 @@ fn comments(document: &Document, edits: &mut Edits<'_>) {
         let start = comment.find([';', '#', '/']).unwrap_or_default();
         let mark = if comment[start..].starts_with("//") { 2 } else { 1 };
         let behind = &comment[start + mark..];
-        // what a tool would take for a setting was none before
+        // prevents that a tool reads the comment as a setting
         let blank = if behind.starts_with(['S', 'C']) { " " } else { "" };
         let span = Span::new(line.span.start, line.span.start + (start + mark) as u32);
         edits.replace(span, format!(";{blank}"));
     }
 }
 
-/// All keys start in the first column, and the `=` follows at once.
+/// Starts all keys in the first column, directly followed by the `=`.
 fn keys(document: &Document, edits: &mut Edits<'_>) {
     let bytes = document.text().as_bytes();
     for line in document.lines() {
@@ -60,7 +60,7 @@ fn keys(document: &Document, edits: &mut Edits<'_>) {
     }
 }
 
-/// Characters of ISO 646 in the place of all others.
+/// Replaces all other characters by those of ISO 646.
 fn iso646(document: &Document, edits: &mut Edits<'_>) -> Option<()> {
     for (at, c) in document.text().char_indices().filter(|(_, c)| !c.is_ascii()) {
         edits.replace(Span::new(at as u32, (at + c.len_utf8()) as u32), transliterate(c)?);

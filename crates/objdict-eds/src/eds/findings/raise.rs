@@ -90,7 +90,8 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
     }
 }
 
-/// Whether the name was meant as an object: hex digits with optional `0x`, optionally followed by `sub`.
+/// Whether the name looks like that of an object: hex digits with optional `0x`, optionally followed by
+/// `sub`.
 fn looks_like_object(name: &str) -> bool {
     let name = name.strip_prefix("0x").unwrap_or(name);
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).count();
@@ -133,7 +134,7 @@ pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Dia
 /// Reports the spelling of a section name.
 pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
     let (rule, message) = match parsed.spelling {
-        // a misspelt name is judged when all sections are known
+        // misspelt names are checked once all sections are known
         Spelling::Standard | Spelling::Misspelt => return None,
         Spelling::CorrectCommissioning => {
             (&COMMISSIONING_SPELLING, say!("the standard spells `[{}]` with one m", name))

@@ -1,4 +1,4 @@
-//! Edits of a numbered list: what stays keeps its line.
+//! Edits of a numbered list: items that remain keep their lines.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,7 +9,7 @@ use crate::literal::{self, Quirks};
 use crate::model::{Field, ObjectList, Part};
 
 impl Rewriter<'_> {
-    /// Gives a list of objects these members.
+    /// Sets the indexes of a list of objects.
     pub(super) fn list(&mut self, list: ObjectList, indexes: &[u16]) -> Option<()> {
         let part = Part::List(list);
         let mut sections = self.locator.sections(self.document, &part);
@@ -18,7 +18,7 @@ impl Rewriter<'_> {
         };
         let others: Vec<Section> = sections.collect();
         for other in &others {
-            // what else stands in it would be lost
+            // other content of the section would be lost
             let is_plain = other.comments.is_empty() && self.has_only_items(other);
             is_plain.then(|| self.remove_section(other))??;
         }
@@ -33,8 +33,8 @@ impl Rewriter<'_> {
         })
     }
 
-    /// Lines whose index stays in its order are kept, with another number where they need one. What is no index is
-    /// numbered and kept too.
+    /// Lines whose index stays in order are kept, and renumbered if needed. Items that are not an index are
+    /// also kept and numbered.
     fn rewrite_items(&mut self, section: Section, part: &Part, indexes: &[u16]) -> Option<()> {
         let text = self.document.text();
         let counter = counter_of(part)?;
@@ -56,7 +56,7 @@ impl Rewriter<'_> {
                 continue;
             };
             if !seen.insert(line.key.to_ascii_lowercase()) {
-                // a number that stands twice: which one counts is another finding
+                // a number used twice is reported by another rule
                 return None;
             }
             if let Some(index) = index_of(entry.value.of(text)) {
@@ -79,7 +79,7 @@ impl Rewriter<'_> {
     }
 }
 
-/// Numbers the items from 1, and counts them.
+/// Numbers the items from 1, and updates their count.
 fn number(lines: &mut Vec<KeyLine>, part: &Part, counter: &Field) {
     let mut number = 0;
     for line in lines.iter_mut() {
@@ -100,7 +100,7 @@ fn number(lines: &mut Vec<KeyLine>, part: &Part, counter: &Field) {
     }
 }
 
-/// Whether a key is that of an item, however it is written.
+/// Whether a key is that of an item, in any spelling.
 fn is_item(key: &str) -> bool {
     key.bytes().next().is_some_and(|byte| byte.is_ascii_digit())
 }

@@ -9,21 +9,21 @@ use crate::ini::{Document, Entry, Section};
 use crate::model::{Field, Part};
 use crate::source::{Edits, Span};
 
-/// A section that gets other keys.
+/// A section whose keys are edited.
 pub(super) struct SectionEdit {
     section: Section,
     part: Part,
     lines: Vec<KeyLine>,
-    /// Whether its items are counted, and the count was right.
+    /// The key that counts the items, if the count was correct.
     counter: Option<Field>,
 }
 
-/// A key as it was, as it shall be, or new.
+/// An existing, changed or new key.
 pub(super) struct KeyLine {
-    /// Where it stands; none for a new one.
+    /// The entry in the text; `None` for a new key.
     pub entry: Option<Entry>,
     pub key: String,
-    /// The value where it becomes another.
+    /// The new value, if it changes.
     pub value: Option<String>,
     pub is_removed: bool,
 }
@@ -59,7 +59,7 @@ impl SectionEdit {
         Self { section, part, lines, counter }
     }
 
-    /// Gives a key a value: where it stands, else in a new line behind what comes before it in the canonical order.
+    /// Sets a key: in its place, or in a new line after its predecessors in the canonical order.
     pub(super) fn set(&mut self, key: String, value: String) {
         if let Some(line) = line_of(&mut self.lines, &self.part, &key) {
             line.value = Some(value);
@@ -69,7 +69,7 @@ impl SectionEdit {
         self.lines.insert(position, KeyLine { entry: None, key, value: Some(value), is_removed: false });
     }
 
-    /// Takes a key away, wherever it stands; false where it does not.
+    /// Removes a key at any place; `false` if the section does not have it.
     pub(super) fn remove(&mut self, key: &str) -> bool {
         let mut found = false;
         let is_of =
@@ -81,14 +81,14 @@ impl SectionEdit {
         found
     }
 
-    /// The keys, to change them all.
+    /// All keys, for changes.
     pub(super) fn lines_mut(&mut self) -> &mut Vec<KeyLine> {
-        // whoever changes them all counts them too
+        // the caller also updates the count
         self.counter = None;
         &mut self.lines
     }
 
-    /// Behind the last key that comes before `key`, or behind all where `key` has no place of its own.
+    /// After the last key that precedes `key`, or after all keys if `key` has no defined place.
     fn position_of(&self, key: &str) -> usize {
         let Some(rank) = key_rank(key) else { return self.lines.len() };
         let before = self
@@ -107,12 +107,12 @@ impl SectionEdit {
         self.set(counter.name().into_owned(), items.to_string());
     }
 
-    /// Makes the edits; `None` where a new line would not be read as what it says.
+    /// Adds the edits; `None` if a new line would not be read back unchanged.
     pub(super) fn finish(mut self, document: &Document, edits: &mut Edits<'_>) -> Option<()> {
         self.count();
         let text = document.text();
         let line_end = document.line_end();
-        // in the last line that was there before
+        // after the last existing line
         let mut last = self.section.header?.line.start;
         for line in &self.lines {
             let value = line.value.as_deref();
@@ -143,7 +143,7 @@ impl SectionEdit {
     }
 }
 
-/// The line of a key, spelled as `key`; a misspelt one gets the correct name.
+/// The line of a key with the spelling `key`; a misspelt key gets the correct name.
 pub(super) fn line_of<'a>(lines: &'a mut [KeyLine], part: &Part, key: &str) -> Option<&'a mut KeyLine> {
     let find =
         |is_of: &dyn Fn(&KeyLine) -> bool| lines.iter().position(|line| !line.is_removed && is_of(line));

@@ -1,4 +1,4 @@
-//! One section of an arranged text.
+//! One section of a rearranged text.
 
 use std::borrow::Cow;
 
@@ -7,19 +7,19 @@ use crate::eds::keys::Key;
 use crate::eds::order::{COUNTERS, Rank, key_rank};
 use crate::model::{Device, ModulePart, Part};
 
-/// A section with what moves with it.
+/// A section and the lines that move with it.
 pub(super) struct Block<'a> {
     pub(super) rank: Rank,
     pub(super) part: Part,
     pub(super) name: String,
     /// The paragraphs above the header.
     pub(super) above: Vec<Vec<&'a str>>,
-    /// Whether the last of them stands right above it.
+    /// Whether the last of them is directly above the header.
     pub(super) is_above: bool,
-    /// What stood behind the header.
+    /// The text after the header on its line.
     pub(super) remark: Option<&'a str>,
     pub(super) entries: Vec<Entry<'a>>,
-    /// The lines behind the last key.
+    /// The lines after the last key.
     pub(super) behind: Vec<&'a str>,
 }
 
@@ -58,8 +58,8 @@ impl Block<'_> {
         text.lines(&self.behind);
     }
 
-    /// The place of a key. Of lists only the count has one, for their items are read in the order of the text; what the
-    /// standard does not have comes last.
+    /// The rank of a key. In a list only the count has one, because the items are read in the order of the
+    /// text; unknown keys come last.
     fn rank_of(&self, key: &str) -> u32 {
         let has_order = matches!(
             self.part,
@@ -83,7 +83,7 @@ impl Block<'_> {
         }
     }
 
-    /// A key of the standard in its spelling.
+    /// A key in the spelling of the standard.
     fn key<'k>(&self, key: &'k str) -> Cow<'k, str> {
         match Key::find(key) {
             Some(found) if !matches!(self.part, Part::Section(_)) => found.field().name(),

@@ -1,4 +1,4 @@
-//! Values in the spelling of the canonical text, where it says the same for certain.
+//! Values in canonical spelling, if that certainly does not change their meaning.
 
 use std::borrow::Cow;
 
@@ -73,7 +73,7 @@ fn index(text: &str) -> Option<String> {
     Some(format!("0x{number:04X}"))
 }
 
-/// A number in one of the standard's spellings that all readers share.
+/// A number in a spelling of the standard that all readers accept.
 fn plain_number(text: &str) -> Option<i128> {
     let mut quirks = Quirks::default();
     let number = literal::integer(text, 0, u64::from(u32::MAX), &mut quirks).ok()?;

@@ -7,7 +7,7 @@ use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Compact, DataType, Extra, Field, InvalidValues, Part, Value};
 
-/// A section that can only be read when its object is known, which may stand further down.
+/// A section that can only be read once its object is known, which may be defined later.
 pub(super) struct PendingCompact {
     part: Part,
     section: ini::Section,
@@ -18,7 +18,7 @@ impl Reader<'_> {
         self.compact.push(PendingCompact { part, section: section.clone() });
     }
 
-    /// Gives the sections to their objects.
+    /// Reads the pending sections into their objects.
     pub(super) fn apply_compact(&mut self) {
         for pending in std::mem::take(&mut self.compact) {
             self.apply(&pending);

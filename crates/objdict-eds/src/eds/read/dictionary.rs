@@ -4,35 +4,35 @@ use std::collections::BTreeMap;
 
 use crate::model::Object;
 
-/// The objects in the order of the file. Mostly a section is of the last object or of a new one, so it takes no search, and
-/// a tree that is made at the end of sorted objects is made faster and is smaller than one that grows.
+/// The objects in the order of the file. A section is usually of the last object or of a new one and needs
+/// no lookup, and a tree built at the end from sorted objects is faster and smaller than a growing one.
 pub(super) struct Dictionary {
     objects: Vec<(u16, Object)>,
-    /// Which indexes are there, a bit each.
+    /// The known indexes, one bit each.
     known: Box<[u64; 1 << 10]>,
-    /// Where the objects are, once one was asked for that is not the last.
+    /// The positions of the objects, built at the first lookup of an object other than the last.
     positions: Option<BTreeMap<u16, usize>>,
 }
 
 impl Dictionary {
-    /// No object.
+    /// An empty dictionary.
     pub(super) fn new() -> Self {
         Self { objects: Vec::new(), known: Box::new([0; 1 << 10]), positions: None }
     }
 
-    /// The object of an index.
+    /// The object at an index.
     pub(super) fn get_mut(&mut self, index: u16) -> Option<&mut Object> {
         let at = self.position(index)?;
         self.objects.get_mut(at).map(|(_, object)| object)
     }
 
-    /// The object of an index; where it is not there yet, it is made as one without a section of its own.
+    /// The object at an index; a missing one is added as an object without its own section.
     pub(super) fn get_or_insert(&mut self, index: u16) -> &mut Object {
         let at = self.position(index).unwrap_or_else(|| self.insert(index));
         &mut self.objects[at].1
     }
 
-    /// Every object by its index.
+    /// All objects, by index.
     pub(super) fn into_map(self) -> BTreeMap<u16, Object> {
         self.objects.into_iter().collect()
     }

@@ -6,7 +6,7 @@ use super::{Items, Reader};
 use crate::ini;
 use crate::model::{DataType, DynamicChannels, Extra, Field, InvalidValues, Segment, ToolCommand};
 
-/// So many segments are read; a device has a handful. A larger number in a key is a key that is not known.
+/// The maximum number of segments; a device has a handful. A key with a larger number is an unknown key.
 const MAX_SEGMENTS: usize = 1024;
 
 impl Reader<'_> {
@@ -59,7 +59,7 @@ impl Reader<'_> {
         self.keep("Tools", &extra);
     }
 
-    /// The tools are numbered from 1, and come in that order; a gap is filled by the next.
+    /// Tools are numbered from 1 in order; the next tool fills a gap.
     pub(super) fn tool(&mut self, _number: u16, section: &ini::Section) {
         let mut tool = ToolCommand::default();
         let mut extra = Extra::default();
@@ -82,7 +82,7 @@ enum SegmentKey {
     Offset,
 }
 
-/// The word and the number, counted from 1, of a key such as `Range2`.
+/// The word and the 1-based number of a key such as `Range2`.
 fn segment_key(name: &str) -> Option<(SegmentKey, usize)> {
     let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
     let number: usize = name.get(digits..)?.parse().ok()?;

@@ -10,7 +10,7 @@ use crate::model::{
 const U8: (i64, u64) = (0, u8::MAX as u64);
 const U16: (i64, u64) = (0, u16::MAX as u64);
 const U32: (i64, u64) = (0, u32::MAX as u64);
-/// Bits of the mapping granularity, and the number of PDOs of one direction (CiA 306-1 §4.5).
+/// The range of the mapping granularity in bits, and the number of PDOs of one direction (CiA 306-1 §4.5).
 const GRANULARITY: (i64, u64) = (0, 64);
 const PDO_COUNT: (i64, u64) = (0, 512);
 
@@ -133,7 +133,7 @@ fn dummy_type(key: &str) -> Option<DataType> {
     u16::from_str_radix(digits, 16).ok().map(DataType)
 }
 
-/// The lines of a comment section in the order of their numbers.
+/// The lines of a comment section, by number.
 pub(super) fn comment_lines(items: &mut Items<'_>, extra: &mut Extra) -> Vec<String> {
     let mut lines: Vec<(u32, String)> = Vec::new();
     let mut count = None;
@@ -162,7 +162,7 @@ fn date(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<Date> {
     or_invalid(item, parse(), Reason::NotADate, invalid_values)
 }
 
-/// `hh:mmAM`, twelve hours.
+/// `hh:mmAM`, 12-hour clock.
 fn clock_time(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<ClockTime> {
     let parse = || {
         let time = Some(item.value).filter(|text| text.len() == 7 && text.is_ascii())?;

@@ -1,4 +1,4 @@
-//! The keys of one section, one by one, and their texts as numbers and words.
+//! The keys of one section, and their values as numbers and words.
 
 use std::cell::OnceCell;
 use std::collections::HashSet;
@@ -16,20 +16,20 @@ use crate::source::Span;
 /// A key with its value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Item<'a> {
-    /// The field, where the key has a fixed name.
+    /// The field, if the key has a fixed name.
     pub key: Option<Key>,
     /// The key as written.
     pub name: &'a str,
     /// The value as written.
     pub value: &'a str,
-    /// Where the key stands.
+    /// The span of the key.
     pub name_at: Span,
-    /// Where the value stands.
+    /// The span of the value.
     pub value_at: Span,
 }
 
 impl Item<'_> {
-    /// The field, where the key has a fixed name.
+    /// The field, if the key has a fixed name.
     pub(crate) fn field(&self) -> Option<&'static Field> {
         self.key.map(Key::field)
     }
@@ -40,12 +40,12 @@ impl Item<'_> {
     }
 }
 
-/// A section being read: its text, and where findings go.
+/// A section while it is read: its text, and its findings.
 pub(crate) struct Items<'a> {
     text: &'a str,
     section: &'a ini::Section,
     pub findings: &'a mut Findings,
-    /// What the section describes, and its keys of the standard; asked for by the first key that is none.
+    /// The part of the section and its standard keys; determined at the first unknown key.
     known: OnceCell<(Part, KeySet)>,
 }
 
@@ -64,7 +64,7 @@ impl<'a> Items<'a> {
         self.section.header.map_or("", |header| header.name.of(self.text))
     }
 
-    /// Where the name of the section stands.
+    /// The span of the name of the section.
     pub(crate) fn section_at(&self) -> Span {
         self.section.header.map_or(Span::empty(0), |header| header.name)
     }
@@ -82,7 +82,7 @@ impl<'a> Items<'a> {
     #[inline]
     fn item_of(&self, entry: &ini::Entry) -> Item<'a> {
         let name = entry.key.of(self.text);
-        // no field starts with a digit, and most keys of long lists do
+        // no field starts with a digit, but most keys of long lists do
         let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
         Item {
             key: if is_number { None } else { Key::find(name) },
@@ -93,8 +93,8 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// Calls `take` for each key. A key that stands twice is reported and taken once: the first one counts, as other
-    /// readers have it.
+    /// Calls `take` for each key. A key that is defined twice is reported, and only the first one is taken,
+    /// as in other readers.
     pub(crate) fn each(&mut self, mut take: impl FnMut(&mut Self, &Item<'a>)) {
         let mut seen = KeySet::default();
         let mut others = Others::default();
@@ -116,10 +116,10 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// The key that a misspelt one was meant to be, unless the section has that one too.
+    /// The intended key for a misspelt one, unless the section also has that key.
     fn meant(&self, item: &Item<'a>) -> Option<Key> {
         let is_word = item.key.is_none() && !item.name.as_bytes().first().is_some_and(u8::is_ascii_digit);
-        // a file of unknown keys is not worth a search for each of them
+        // avoids a search for each key in a file of unknown keys
         let is_word = is_word && !self.findings.is_full(&findings::UNKNOWN_KEY);
         let (part, keys) = is_word.then(|| {
             self.known.get_or_init(|| {
@@ -133,7 +133,7 @@ impl<'a> Items<'a> {
     }
 
     fn duplicate(&mut self, position: usize, item: &Item<'a>) {
-        // the search for the first one would take quadratic time in a file of nothing but duplicates
+        // the search for the first one would take quadratic time in a file of duplicates
         if self.findings.is_full(&findings::DUPLICATE_KEY) {
             return;
         }
@@ -144,7 +144,7 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// A whole number within `low..=high`; a text that is none becomes an invalid value.
+    /// A whole number within `low..=high`; any other text becomes an invalid value.
     #[inline]
     pub(crate) fn integer<T: TryFrom<u32> + TryFrom<i128>>(
         &mut self,
@@ -183,7 +183,7 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// A name or the like. Quotes around it stay: nothing says that they are not part of it.
+    /// A name or similar text. Quotes around it are kept, because they may be part of it.
     pub(crate) fn text(&mut self, item: &Item<'a>) -> &'a str {
         let text = item.value;
         if text.len() > 1 && text.starts_with('"') && text.ends_with('"') {
@@ -197,7 +197,7 @@ impl<'a> Items<'a> {
         self.integer::<u8>(item, (0, 1), invalid_values).map(|number| number == 1)
     }
 
-    /// A word out of a list; what `find` does not know becomes an invalid value.
+    /// A word of a list; a word that `find` does not know becomes an invalid value.
     pub(crate) fn word<T>(
         &mut self,
         item: &Item<'a>,
@@ -219,7 +219,7 @@ impl<'a> Items<'a> {
         word
     }
 
-    /// A key that the section does not have: reported, and kept.
+    /// Reports an unknown key and keeps it.
     pub(crate) fn unknown(&mut self, item: &Item<'a>, extra: &mut Extra) {
         let section = self.section_name();
         self.findings.push_with(&findings::UNKNOWN_KEY, || findings::unknown_key(item, section));
@@ -228,7 +228,7 @@ impl<'a> Items<'a> {
 }
 
 impl Item<'_> {
-    /// The field of the key, whatever it is.
+    /// The field of the key, fixed or not.
     pub(crate) fn to_field(self) -> Field {
         match self.key {
             Some(key) => key.field().clone(),
@@ -237,9 +237,10 @@ impl Item<'_> {
     }
 }
 
-/// The keys without a fixed name that were met. Numbered keys in ascending order, the most by far, need no memory.
+/// The keys without a fixed name so far. Numbered keys in ascending order, by far the most common, need no
+/// memory.
 enum Others {
-    /// Nothing but numbers up to this one, each larger than the one before.
+    /// Only numbers up to this one, in ascending order.
     Ascending(u32),
     /// The hashes of all names in lower case.
     Any(HashSet<u64>, RandomState),
@@ -252,7 +253,7 @@ impl Default for Others {
 }
 
 impl Others {
-    /// Notes a name; `before` are all names before it, asked for at most once.
+    /// Records a name; `before` returns all names before it and is called at most once.
     fn is_new<'a, I: Iterator<Item = &'a str>>(&mut self, name: &str, before: impl FnOnce() -> I) -> bool {
         if let (Self::Ascending(last), Some(number)) = (&mut *self, Field::item_number(name))
             && number > *last

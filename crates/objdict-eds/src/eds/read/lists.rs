@@ -17,7 +17,7 @@ impl Reader<'_> {
         let indexes = index_list(&mut items, &Field::SupportedObjects, &mut extra);
         match self.device.lists.get_mut(list) {
             empty @ None => *empty = Some(indexes),
-            // a list that stands twice is one finding; what it repeats is no other
+            // a repeated list is one finding, without findings for its items
             Some(before) => {
                 let known: HashSet<u16> = before.iter().copied().collect();
                 before.extend(indexes.into_iter().filter(|index| !known.contains(index)));
@@ -35,7 +35,8 @@ impl Reader<'_> {
     }
 }
 
-/// The indexes of a list in the order of the file; checks the count and the numbering. What is no index goes to `extra`.
+/// The indexes of a list in the order of the file; checks the count and the numbering. Items that are not an
+/// index go to `extra`.
 pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Extra) -> Vec<u16> {
     numbered(items, counter, extra, |items, item, extra| {
         let mut quirks = Quirks::default();
@@ -61,7 +62,7 @@ pub(super) fn numbered<'a, T>(
 ) -> Vec<T> {
     let mut count = None;
     let mut expected = 1;
-    // the entries behind the first wrong one are wrong for the same cause
+    // later wrong entries have the same cause as the first one
     let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
     let can_be_fixed = items.len() <= MAX_FIX_LINES;
     let mut entries = 0;
@@ -91,7 +92,7 @@ pub(super) fn numbered<'a, T>(
     list
 }
 
-/// Reports a count that is missing or wrong.
+/// Reports a missing or wrong count.
 pub(super) fn check_count(items: &mut Items<'_>, count: Option<Item<'_>>, key: &str, actual: usize) {
     let mut quirks = Quirks::default();
     let stated = match &count {

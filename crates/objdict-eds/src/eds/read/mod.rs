@@ -1,4 +1,5 @@
-//! EDS and DCF texts to the model. Reading never fails: what cannot be read is a finding or an invalid value, and goes on.
+//! From EDS and DCF texts to the model. Reading never fails: what cannot be read becomes a finding or an
+//! invalid value.
 
 mod compact;
 mod dictionary;
@@ -23,27 +24,27 @@ use crate::model::EMBEDDED_SECTION;
 use crate::model::{Device, DeviceKind, Extra, ExtraSection, Part, Place};
 use crate::source::Span;
 
-/// Reads a document as the description of a device type or, where it is told or has a commissioning section, of a node.
+/// Reads a document as the description of a device type or, if `kind` requests it or there is a
+/// commissioning section, of a node.
 pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
     let mut reader = Reader::new(document.text());
     document.visit(|section| reader.section(section), |_| {});
     reader.finish(kind)
 }
 
-/// A description in the making.
+/// A description while it is read.
 struct Reader<'a> {
     text: &'a str,
     device: Device,
     /// The objects of the device.
     objects: Dictionary,
     findings: Findings,
-    /// The parts that were met, objects and their entries excepted: those are in the dictionary.
+    /// The parts found so far, except objects and their entries, which are in the dictionary.
     seen: HashSet<Part>,
     compact: Vec<PendingCompact>,
-    /// Sections with misspelt names, read when it is known that no other section has the correct name.
+    /// Sections with misspelt names, read once it is known that no section has the correct name.
     misspelt: Vec<(Part, ini::Section)>,
-    /// The hashes of the names of sections that the model does not know, to find those that stand twice. There may be a
-    /// million of them.
+    /// The hashes of the names of unknown sections, to find duplicates. There may be a million of them.
     unknown: HashSet<u64>,
     hasher: RandomState,
 }
@@ -85,12 +86,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The name of a section as written and where it stands; nothing at the start before the first header.
+    /// The name of a section as written, with its span; an empty span at the start before the first header.
     fn header_of(&self, section: &ini::Section) -> (&'a str, Span) {
         section.header.map_or(("", Span::empty(0)), |header| (header.name.of(self.text), header.name))
     }
 
-    /// A section that is not an object's.
+    /// A section of anything but an object.
     fn other_part(&mut self, part: Part, section: &ini::Section) {
         let is_list = matches!(part, Part::List(_));
         if !self.seen.insert(part.clone()) {
@@ -130,7 +131,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Keys above all headers belong to nothing, but are kept. The rule about it looks at the lines.
+    /// Keys before the first header belong to no section but are kept. The check of the lines reports them.
     fn before_first_section(&mut self, section: &ini::Section) {
         if section.entries.is_empty() {
             return;
@@ -146,7 +147,7 @@ impl<'a> Reader<'a> {
         let (name, at) = self.header_of(section);
         let lower = name.to_ascii_lowercase();
         if name == EMBEDDED_SECTION {
-            // not ours to know: the reader of carried data takes it
+            // left to the reader of embedded data
         } else if self.unknown.insert(self.hasher.hash_one(&lower)) {
             self.findings.push(findings::unknown_section(name, at));
         } else {
@@ -159,7 +160,7 @@ impl<'a> Reader<'a> {
         self.device.extra.push(ExtraSection::new(name, &entries));
     }
 
-    /// Reads each section with a misspelt name as the one that is missing.
+    /// Reads each section with a misspelt name as the intended section, if that is missing.
     fn misspelt_sections(&mut self) {
         for (part, section) in std::mem::take(&mut self.misspelt) {
             if self.seen.contains(&part) {
@@ -172,7 +173,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Keeps keys that a part of the model has no room for, in a section of the same name.
+    /// Keeps keys without a place in the model, in a section of the same name.
     fn keep(&mut self, name: &str, entries: &Extra) {
         if !entries.is_empty() {
             self.device.extra.push(ExtraSection::new(name, entries));

@@ -9,7 +9,7 @@ use crate::model::{
     ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
 };
 
-/// What an object's own section or a module's says besides the entry.
+/// The keys of the section of an object or module that are not part of the entry.
 #[derive(Default)]
 pub(super) struct ObjectKeys {
     sub_number: Option<u8>,
@@ -18,7 +18,7 @@ pub(super) struct ObjectKeys {
     pub obj_extend: Option<u8>,
 }
 
-/// Which keys a section may have besides those of every entry.
+/// The keys that a section may have besides those of every entry.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum SectionKind {
     Object,
@@ -64,7 +64,7 @@ impl Reader<'_> {
     }
 }
 
-/// Reads an object's own section into the object, which may have entries already.
+/// Reads the section of an object into the object, which may already have entries.
 pub(super) fn read_object(items: &mut Items<'_>, object: &mut Object) {
     object.orphan = false;
     object.main = Entry::default();
@@ -73,7 +73,7 @@ pub(super) fn read_object(items: &mut Items<'_>, object: &mut Object) {
     object.compact = read.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
 }
 
-/// The values of a section, which can only be read when the data type is known.
+/// The values of a section, which can only be read once the data type is known.
 #[derive(Default)]
 struct Values<'a> {
     default: Option<Item<'a>>,
@@ -82,7 +82,7 @@ struct Values<'a> {
     configured: Option<Item<'a>>,
 }
 
-/// Reads a section into an entry that nothing was said of before.
+/// Reads a section into an empty entry.
 pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entry: &mut Entry) -> ObjectKeys {
     let mut read = ObjectKeys::default();
     let mut values = Values::default();
@@ -113,8 +113,8 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
     read
 }
 
-/// A comment in which CANopenEditor says something to the generators of CANopenNode: `;StorageLocation=RAM`,
-/// `;CO_countLabel=TPDO`. The first of two alike counts.
+/// A comment with a setting of CANopenEditor for the generators of CANopenNode: `;StorageLocation=RAM`,
+/// `;CO_countLabel=TPDO`. Of two equal settings, the first counts.
 fn stack_option(entry: &mut Entry, comment: &str) {
     let setting = comment.strip_prefix(';').and_then(|comment| comment.split_once('='));
     if let Some((name, value)) = setting.filter(|(name, _)| name.starts_with(['S', 'C'])) {
@@ -125,7 +125,7 @@ fn stack_option(entry: &mut Entry, comment: &str) {
     }
 }
 
-/// An empty key says as much as a missing one.
+/// An empty key means the same as a missing one.
 fn drop_empty(entry: &mut Entry) {
     entry.configured = entry.configured.take().filter(|configured| **configured != Configured::default());
     entry.safety = entry.safety.take().filter(|safety| **safety != SafetyMapping::default());
@@ -159,7 +159,7 @@ fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item:
     }
 }
 
-/// A text that is not empty.
+/// The text if it is not empty.
 fn text<'a>(items: &mut Items<'a>, item: &Item<'a>) -> Option<Box<str>> {
     Some(items.text(item)).filter(|text| !text.is_empty()).map(Into::into)
 }

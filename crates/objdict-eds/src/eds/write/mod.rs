@@ -1,5 +1,5 @@
-//! The canonical EDS and DCF of a device that has no source text: the order and spelling that most readers take
-//! (CiA 306-1).
+//! The canonical EDS and DCF of a device without source text: in the order and spelling that most readers
+//! accept (CiA 306-1).
 
 mod info;
 mod modules;
@@ -10,8 +10,8 @@ use self::section_writer::SectionWriter;
 use crate::eds::Style;
 use crate::model::Device;
 
-/// The canonical text of a device in the encoding of the options. What the format or the encoding cannot carry is written
-/// as something near: whoever reads it back sees what was lost.
+/// The canonical text of a device in the encoding of the options. What the format or the encoding cannot
+/// represent is approximated; reading the text back shows the loss.
 pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     let mut sections = SectionWriter::new(options, &device.extra);
     let writer = Writer { device };
@@ -24,7 +24,7 @@ pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     bytes.unwrap_or(text.into_bytes())
 }
 
-/// A device being written.
+/// A device while it is written.
 struct Writer<'a> {
     device: &'a Device,
 }

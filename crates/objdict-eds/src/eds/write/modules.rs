@@ -7,7 +7,7 @@ use super::section_writer::SectionWriter;
 use crate::model::{Field, Module, ModulePart, Part};
 
 impl Writer<'_> {
-    /// What modules there may be, and which are plugged in.
+    /// The supported modules, and the connected ones.
     pub(super) fn modules(&self, sections: &mut SectionWriter<'_>) {
         let Some(modules) = &self.device.modules else { return };
         let counted = u16::try_from(modules.supported.len()).ok();

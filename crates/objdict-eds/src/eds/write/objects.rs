@@ -11,12 +11,12 @@ use crate::model::{
     ObjectList, ObjectLists, Part, PdoMapping, Value,
 };
 
-/// Whose objects are written.
+/// The owner of the written objects.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parts {
-    /// The device's.
+    /// The device.
     Device,
-    /// Those of the module with this number.
+    /// The module with this number.
     Module(u16),
 }
 
@@ -36,7 +36,7 @@ impl Parts {
     }
 }
 
-/// The keys that only an object's own section has.
+/// The keys that only the section of an object has.
 #[derive(Default)]
 struct Own {
     sub_number: Option<u8>,
@@ -51,7 +51,7 @@ pub(super) fn index_text(index: &u16) -> String {
 }
 
 impl Writer<'_> {
-    /// The lists, each with its objects behind it: data types first, what no list names last.
+    /// The lists, each followed by its objects: data types first, objects in no list last.
     pub(super) fn objects(&self, sections: &mut SectionWriter<'_>) {
         let lists = lists(self.device);
         let listed: BTreeSet<u16> = lists.iter().map(|(_, index)| index).collect();
@@ -80,10 +80,10 @@ impl Writer<'_> {
         }
     }
 
-    /// An object with all sections that belong to it.
+    /// An object with all its sections.
     pub(super) fn object(&self, sections: &mut SectionWriter<'_>, index: u16, object: &Object, parts: Parts) {
         let stays_compact = |compact: &Compact| {
-            // only a device's own objects have sections for the names and values of compact entries
+            // only objects of the device itself have sections for the names and values of compact entries
             let named =
                 !compact.names.is_empty() || !compact.values.is_empty() || !compact.denotations.is_empty();
             sections.options.compact && (parts == Parts::Device || !named)
@@ -135,7 +135,7 @@ impl Writer<'_> {
 
     fn entry(&self, sections: &mut SectionWriter<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
         let spelling = spelling(sections, index, entry.data_type);
-        // a key without a value says nothing; an empty string is in quotes
+        // a key without a value has no meaning; an empty string is quoted
         let value = |value: Option<&Value>| {
             value.map(|value| literal::print(value, spelling)).filter(|text| !text.trim().is_empty())
         };
@@ -177,7 +177,8 @@ impl Writer<'_> {
         sections.close();
     }
 
-    /// Names of all entries, for readers do not make them up; values and denotations of those that have them.
+    /// The names of all entries, because readers do not derive them; values and denotations of entries that
+    /// have them.
     fn compact(&self, sections: &mut SectionWriter<'_>, index: u16, object: &Object, compact: &Compact) {
         let subs = 1..=compact.count;
         let name = |sub| match compact.names.iter().find(|(named, _)| *named == sub) {
@@ -201,7 +202,7 @@ impl Writer<'_> {
     }
 }
 
-/// A section with an item for each of some sub-indexes.
+/// A section with an item for each sub-index that has a text.
 fn sub_section<T>(
     sections: &mut SectionWriter<'_>,
     part: Part,
@@ -216,13 +217,13 @@ fn sub_section<T>(
     sections.close();
 }
 
-/// Identifiers, mappings and other communication parameters are read in hex.
+/// COB-IDs, mappings and other communication parameters are written in hex.
 fn spelling(sections: &SectionWriter<'_>, index: u16, data_type: Option<DataType>) -> Spelling {
     let hex = (0x1000..=0x1FFF).contains(&index) && data_type == Some(DataType::UNSIGNED32);
     Spelling { real: sections.options.real, quote_strings: sections.options.quote_strings, hex }
 }
 
-/// `SubNumber`: as stated, else the number of described entries where the standard asks for it.
+/// `SubNumber`: as stated, else the number of described entries if the standard requires the key.
 fn sub_number(object: &Object) -> Option<u8> {
     let is_due = object.object_type().has_subs()
         && object.compact.is_none()
@@ -238,7 +239,7 @@ fn count_text(count: ExtensionCount) -> String {
     }
 }
 
-/// The lists of the device; one that has none gets those of CiA 306-1 §4.6.3.1.
+/// The lists of the device; a device without lists gets those of CiA 306-1 §4.6.3.1.
 fn lists(device: &Device) -> ObjectLists {
     let is_stated = ObjectList::ALL.into_iter().any(|list| stated(&device.lists, list).is_some());
     if is_stated || device.objects.is_empty() {

@@ -1,4 +1,5 @@
-//! Sections in the making: every text passes here, so that none can leave its line.
+//! Collects sections while they are written: every text passes through here, so that none can contain a line
+//! end.
 
 use std::borrow::Cow;
 
@@ -11,11 +12,11 @@ use crate::source::transliterate;
 pub(super) struct SectionWriter<'a> {
     pub(super) options: &'a Style,
     sections: Vec<Section>,
-    /// Keys that the model has no field for, by the known section that they stand in.
+    /// Keys without a field in the model, by the known section they belong to.
     extras: Vec<(Part, Extra)>,
 }
 
-/// A section; keys and values are clean.
+/// A section with cleaned keys and values.
 struct Section {
     part: Part,
     /// Empty for the keys before the first section.
@@ -24,7 +25,7 @@ struct Section {
 }
 
 impl<'a> SectionWriter<'a> {
-    /// No sections yet; `extra` are the sections that the model does not know, and keys of others.
+    /// A writer without sections; `extra` are unknown sections, and unknown keys of known ones.
     pub(super) fn new(options: &'a Style, extra: &[ExtraSection]) -> Self {
         let extras = extra.iter().map(|section| (SectionName::parse(section.name()).part, section));
         let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_)));
@@ -32,14 +33,14 @@ impl<'a> SectionWriter<'a> {
         Self { options, sections: Vec::new(), extras }
     }
 
-    /// Starts the section of a part; what is put comes into it.
+    /// Starts the section of a part; the following keys go into it.
     pub(super) fn open(&mut self, part: Part) {
         let name = section_name(&part).unwrap_or_default();
         self.sections.push(Section { part, name, entries: Vec::new() });
     }
 
-    /// A key with its value. One that is among the section's unknown keys already is not written twice: the text that
-    /// somebody wrote comes before what we would.
+    /// A key with its value, unless the unknown keys of the section already contain it: the original text
+    /// has priority.
     pub(super) fn put(&mut self, field: &Field, value: impl AsRef<str>) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         let key = field.name().into_owned();
@@ -50,31 +51,31 @@ impl<'a> SectionWriter<'a> {
         self.push(key, value);
     }
 
-    /// A key with its value, where there is one.
+    /// A key with its value, if there is one.
     pub(super) fn put_some(&mut self, field: &Field, value: Option<impl AsRef<str>>) {
         if let Some(value) = value {
             self.put(field, value);
         }
     }
 
-    /// A key with 0 or 1, where that is known.
+    /// A key with 0 or 1, if there is a value.
     pub(super) fn put_flag(&mut self, field: &Field, flag: Option<bool>) {
         self.put_some(field, flag.map(|flag| if flag { "1" } else { "0" }));
     }
 
-    /// A key with a decimal number, where there is one.
+    /// A key with a decimal number, if there is one.
     pub(super) fn put_number(&mut self, field: &Field, number: Option<impl Into<u64>>) {
         self.put_some(field, number.map(|number| number.into().to_string()));
     }
 
-    /// A comment that says something to a tool: `;StorageLocation=RAM`.
+    /// A comment that is a setting of a tool: `;StorageLocation=RAM`.
     pub(super) fn comment(&mut self, name: &str, value: &str) {
         let value = self.clean(value);
-        // what starts with a semicolon is written like a key and read as a comment
+        // a line with a semicolon is written like a key and read as a comment
         self.push(format!(";{name}"), value);
     }
 
-    /// A count and numbered items.
+    /// A count with numbered items.
     pub(super) fn list(&mut self, counter: &Field, items: impl ExactSizeIterator<Item = String>) {
         let taken = self.sections.last().and_then(|section| self.extra_of(&section.part));
         let taken =
@@ -94,7 +95,7 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Keys that the model does not know.
+    /// Unknown keys.
     pub(super) fn extra<'b>(&mut self, extra: impl Iterator<Item = (&'b str, &'b str)>) {
         for (key, value) in extra {
             let (key, value) = (self.clean_key(key), self.clean(value));
@@ -102,14 +103,14 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Texts that are no values of their fields, as they were written.
+    /// Texts that are not valid in their fields, as written.
     pub(super) fn invalid_values(&mut self, invalid_values: &InvalidValues) {
         for invalid in invalid_values.iter() {
             self.put(&invalid.field, &invalid.text);
         }
     }
 
-    /// Ends the section: the keys that the model keeps for it elsewhere come last.
+    /// Ends the section: unknown keys of it come last.
     pub(super) fn close(&mut self) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         while let Some(position) = self.extras.iter().position(|(other, _)| *other == part) {
@@ -118,7 +119,7 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Sections that the model does not know, and what was kept for known ones that were not written.
+    /// Unknown sections, and unknown keys of known sections that were not written.
     pub(super) fn rest(&mut self, extra: &[ExtraSection]) {
         for section in extra {
             let part = SectionName::parse(section.name()).part;
@@ -137,7 +138,7 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// The text, with the keys of no section first, for no header can come before them.
+    /// The text. Keys without a section come first, because no header may precede them.
     pub(super) fn finish(mut self) -> String {
         const END: &str = "\r\n";
         self.sections.sort_by_key(|section| !section.name.is_empty());
@@ -172,12 +173,12 @@ impl<'a> SectionWriter<'a> {
         self.extra_of(part).is_some_and(|extra| extra.get(key).is_some())
     }
 
-    /// A text that stays in its line and its encoding, and is read as it is written.
+    /// A text without line ends, in the encoding, that is read back unchanged.
     fn clean(&self, text: &str) -> String {
         self.clean_characters(text).trim_matches(BLANKS).to_owned()
     }
 
-    /// A key that is read as one.
+    /// A text that is read back as a key.
     fn clean_key(&self, key: &str) -> String {
         let clean = self.clean_characters(key).replace('=', " ");
         let trimmed = clean.trim_matches(BLANKS);
@@ -186,7 +187,8 @@ impl<'a> SectionWriter<'a> {
         if is_key { trimmed.to_owned() } else { format!("_{trimmed}") }
     }
 
-    /// A section name that is read as one. An empty one is that of the keys before the first section.
+    /// A text that is read back as a section name. An empty name is that of the keys before the first
+    /// section.
     fn clean_name(&self, name: &str) -> String {
         let written = self.clean_characters(name).replace(']', " ").trim_matches(BLANKS).to_owned();
         if written.is_empty() && !name.is_empty() { "_".to_owned() } else { written }
@@ -208,10 +210,10 @@ impl<'a> SectionWriter<'a> {
     }
 }
 
-/// What a reader takes away at the ends of keys and values.
+/// What a reader trims from the ends of keys and values.
 const BLANKS: [char; 2] = [' ', '\t'];
 
-/// Whether some reader would end the line at this character, or the text.
+/// Whether a reader may end the line or the text at this character.
 fn is_control(c: char) -> bool {
     (c < ' ' && c != '\t') || matches!(c, '\u{7F}' | '\u{85}' | '\u{2028}' | '\u{2029}')
 }

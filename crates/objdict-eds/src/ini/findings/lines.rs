@@ -66,7 +66,7 @@ fn check_characters(document: &Document, findings: &mut Findings) {
         );
     }
     let is_control = |byte: &u8| *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F;
-    // without an early exit the loop over a chunk is a few vector instructions
+    // without an early exit, the compiler vectorises the loop over a chunk
     let has_control = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_control(byte));
     if text.as_bytes().chunks(4096).any(has_control) {
         for line in document.lines() {
@@ -109,7 +109,7 @@ struct LineCheck<'a> {
     findings: &'a mut Findings,
 }
 
-/// What ends a line.
+/// The characters at the end of a line.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum LineEnd {
     None,
