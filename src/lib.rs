@@ -154,10 +154,10 @@
 //! # Between lines and XML
 //!
 //! Between lines and XML a description is written anew. A conversion returns its losses: the
-//! written text is read back and compared. What the other format has no place for can be carried in it.
+//! written text is read back and compared. What the other format has no place for can be embedded in it.
 //!
 //! ```
-//! use objdict::format::{self, LossKind, Format, WriteOptions};
+//! use objdict::format::{self, Format, LossKind, WriteOptions};
 //! use objdict::source::SourceFile;
 //!
 //! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/eds");
@@ -167,9 +167,9 @@
 //! let plain = format::write(eds.device(), Format::Xdd, &options);
 //! assert_eq!(plain.losses[2].to_string(), "lost: FileInfo / EDSVersion: `\"4.0\"`");
 //!
-//! options.carry = true;
+//! options.embed = true;
 //! let whole = format::write(eds.device(), Format::Xdd, &options);
-//! assert!(whole.losses.iter().all(|loss| loss.fate == LossKind::Carried));
+//! assert!(whole.losses.iter().all(|loss| loss.kind == LossKind::Embedded));
 //! let source = SourceFile::from_bytes("io-401.xdd", whole.bytes, &Default::default())?;
 //! assert_eq!(format::read(source, Format::Xdd).device(), eds.device());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
