@@ -1,27 +1,27 @@
-//! What objects and entries are called in addresses of a page, and in its text.
+//! Names of objects and entries in page addresses and in text.
 
 use std::fmt;
 
-/// The name of an object or entry in an address: `6000`, `6000sub1`, as the sections of an EDS are called.
+/// The fragment identifier of an object or entry: `6000`, `6000sub1`, like the section names of an EDS.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Anchor {
     pub(crate) index: u16,
-    /// `None` for the object as a whole.
+    /// `None` for the whole object.
     pub(crate) sub: Option<u8>,
 }
 
 impl Anchor {
-    /// That of an object.
+    /// The anchor of an object.
     pub(crate) const fn object(index: u16) -> Self {
         Self { index, sub: None }
     }
 
-    /// That of an entry.
+    /// The anchor of an entry.
     pub(crate) const fn entry(index: u16, sub: u8) -> Self {
         Self { index, sub: Some(sub) }
     }
 
-    /// The name in a text: `0x6000`, `0x6000:01`.
+    /// The name in text: `0x6000`, `0x6000:01`.
     pub(crate) fn spoken(self) -> String {
         match self.sub {
             Some(sub) => format!("0x{:04X}:{sub:02X}", self.index),
@@ -30,8 +30,8 @@ impl Anchor {
     }
 }
 
-/// A sentence of objdict with its hex numbers spelled as everywhere on a page: `0x6000:01` for `6000h:01`. What it quotes
-/// stays as it is.
+/// Converts hex numbers in an objdict sentence to the spelling of the page: `0x6000:01` instead of
+/// `6000h:01`. Quoted text is unchanged.
 pub(crate) fn in_one_spelling(sentence: &str) -> String {
     let mut parts = sentence.split('`');
     let mut text = spelled(parts.next().unwrap_or_default());
@@ -63,7 +63,7 @@ fn spelled(part: &str) -> String {
 
 impl fmt::Display for Anchor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // digit by digit: a page of a large device has tens of thousands of them
+        // digit by digit, not formatted: a page of a large device has tens of thousands of them
         for shift in [12, 8, 4, 0] {
             f.write_str(digit(self.index >> shift))?;
         }

@@ -1,44 +1,44 @@
-//! What a device is, at a glance.
+//! Summary of a device.
 
 use super::Subject;
 use super::page::Context;
 use crate::Language;
 use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 
-/// The facts about a device and its file.
+/// Facts about a device and its file.
 #[derive(Debug)]
 pub(crate) struct Card {
-    /// The name of the product.
+    /// The product name.
     pub(crate) title: String,
-    /// Vendor and device profile.
+    /// Vendor name and device profile.
     pub(crate) subtitle: String,
-    /// What it is and can.
+    /// Identity and capabilities.
     pub(crate) device: Vec<Fact>,
-    /// The node that it is configured for; empty for a type of device.
+    /// The configured node; empty for a device type.
     pub(crate) node: Vec<Fact>,
-    /// What the description says of itself.
+    /// Metadata of the description.
     pub(crate) file: Vec<Fact>,
-    /// The lines of comments.
+    /// The comment lines.
     pub(crate) comments: Vec<String>,
-    /// Keys of a vendor or of a tool that belong to no object, as they stand in the file.
+    /// Vendor-specific or tool-specific keys that belong to no object, as in the file.
     pub(crate) sections: Vec<Section>,
 }
 
-/// A section with keys of a vendor or of a tool.
+/// A section with vendor-specific or tool-specific keys.
 #[derive(Debug)]
 pub(crate) struct Section {
     pub(crate) name: String,
     pub(crate) keys: Vec<(String, String)>,
 }
 
-/// Something with its name.
+/// A named fact.
 #[derive(Debug)]
 pub(crate) struct Fact {
     pub(crate) name: &'static str,
     pub(crate) text: String,
 }
 
-/// Collects facts; what says nothing is none.
+/// Collects facts and omits empty ones.
 struct Facts(Vec<Fact>);
 
 impl Facts {
@@ -109,7 +109,7 @@ fn device_facts(context: &Context<'_>) -> Vec<Fact> {
     facts.0
 }
 
-/// What only an XDD says.
+/// Facts that only an XDD contains.
 fn further_identity(context: &Context<'_>, facts: &mut Facts) {
     let Some(identity) = context.device.identity.as_deref() else { return };
     let texts = context.texts;
@@ -137,7 +137,7 @@ fn bit_rates(info: &DeviceInfo, context: &Context<'_>) -> String {
     text
 }
 
-/// What the device can, in words.
+/// The capabilities of the device, in words.
 fn features(info: &DeviceInfo, device: &Device, context: &Context<'_>) -> Vec<String> {
     let language = context.language;
     let flags = [
@@ -207,10 +207,10 @@ fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<Fact> {
     facts.0
 }
 
-/// What the model has no field for.
+/// Sections without a field in the model.
 fn sections(device: &Device) -> Vec<Section> {
     let of_parts = device.extras().into_iter().filter_map(|(part, extra)| match part {
-        // those stand beside their objects
+        // shown with their objects
         Part::Object(_) | Part::Entry(..) => None,
         part => Some(section(part.to_string(), extra.iter())),
     });

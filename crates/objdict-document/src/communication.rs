@@ -1,4 +1,4 @@
-//! How a device communicates: its services and PDOs in words, and its CAN-IDs.
+//! Communication of a device: its services and PDOs in words, and its CAN-IDs.
 
 use super::connections::{self, Connection};
 use super::diagram::Grid;
@@ -7,7 +7,7 @@ use super::services::{self, Service};
 use crate::describe::Decoder;
 use crate::model::Entry;
 
-/// What a page says of communication.
+/// The communication section of a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Communication {
     pub(crate) services: Vec<Service>,
@@ -16,8 +16,9 @@ pub(crate) struct Communication {
 }
 
 impl Communication {
-    /// That of a device, with the PDOs that `CompactPDO` implies where it is one that has them as objects
-    /// ([`Device::with_implicit_pdos`](crate::model::Device::with_implicit_pdos)). `name` says what entries are called.
+    /// Describes a device. If the device stores PDOs as objects, those implied by `CompactPDO` are included
+    /// ([`Device::with_implicit_pdos`](crate::model::Device::with_implicit_pdos)). `name` supplies the names
+    /// of entries.
     pub(crate) fn new(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Self {
         Self {
             services: services::services(decoder, name),
@@ -26,7 +27,7 @@ impl Communication {
         }
     }
 
-    /// What all drawings of PDOs share.
+    /// The grid shared by all PDO diagrams.
     pub(crate) fn grid(&self) -> Grid {
         Grid::new()
     }

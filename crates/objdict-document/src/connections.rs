@@ -1,5 +1,5 @@
-//! The CAN-IDs of a node: those of the predefined connection set (CiA 301 §7.3.5) with what the device makes of them, and the
-//! others that it uses.
+//! The CAN-IDs of a node: the predefined connection set (CiA 301 §7.3.5) with its present configuration, and
+//! all further CAN-IDs in use.
 
 use super::anchor::Anchor;
 use super::sentence::{self, ChangedCobId, is_same};
@@ -8,37 +8,37 @@ use super::texts::Texts;
 use crate::describe::{Decoder, can_id};
 use crate::model::{CobId, PdoKind, SdoChannel, Services, predefined};
 
-/// A line of the table.
+/// A row of the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Connection {
     /// `TPDO 1`.
     pub(crate) service: String,
-    /// Seen from the device.
+    /// From the view of the device.
     pub(crate) direction: Direction,
-    /// The CAN-ID that CiA 301 gives the service; empty for others.
+    /// The CAN-ID of the predefined connection set; empty for other services.
     pub(crate) predefined: String,
-    /// The CAN-ID of this device; empty where it has none, or where the description does not say.
+    /// The CAN-ID of this device; empty if there is none or the description does not state it.
     pub(crate) own: String,
     pub(crate) state: State,
-    /// The object that says so.
+    /// The object that states it.
     pub(crate) anchor: Option<Anchor>,
-    /// Whether it is configured to another CAN-ID than its default, or switched on or off.
+    /// Whether the configured CAN-ID, or whether the service is valid, differs from the default.
     pub(crate) is_changed: bool,
 }
 
-/// Who sends, seen from the device.
+/// The sender, from the view of the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
-    /// The device.
+    /// The device sends.
     Sends,
-    /// Others.
+    /// Other devices send.
     Receives,
-    /// The device and others.
+    /// The device and other devices send.
     Both,
 }
 
 impl Direction {
-    /// An arrow out of the device, into it, or both.
+    /// An arrow out of the device, into it, or both ways.
     pub(crate) const fn arrow(self) -> &'static str {
         match self {
             Self::Sends => "→",
@@ -47,7 +47,7 @@ impl Direction {
         }
     }
 
-    /// What the device does.
+    /// What the device does, in words.
     pub(crate) const fn word(self, texts: &Texts) -> &'static str {
         match self {
             Self::Sends => texts.sends,
@@ -57,23 +57,23 @@ impl Direction {
     }
 }
 
-/// What a device makes of a service.
+/// How the device uses a service.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
-    /// It uses the predefined CAN-ID, or one for which there is none.
+    /// Uses the predefined CAN-ID, or the service has none.
     Used,
-    /// It uses another CAN-ID than the predefined one.
+    /// Uses another CAN-ID than the predefined one.
     Differs,
-    /// Bit 31 switches it off.
+    /// Marked as not valid by bit 31.
     Off,
-    /// The description does not say which.
+    /// The CAN-ID is not stated in the description.
     Unstated,
-    /// The description has no such service.
+    /// The description does not contain the service.
     Absent,
 }
 
 impl State {
-    /// The name of its style.
+    /// The CSS class.
     pub(crate) const fn class(self) -> &'static str {
         match self {
             Self::Used => "used",
@@ -84,7 +84,7 @@ impl State {
         }
     }
 
-    /// What is said beside the CAN-ID, or in its place; empty where it says all.
+    /// A remark next to, or instead of, the CAN-ID; empty if none is needed.
     pub(crate) const fn word(self, texts: &Texts) -> &'static str {
         match self {
             Self::Used => "",
@@ -114,7 +114,7 @@ struct Table<'a> {
     lines: Vec<Connection>,
 }
 
-/// A COB-ID that no object sets.
+/// A COB-ID not set by any object.
 const FIXED: Option<(u16, u8)> = None;
 
 impl Table<'_> {
@@ -122,7 +122,7 @@ impl Table<'_> {
         self.decoder.language.pick(english, german)
     }
 
-    /// A line about a service that the device has.
+    /// Adds a row for a service that the device has.
     fn put(
         &mut self,
         service: impl Into<String>,
@@ -149,10 +149,10 @@ impl Table<'_> {
         });
     }
 
-    /// Whether an entry is configured so that the device uses another CAN-ID than by default, or uses one at all.
+    /// Whether the configured value changes the CAN-ID or makes the service valid or not valid.
     fn is_changed(&self, (index, sub): (u16, u8)) -> bool {
         match index {
-            // these set times only
+            // these objects only set times
             0x100C | 0x1017 | 0x1300 => false,
             0x1016 => sentence::is_changed(self.decoder, index, sub),
             _ => {
@@ -162,7 +162,8 @@ impl Table<'_> {
         }
     }
 
-    /// A line about a service of the predefined connection set that an object describes, if there is one.
+    /// Adds a row for a service of the predefined connection set with a configuration object, which may be
+    /// missing.
     fn described(
         &mut self,
         service: &str,
@@ -194,7 +195,7 @@ impl Table<'_> {
             false => Direction::Receives,
         };
         let id_of = |base: u16| CobId::new(base.into());
-        // bit 31 of SYNC means nothing, and that of TIME does not switch it off
+        // bit 31 has no meaning for SYNC, and for TIME it does not mean "not valid"
         let flagless = CobId::enabled;
         self.described("SYNC", sync, id_of(predefined::SYNC), services.sync.map(flagless), (0x1005, 0));
         let time = services.time;
@@ -271,7 +272,7 @@ impl Table<'_> {
         self.put(self.pick("LSS, request", "LSS, Anfrage"), from_master, request, request, FIXED);
     }
 
-    /// What the predefined connection set does not know, as far as it exists.
+    /// Services outside the predefined connection set that are valid.
     fn others(&mut self, services: &Services) {
         for pdo in self.decoder.device.pdos().filter(|pdo| pdo.number > 4) {
             if let Some(id) = pdo.cob_id.filter(|id| id.is_valid()) {

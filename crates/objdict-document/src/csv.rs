@@ -1,6 +1,6 @@
-//! One line for each entry, for spreadsheets and scripts.
+//! CSV output: one line per entry, for spreadsheets and scripts.
 //!
-//! The columns are called the same in every language, and new ones come behind the others.
+//! Column names are the same in every language; new columns are appended.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -14,19 +14,19 @@ use super::object::ObjectView;
 use super::page::Page;
 use crate::model::{Device, Entry, Object, Value};
 
-/// What a line is about; an object without entries has a line, too.
+/// The content of a line; an object without entries also has a line.
 struct Row<'a> {
     node_id: Option<u8>,
     object: &'a ObjectView<'a>,
     view: Option<&'a EntryView<'a>>,
     entry: Option<Cow<'a, Entry>>,
-    /// The groups that the entry lies in: `Drive / Limits`.
+    /// The groups of the entry: `Drive / Limits`.
     groups: &'a str,
 }
 
 type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
-/// The columns in their order. It is a promise: a column is never renamed, moved or dropped.
+/// The columns in order. This is a stable interface: columns are never renamed, moved or removed.
 const COLUMNS: [Column; 33] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
@@ -68,7 +68,7 @@ impl<'a> Row<'a> {
         self.view.map(text).unwrap_or_default().into()
     }
 
-    /// The texts of the file that are no values of their fields: `DefaultValue = 300`.
+    /// Texts that are not valid values of their fields: `DefaultValue = 300`.
     fn invalid_values(&self) -> String {
         let invalid_values = self.entry.iter().flat_map(|entry| entry.invalid_values.iter());
         let invalid = invalid_values.filter(|invalid| VALUES.contains(&invalid.field));
@@ -77,7 +77,7 @@ impl<'a> Row<'a> {
         pairs(&texts)
     }
 
-    /// A value as a spreadsheet takes it; nothing where there is none or the text of the file is none.
+    /// A value in spreadsheet form; empty if it is missing or invalid.
     fn value(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
         let Some(entry) = &self.entry else { return "".into() };
         let Some(value) = value(entry) else { return "".into() };
@@ -86,7 +86,7 @@ impl<'a> Row<'a> {
         plain(resolved.as_ref().unwrap_or(value)).into()
     }
 
-    /// How a value is written that depends on the node.
+    /// A value that depends on the node-ID, as a formula.
     fn formula(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
         let value = self.entry.as_ref().and_then(|entry| value(entry));
         value
@@ -112,7 +112,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// A value with digits of a decimal number where it is one, and without quotes.
+/// A value without quotes; numbers in decimal.
 fn plain(value: &Value) -> String {
     match value {
         Value::Text(text) => text.to_string(),
@@ -120,7 +120,7 @@ fn plain(value: &Value) -> String {
     }
 }
 
-/// `0 = off; 1 = on`, with a text between them.
+/// `0 = off; 1 = on`, with a separator.
 fn named(values: &[(impl Display, &str)], between: &str) -> String {
     values.iter().map(|(number, name)| format!("{number} = {name}")).collect::<Vec<_>>().join(between)
 }
@@ -139,12 +139,13 @@ fn pairs(pairs: &[(impl AsRef<str>, String)]) -> String {
     pairs.iter().map(|(key, text)| format!("{} = {text}", key.as_ref())).collect::<Vec<_>>().join("; ")
 }
 
-/// The objects that an object names.
+/// The objects that an object refers to.
 fn links(object: &ObjectView<'_>) -> String {
     object.links.iter().map(|link| format!("0x{:04X}", link.index)).collect::<Vec<_>>().join("; ")
 }
 
-/// The dictionary as CSV after RFC 4180, with a byte order mark, without which spreadsheets guess the encoding.
+/// Writes the dictionary as CSV (RFC 4180) with a byte order mark, without which spreadsheets guess the
+/// encoding.
 pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
     let groups = groups(page);
     let mut text = String::with_capacity(1000 + 150 * page.entry_count());
@@ -172,16 +173,16 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
     text
 }
 
-/// A line of fields.
+/// Writes the fields of a line.
 pub(super) fn line<'a>(text: &mut String, fields: impl IntoIterator<Item = Cow<'a, str>>) {
     for (number, field) in fields.into_iter().enumerate() {
         let between = if number > 0 { "," } else { "" };
-        let _ = write!(text, "{between}{}", escape::field(&field)); // a String takes every text
+        let _ = write!(text, "{between}{}", escape::field(&field)); // writing to a String cannot fail
     }
     text.push_str("\r\n");
 }
 
-/// The groups that an object or entry lies in, each with those around it.
+/// The groups of each object and entry, with their parent groups.
 fn groups(page: &Page<'_>) -> HashMap<(u16, Option<u8>), String> {
     let mut found: HashMap<_, String> = HashMap::new();
     let mut path: Vec<&str> = Vec::new();

@@ -1,4 +1,5 @@
-//! What only some entries have: units, names of values, parts of a word, denotations, keys of a vendor.
+//! Details that only some entries have: units, names of values, bit fields, denotations, vendor-specific
+//! keys.
 
 use std::ops::RangeInclusive;
 
@@ -8,38 +9,38 @@ use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Unit};
 use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
 
-/// The fields that have a place of their own on a page.
+/// Fields shown elsewhere on a page.
 pub(super) const VALUES: [Field; 4] =
     [Field::DefaultValue, Field::ParameterValue, Field::LowLimit, Field::HighLimit];
 
-/// Further things that are to be said of an entry.
+/// Further details of an entry.
 #[derive(Debug, Default)]
 pub(crate) struct Details<'a> {
-    /// The text of the description; it may have several lines.
+    /// The description text, possibly several lines.
     pub(crate) description: Option<String>,
-    /// Unit of the engineering value, with its scaling.
+    /// The unit of the engineering value with its scaling.
     pub(crate) unit: Option<String>,
-    /// The name in the application.
+    /// The application-specific name.
     pub(crate) denotation: Option<String>,
     /// The PDOs that carry it: `TPDO 1`.
     pub(crate) carried_by: Option<String>,
-    /// Values with names.
+    /// Named values.
     pub(crate) values: Vec<(i128, &'a str)>,
-    /// Parts of a word, as the description names them.
+    /// Bit fields as named in the description.
     pub(crate) parts: Vec<Part<'a>>,
-    /// Parts of a word, as documents of CiA name them.
+    /// Bit fields as named in CiA documents.
     pub(crate) word: Vec<Part<'static>>,
-    /// The entry that shows them where they are the same.
+    /// The entry that shows the same bit fields.
     pub(crate) word_of: Option<Anchor>,
-    /// The values that a document of CiA allows, where the description has no limits.
+    /// The values allowed by a CiA document, if the description has no limits.
     pub(crate) allowed: Option<String>,
-    /// Anything else, by what it is called.
+    /// Further facts with their labels.
     pub(crate) facts: Vec<(&'static str, String)>,
-    /// Keys of the vendor or of a tool, as they stand in the file.
+    /// Vendor-specific or tool-specific keys, as in the file.
     pub(crate) keys: Vec<(String, String)>,
 }
 
-/// A part of a word.
+/// A bit field.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Part<'a> {
     pub(crate) first: u8,
@@ -60,7 +61,7 @@ impl Part<'_> {
 }
 
 impl Details<'_> {
-    /// Whether there is nothing to be said.
+    /// Whether there are no details.
     pub(crate) fn is_empty(&self) -> bool {
         self.description.is_none()
             && self.has_no_facts()
@@ -70,7 +71,7 @@ impl Details<'_> {
             && self.word_of.is_none()
     }
 
-    /// Whether there is nothing that stands beside its name.
+    /// Whether there is nothing to show next to the name.
     pub(crate) fn has_no_facts(&self) -> bool {
         self.unit.is_none()
             && self.allowed.is_none()
@@ -82,7 +83,7 @@ impl Details<'_> {
 }
 
 impl Details<'_> {
-    /// What documents of CiA say of an entry beyond its description.
+    /// Adds what CiA documents define for an entry beyond its description.
     pub(super) fn add_documents(&mut self, sub: u8, entry: &Entry, documents: &[ObjectFacts<'static>]) {
         let facts = || documents.iter().filter_map(|facts| facts.entry(sub));
         if self.values.is_empty() && self.parts.is_empty() {
@@ -120,7 +121,7 @@ fn ranges(values: &[RangeInclusive<i128>]) -> String {
     ranges.collect::<Vec<_>>().join(", ")
 }
 
-/// What is said of an entry beside its name, type, access and values.
+/// The details of an entry beyond name, type, access and values.
 pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Entry) -> Details<'a> {
     let mut details = Details { carried_by: context.carriers(index, sub), ..Details::default() };
     match context.meanings.as_ref().and_then(|meanings| meanings.of(index, sub)) {
@@ -149,7 +150,7 @@ pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Entry) 
     details
 }
 
-/// What the description says of this entry alone.
+/// Details stated for this entry only.
 fn of_own(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
     if let Some(parameter) = &entry.parameter {
         of_parameter(context, parameter, details);
@@ -160,12 +161,12 @@ fn of_own(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
         details.keys.extend(stack.settings().map(|(key, value)| (key.to_owned(), value)));
     }
     details.keys.extend(entry.extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())));
-    // those of values stand where the values do
+    // invalid values are shown in place of the values
     let others = entry.invalid_values.iter().filter(|invalid| !VALUES.contains(&invalid.field));
     details.keys.extend(others.map(|invalid| (invalid.field.to_string(), format!("`{}`?", invalid.text))));
 }
 
-/// What is said of an object beside the name and the entries.
+/// The details of an object beyond the name and the entries.
 pub(super) fn of_object<'a>(context: &Context<'a>, main: &'a Entry) -> Details<'a> {
     let mut details = Details::default();
     if !is_plain(main) {
@@ -174,7 +175,7 @@ pub(super) fn of_object<'a>(context: &Context<'a>, main: &'a Entry) -> Details<'
     details
 }
 
-/// Whether an entry says nothing beside what every entry says, as most do.
+/// Whether an entry has no details, like most entries.
 fn is_plain(entry: &Entry) -> bool {
     entry.parameter.is_none()
         && entry.configured.is_none()
@@ -214,7 +215,8 @@ fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Deta
     details.keys.extend(properties.map(|property| (property.name.to_string(), property.value.to_string())));
 }
 
-/// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how its value comes of the number in the entry.
+/// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how the engineering value is
+/// computed from the raw number.
 fn scaled_unit(context: &Context<'_>, parameter: &Parameter) -> Option<String> {
     let template = context.meanings.as_ref().and_then(|meanings| meanings.template_of(parameter));
     let text_of = |field: fn(&Parameter) -> Option<&str>| {

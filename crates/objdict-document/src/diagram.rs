@@ -1,68 +1,68 @@
-//! The frame of a PDO as a drawing: a row for each byte, bit 7 on the left, as data sheets draw it.
+//! PDO frame diagrams: one row per byte with bit 7 on the left, as in data sheets.
 
 use super::anchor::Anchor;
 use super::layout::{Field, FieldKind, Layout, Span};
 use super::text_width::{fit, wrap};
 use crate::Language;
 
-/// Where the bits begin; the numbers of bytes are on their left, those of bits above.
+/// Left edge of the bits; byte numbers are to the left, bit numbers above.
 const LEFT: u32 = 22;
 const TOP: u32 = 16;
 
-/// A bit.
+/// Width of a bit.
 const WIDTH: u32 = 62;
 const HEIGHT: u32 = 30;
 
-/// Where the bits end on the right.
+/// Right edge of the bits.
 const RIGHT: u32 = LEFT + 8 * WIDTH;
 
-/// Sizes of text; `_communication.css` says the same.
+/// Font sizes; keep in sync with `_communication.css`.
 const NAME_SIZE: f64 = 11.5;
 const PLACE_SIZE: f64 = 8.5;
 
-/// So many colours follow each other. Not a divisor of 8, so that also the field below has another one.
+/// Number of colours used in turn. Not a divisor of 8, so a field below another one has a different colour.
 const HUES: usize = 6;
 
-/// A drawing.
+/// A PDO diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Diagram {
     /// The layout in words.
     pub(crate) label: String,
     pub(crate) shapes: Vec<Shape>,
-    /// The bits of the last byte that carry nothing.
+    /// The unused bits of the last byte.
     pub(crate) rest: Option<Rest>,
-    /// As high as the PDO is long.
+    /// Depends on the length of the PDO.
     pub(crate) height: u32,
 }
 
-/// The bits of a frame that carry nothing.
+/// The unused bits of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Rest {
     /// Their outline.
     pub(crate) path: String,
-    /// Where there is room to say so: where the text goes.
+    /// Position of the label, if there is room for one.
     pub(crate) place: Option<(u32, u32)>,
 }
 
-/// A field in the drawing.
+/// A field in the diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
     /// Its outline.
     pub(crate) path: String,
     /// `f0` to `f5`, `dummy`, `missing`.
     pub(crate) class: String,
-    /// The entry that it carries.
+    /// The mapped entry.
     pub(crate) anchor: Option<Anchor>,
-    /// All that is to be said of it.
+    /// The complete text of the tooltip.
     pub(crate) title: String,
     pub(crate) texts: Vec<Text>,
 }
 
-/// What all drawings have: the numbers of bytes and bits, and marks between the bits.
+/// The part common to all diagrams: byte and bit numbers, and marks between the bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Grid {
     pub(crate) numbers: Vec<Text>,
-    /// From the top to the bottom; where they are seen is a matter of style.
+    /// Lines over the full height; CSS decides where they are visible.
     pub(crate) lines: String,
 }
 
@@ -73,7 +73,7 @@ impl Grid {
         let bytes = (0..8).map(|byte| number(LEFT / 2, top(byte) + HEIGHT / 2 + 4, byte));
         let bottom = top(8);
         let line = |bit| match LEFT + bit * WIDTH {
-            // names stand here
+            // names are here
             x if bit == 4 => format!("M{x} {TOP}v3M{x} {bottom}v-3"),
             x => format!("M{x} {TOP}V{bottom}"),
         };
@@ -82,7 +82,7 @@ impl Grid {
     }
 }
 
-/// A text in the drawing, centred.
+/// Centred text in the diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Text {
     pub(crate) x: u32,
@@ -93,7 +93,7 @@ pub(crate) struct Text {
 }
 
 impl Diagram {
-    /// The drawing of a layout; `None` where there is nothing to be drawn.
+    /// The diagram of a layout; `None` if there is nothing to draw.
     pub(crate) fn new(title: &str, layout: &Layout, language: Language) -> Option<Self> {
         let mut shapes = Vec::new();
         for (hue, (field, span)) in layout.shown().enumerate() {
@@ -122,7 +122,7 @@ impl Diagram {
     }
 }
 
-/// The bits that carry nothing; where an object is not known, nobody can say which these are.
+/// The unused bits; unknown if a mapped object is unknown.
 fn rest(layout: &Layout) -> Option<Rest> {
     let span = layout.rest()?;
     let room = rooms(span).into_iter().next().filter(|_| layout.bits().is_some());
@@ -130,7 +130,7 @@ fn rest(layout: &Layout) -> Option<Rest> {
     Some(Rest { path: outline(span), place: room.map(place) })
 }
 
-/// What a field is called in the drawing.
+/// The label of a field.
 fn name(field: &Field) -> String {
     match (field.kind, field.object) {
         (FieldKind::Object, _) if !field.name.is_empty() => field.name.clone(),
@@ -158,7 +158,7 @@ fn in_words(field: &Field, span: Span, language: Language) -> String {
     words.join(" · ")
 }
 
-/// The left and the right edge of bits, the highest of which is the leftmost.
+/// The left and right edge of bits; the highest bit is the leftmost.
 const fn edges(low: u32, end: u32) -> (u32, u32) {
     (LEFT + (8 - end) * WIDTH, LEFT + (8 - low) * WIDTH)
 }
@@ -167,13 +167,13 @@ const fn top(byte: u32) -> u32 {
     TOP + byte * HEIGHT
 }
 
-/// The outline of bits: one shape over all rows, two where those of two rows do not touch.
+/// The outline of bits: one shape over all rows, or two if the parts in two rows do not touch.
 fn outline(span: Span) -> String {
     let rows: Vec<(u32, u32, u32)> = span.rows().collect();
     let (Some(&(first, low, _)), Some(&(last, _, end))) = (rows.first(), rows.last()) else {
         return String::new();
     };
-    // the first byte has the bits from `low` on, the last one those below `end`
+    // the first byte contains the bits from `low` on, the last one those below `end`
     let (_, right) = edges(low, 8);
     let (left, _) = edges(0, end);
     let (y, bottom) = (top(first), top(last + 1));
@@ -196,7 +196,7 @@ fn outline(span: Span) -> String {
     path + "z"
 }
 
-/// A rectangle that has room for a text.
+/// A rectangle for a text.
 #[derive(Clone, Copy)]
 struct Room {
     left: u32,
@@ -205,12 +205,13 @@ struct Room {
     bottom: u32,
 }
 
-/// The texts of a field: its name, and where there is room its index and sub-index.
+/// The texts of a field: its name and, if there is room, its index and sub-index.
 fn texts(field: &Field, span: Span) -> Vec<Text> {
     rooms(span).into_iter().flat_map(|room| texts_in(field, room)).collect()
 }
 
-/// Where the texts of a field go: the rows that it has for itself, else the longest part; both parts of one that is torn.
+/// Rectangles for the texts of a field: its full rows, else its longest part; both parts if they do not
+/// touch.
 fn rooms(span: Span) -> Vec<Room> {
     let room = |(byte, low, end): (u32, u32, u32)| {
         let (left, right) = edges(low, end);
@@ -277,11 +278,11 @@ mod tests {
         assert_eq!(outline(4, 16), "M22 16H270V46H518V76H22z");
         // a whole byte, then bits 0 to 3
         assert_eq!(outline(8, 20), "M22 46H518V106H270V76H22z");
-        // from bit 6 to bit 1 two bytes on
+        // bit 6 to bit 1 two bytes later
         assert_eq!(outline(6, 18), "M22 16H146V46H518V106H394V76H22z");
-        // bits 6 and 7, then bits 0 and 1: these do not touch
+        // bits 6 and 7, then bits 0 and 1: no common edge
         assert_eq!(outline(6, 10), "M22 16H146V46H22zM394 46H518V76H394z");
-        // bits 2 to 7, then 0 to 3: these do
+        // bits 2 to 7, then 0 to 3: common edge
         assert_eq!(outline(2, 12), "M22 16H394V46H518V76H270V46H22z");
     }
 
@@ -293,7 +294,7 @@ mod tests {
         assert_eq!((room.left, room.right, room.top, room.bottom), (22, 518, 46, 106));
     }
 
-    /// Twice the area that closed outlines enclose, after the shoelace formula.
+    /// Twice the area of closed outlines (shoelace formula).
     fn doubled_area(path: &str) -> u32 {
         let area = |part: &str| {
             let mut corners = Vec::new();
@@ -314,7 +315,7 @@ mod tests {
             let next = corners.iter().cycle().skip(1);
             corners.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<i64>()
         };
-        // each part turns the same way, so that nothing is counted against another
+        // all parts have the same orientation, so areas do not cancel out
         path.split_terminator('z').map(|part| u32::try_from(area(part)).unwrap()).sum()
     }
 

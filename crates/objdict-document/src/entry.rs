@@ -1,4 +1,4 @@
-//! An entry of the dictionary, as a page tells it.
+//! View of an entry.
 
 use std::borrow::Cow;
 
@@ -10,41 +10,41 @@ use crate::describe::Reader;
 use crate::model::{DataType, Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;
 
-/// What a page says of a sub-index.
+/// The view of a sub-index.
 #[derive(Debug)]
 pub(crate) struct EntryView<'a> {
     pub(crate) index: u16,
     pub(crate) sub: u8,
-    /// The name in the language of the page, where the description has one, else that in the file.
+    /// The name in the language of the page if available, else the name in the file.
     pub(crate) name: Cow<'a, str>,
-    /// The name in the file, where another one is shown.
+    /// The name in the file, if another name is shown.
     pub(crate) own_name: Option<Cow<'a, str>>,
-    /// Empty where it has none.
+    /// Empty if unknown.
     pub(crate) data_type: Cow<'static, str>,
-    /// Length in bits, where that is known.
+    /// Length in bits, if known.
     pub(crate) bits: Option<u8>,
-    /// Empty where it is not stated.
+    /// Empty if not stated.
     pub(crate) access: &'static str,
-    /// Which PDOs may carry it: `RPDO`, `TPDO`, both; empty for none.
+    /// The PDO kinds that may map it: `RPDO`, `TPDO`, both; empty for none.
     pub(crate) pdo: &'static str,
-    /// The value after the defaults were restored, formulas worked out where the node is known; empty where there is none.
+    /// The default value; formulas are evaluated if the node-ID is known. Empty if there is none.
     pub(crate) default: String,
-    /// What a DCF configures.
+    /// The value configured by a DCF.
     pub(crate) value: Option<String>,
-    /// Whether that differs from the default.
+    /// Whether the configured value differs from the default.
     pub(crate) is_changed: bool,
-    /// Empty where it is not stated.
+    /// Empty if not stated.
     pub(crate) low: String,
-    /// Empty where it is not stated.
+    /// Empty if not stated.
     pub(crate) high: String,
-    /// What the value says in words.
+    /// The meaning of the value in words.
     pub(crate) meaning: Option<String>,
     pub(crate) details: Details<'a>,
     pub(crate) code: Option<&'a CodeName>,
 }
 
 impl<'a> EntryView<'a> {
-    /// What is to be said of an entry, `documents` being what those of CiA say of its object.
+    /// Creates the view; `documents` contains the definitions of the object in CiA documents.
     pub(crate) fn new(
         context: &Context<'a>,
         (index, sub): (u16, u8),
@@ -84,7 +84,7 @@ impl<'a> EntryView<'a> {
         view
     }
 
-    /// Where it is in the page.
+    /// The anchor in the page.
     pub(crate) fn anchor(&self) -> Anchor {
         Anchor::entry(self.index, self.sub)
     }
@@ -94,13 +94,13 @@ impl<'a> EntryView<'a> {
         format!("0x{:02X}", self.sub)
     }
 
-    /// Whether a page says more of it than its name, type, access, mapping and value.
+    /// Whether there is more to show than name, type, access, mapping and value.
     pub(crate) fn has_more(&self) -> bool {
         self.meaning.is_some() || self.has_limits() || self.own_name.is_some() || !self.details.is_empty()
     }
 
-    /// The name that code has for it, where it is all that differs from the names of its object; and its macro in C
-    /// where that is not made of both.
+    /// The identifier in generated code if only the entry's part differs from the names of its object, and
+    /// the C macro if it is not composed of both.
     pub(crate) fn code_names(&self, object: &CodeName) -> Option<(&'a str, Option<&'a str>)> {
         let code = self.code?;
         let constant = code.rust.rsplit("::").next()?;
@@ -133,7 +133,7 @@ fn directions(entry: &Entry) -> &'static str {
             (true, true) => "RPDO TPDO",
             (true, false) => "RPDO",
             (false, true) => "TPDO",
-            // the access type forbids both, which `check` tells
+            // not allowed by the access type, which `check` reports
             (false, false) => "PDO",
         },
     }

@@ -1,34 +1,34 @@
-//! What `check` found, as a page tells it.
+//! Findings of `check` on a page.
 
 use super::anchor::{Anchor, in_one_spelling};
 use super::texts::Texts;
 use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::model::{Part, Place};
 
-/// A finding, told for readers who may not have the file.
+/// A finding, for readers who may not have the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// How grave it is.
+    /// The severity.
     pub severity: Severity,
     /// The rule, such as `cia301/pdo-length-exceeded`.
     pub rule: &'static str,
-    /// The defect that the rule finds.
+    /// The problem that the rule finds.
     pub title: &'static str,
-    /// The public address of the rule's page, where it has one.
+    /// The public URL of the rule's page, if there is one.
     pub address: Option<String>,
-    /// What is wrong.
+    /// The message.
     pub message: String,
-    /// What to do.
+    /// How to fix it.
     pub help: Option<String>,
-    /// Where it is in the dictionary; `None` where only the text shows it.
+    /// The place in the dictionary; `None` if it has only a position in the text.
     pub place: Option<Place>,
-    /// The line of the file, counted from 1; `None` where there is no text.
+    /// The line in the file, counted from 1; `None` without a text.
     pub line: Option<u32>,
 }
 
 impl Finding {
-    /// What a page tells of a finding. The line is that of the file, see `report::Location::line_of`;
-    /// `None` where there is no text.
+    /// Converts a diagnostic. For the line in the file see `report::Location::line_of`; `None` without a
+    /// text.
     pub fn new(finding: &Diagnostic, line: Option<u32>) -> Self {
         let place = finding.labels.iter().find_map(|label| match &label.at {
             At::Place(place) => Some(place.clone()),
@@ -46,7 +46,7 @@ impl Finding {
         }
     }
 
-    /// The object or entry that it is about.
+    /// The object or entry of the finding.
     pub(crate) fn anchor(&self) -> Option<Anchor> {
         match self.place.as_ref()?.part {
             Part::Object(index)
@@ -60,7 +60,7 @@ impl Finding {
     }
 }
 
-/// What one rule found.
+/// The findings of one rule.
 #[derive(Debug)]
 pub(crate) struct Found<'a> {
     /// The highest severity of its findings.
@@ -95,14 +95,14 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// One of them, for what they share.
+    /// The first finding, for properties common to all.
     pub(crate) fn first(&self) -> &'a Finding {
         self.findings[0]
     }
 }
 
-/// The parts of a message, and of each whether it is quoted from the description: what stands between backticks is, unless a
-/// quoted text has one itself.
+/// Splits a message into parts and flags those quoted from the description: text between backticks, unless
+/// the quoted text contains a backtick.
 pub(crate) fn quoted(message: &str) -> Vec<(bool, &str)> {
     let parts: Vec<&str> = message.split('`').collect();
     if parts.len().is_multiple_of(2) {

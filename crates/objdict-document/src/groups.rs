@@ -1,4 +1,4 @@
-//! The groups that an XDD sorts its parameters into.
+//! The parameter groups of an XDD.
 
 use std::collections::HashMap;
 
@@ -6,32 +6,32 @@ use super::anchor::Anchor;
 use super::page::Context;
 use crate::model::{Device, Parameter, ParameterGroup};
 
-/// So deep may groups lie in each other; what is deeper stands beside its elders.
+/// Maximum nesting depth; deeper groups are shown at this level.
 const MAX_DEPTH: usize = 8;
 
 /// A group of parameters.
 #[derive(Debug)]
 pub(crate) struct ShownGroup<'a> {
-    /// How many groups it lies in.
+    /// Nesting depth.
     pub(crate) depth: usize,
-    /// Empty where it has none.
+    /// Empty if there is none.
     pub(crate) name: &'a str,
-    /// Empty where it has none.
+    /// Empty if there is none.
     pub(crate) description: &'a str,
     /// The objects and entries of its parameters.
     pub(crate) members: Vec<Member>,
 }
 
-/// What a group names.
+/// A member of a group.
 #[derive(Debug)]
 pub(crate) struct Member {
-    /// Where it is in the page; `None` for a parameter that belongs to no entry.
+    /// The anchor in the page; `None` for a parameter without an entry.
     pub(crate) anchor: Option<Anchor>,
-    /// Its name, or the id of a parameter without one that belongs to no entry.
+    /// Its name, or the id of a parameter without name and entry.
     pub(crate) name: String,
 }
 
-/// All groups, each before those in it.
+/// All groups, each before its subgroups.
 pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<ShownGroup<'a>> {
     let mut groups = Vec::new();
     let top: Vec<&ParameterGroup> =
@@ -66,14 +66,14 @@ fn add<'a>(
 
 /// The parameters of a device by their ids.
 struct Members<'a> {
-    /// Where those of entries belong.
+    /// Places of parameters with an entry.
     places: HashMap<&'a str, (u16, Option<u8>)>,
-    /// Those that belong to no entry, or to several.
+    /// Parameters without an entry, or with several.
     free: HashMap<&'a str, &'a Parameter>,
 }
 
 impl<'a> Members<'a> {
-    /// Of two equal ids the first counts.
+    /// For equal ids the first parameter applies.
     fn new(device: &'a Device) -> Self {
         let mut places = HashMap::new();
         for (&index, object) in &device.objects {
@@ -108,7 +108,7 @@ impl<'a> Members<'a> {
     }
 }
 
-/// The place that an id names which a parameter without one is given; see [`Parameter::usual_id`].
+/// The place encoded in the id of a parameter without its own id; see [`Parameter::usual_id`].
 fn implied(id: &str) -> Option<(u16, Option<u8>)> {
     let (digits, has_sub) = match id.strip_prefix("UID_OBJ_") {
         Some(digits) => (digits, false),

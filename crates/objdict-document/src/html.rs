@@ -1,4 +1,4 @@
-//! A page of HTML that needs nothing beside it.
+//! HTML output: a self-contained page.
 
 use askama::Template;
 
@@ -11,12 +11,12 @@ struct PageTemplate<'a> {
     version: &'static str,
 }
 
-/// The page as HTML.
+/// Writes the page as HTML.
 pub(super) fn write(page: &Page<'_>) -> String {
     let template = PageTemplate { page, version: env!("CARGO_PKG_VERSION") };
-    // about what an entry takes, so that the text is not moved while it grows
+    // approximate size per entry, to avoid reallocation
     let mut text = String::with_capacity(40_000 + 500 * page.entry_count());
-    // a String takes every text, and no filter of the templates fails
+    // writing to a String cannot fail, nor do the template filters
     let _ = template.render_into(&mut text);
     text
 }

@@ -1,72 +1,72 @@
-//! Which bits of a PDO's frame carry what.
+//! The assignment of frame bits to the mapped objects of a PDO.
 //!
-//! The first mapped object has the lowest bits of the frame, the next ones follow without gaps (CiA 301 §7.2.2.2). Bit n is bit
-//! n modulo 8 of byte n / 8.
+//! The first mapped object occupies the lowest bits of the frame; the others follow without gaps (CiA 301
+//! §7.2.2.2). Bit n is bit n modulo 8 of byte n / 8.
 
 use super::anchor::Anchor;
 use crate::model::{DataType, Device, Entry, MappedObject, Pdo};
 
-/// The bits of a frame of classical CAN.
+/// Bits of a classical CAN data field.
 pub(crate) const FRAME_BITS: u32 = 64;
 
-/// What the frame of a PDO carries.
+/// The layout of a PDO frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Layout {
     pub(crate) content: Content,
-    /// In the order of the frame.
+    /// In frame order.
     pub(crate) fields: Vec<Field>,
 }
 
-/// What the number of mapped objects says.
+/// The content according to the number of mapped objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content {
-    /// That of so many mapped objects.
+    /// This number of mapped objects.
     Objects,
     /// Nothing: the number is 0.
     Nothing,
-    /// A multiplexed PDO that names the entry it comes from (FEh).
+    /// A multiplexed PDO that contains the source multiplexer (FEh: SAM-MPDO).
     SourceMultiplexed,
-    /// A multiplexed PDO that names the entry it goes to (FFh).
+    /// A multiplexed PDO that contains the destination multiplexer (FFh: DAM-MPDO).
     DestinationMultiplexed,
     /// A reserved number.
     Reserved(u8),
-    /// Nothing: the description has no number. The fields are those that have an object all the same.
+    /// The number is not stated. The fields are the mapped objects that are described.
     Unstated,
 }
 
 /// A mapped object in the frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Field {
-    /// The sub-index of the mapping that says so.
+    /// The sub-index of the mapping parameter.
     pub(crate) slot: u8,
-    /// Its lowest bit; `None` behind a sub-index whose object is not known.
+    /// Its lowest bit; `None` after an unknown mapped object.
     pub(crate) first: Option<u32>,
-    /// Its length in bits, also where the frame has not as many left.
+    /// Length in bits, even if it exceeds the frame.
     pub(crate) bits: u32,
     pub(crate) kind: FieldKind,
-    /// `None` where the description gives the sub-index no object.
+    /// `None` if the description does not state a mapped object.
     pub(crate) object: Option<MappedObject>,
-    /// The name of the entry; empty where there is none.
+    /// The name of the entry; empty if it does not exist.
     pub(crate) name: String,
-    /// The data type of the entry, or of the dummy.
+    /// The data type of the entry, or of the dummy entry.
     pub(crate) data_type: Option<DataType>,
 }
 
-/// What a field is.
+/// The kind of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FieldKind {
     /// An entry of the dictionary.
     Object,
-    /// Bits that mean nothing.
+    /// A dummy entry.
     Dummy,
-    /// An entry that the description does not have.
+    /// An entry missing in the description.
     Missing,
-    /// A sub-index of the mapping that names nothing.
+    /// A mapping entry without an object.
     Gap,
 }
 
 impl Layout {
-    /// The layout of a PDO; `name` says what entries are called.
+    /// Computes the layout of a PDO; `name` supplies the names of entries.
     pub(crate) fn new(device: &Device, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> Self {
         let (content, count) = match pdo.mapped_count {
             None => (Content::Unstated, stated_objects(pdo)),
@@ -81,30 +81,30 @@ impl Layout {
             let object = pdo.slots.iter().find(|found| found.sub == slot).and_then(|found| found.object);
             let mut field = field(device, slot, object, name);
             field.first = next;
-            // where an object is not known, nobody knows where the next one is
+            // the position after an unknown object is unknown
             next = next.filter(|_| object.is_some()).map(|first| first + field.bits);
             field
         });
         Self { content, fields: fields.collect() }
     }
 
-    /// How many bits are mapped, also more than a frame has; `None` where that is not known.
+    /// The number of mapped bits, even if more than a frame has; `None` if unknown.
     pub(crate) fn bits(&self) -> Option<u32> {
         let is_known = self.fields.iter().all(|field| field.object.is_some());
         is_known.then(|| self.fields.iter().map(|field| field.bits).sum())
     }
 
-    /// The fields that have bits in the frame.
+    /// The fields with bits in the frame.
     pub(crate) fn shown(&self) -> impl Iterator<Item = (&Field, Span)> {
         self.fields.iter().filter_map(|field| Some((field, field.span()?)))
     }
 
-    /// The bytes of the frame; all that it can have where the length is not known.
+    /// The number of bytes in the frame; the maximum if the length is unknown.
     pub(crate) fn bytes(&self) -> u32 {
         self.bits().map_or(FRAME_BITS, |bits| bits.min(FRAME_BITS)).div_ceil(8)
     }
 
-    /// The bits of the frame that carry nothing.
+    /// The unused bits of the frame.
     pub(crate) fn rest(&self) -> Option<Span> {
         let used = self.shown().map(|(_, span)| span.end).max().unwrap_or(0);
         let end = 8 * self.bytes();
@@ -112,7 +112,7 @@ impl Layout {
     }
 }
 
-/// How many of the first sub-indexes have an object, where nobody says how many are mapped.
+/// The number of consecutive mapped objects from sub-index 1 on, used if sub-index 0 is not stated.
 fn stated_objects(pdo: &Pdo<'_>) -> u8 {
     let objects = (1..=64)
         .zip(&pdo.slots)
@@ -148,26 +148,26 @@ fn field(device: &Device, slot: u8, object: Option<MappedObject>, name: &dyn Fn(
 }
 
 impl Field {
-    /// Its bits in the frame; `None` where it has none there.
+    /// Its bits in the frame; `None` if it is outside of it.
     pub(crate) fn span(&self) -> Option<Span> {
         let start = self.first?;
         let end = (start + self.bits).min(FRAME_BITS);
         (start < end).then_some(Span { start, end })
     }
 
-    /// Whether bits of it lie behind the end of the frame.
+    /// Whether it exceeds the frame.
     pub(crate) fn is_cut(&self) -> bool {
         self.first.is_some_and(|first| first + self.bits > FRAME_BITS)
     }
 
-    /// The entry that it carries, where the description has it.
+    /// The mapped entry, if the description has it.
     pub(crate) fn anchor(&self) -> Option<Anchor> {
         let object = self.object.filter(|_| self.kind == FieldKind::Object)?;
         Some(Anchor::entry(object.index, object.sub))
     }
 }
 
-/// Bits of a frame, the last one not included.
+/// A range of frame bits; the end is exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Span {
     pub(crate) start: u32,
@@ -175,7 +175,7 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// Its parts byte by byte, as byte, lowest bit and bit behind the highest.
+    /// Its parts per byte: byte, lowest bit, and bit after the highest.
     pub(crate) fn rows(self) -> impl Iterator<Item = (u32, u32, u32)> {
         (self.start / 8..self.end.div_ceil(8)).map(move |byte| {
             let first = byte * 8;
@@ -209,7 +209,8 @@ pub(super) mod tests {
         Object { main, subs, ..Object::default() }
     }
 
-    /// A device whose TPDO 1 has this number of objects and these objects, and the entries 6000h:00 to 6000h:3Fh.
+    /// A device with entries 6000h:00 to 6000h:3Fh and TPDO 1 with this number of mapped objects and these
+    /// objects.
     pub(crate) fn device(count: Option<u64>, mapped: &[Option<u64>]) -> Device {
         let mut device = Device::default();
         let mut values = vec![(0, count)];

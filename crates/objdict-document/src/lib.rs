@@ -1,7 +1,7 @@
-//! Documentation made of a description: pages that people read, tables that programs read.
+//! Documentation generated from a description: pages for reading, tables for programs.
 //!
-//! A page is what is to be said of a device, in words and in the order in which it is said; [`Form`]s write it down. Neither
-//! knows a file: what `check` found and what the file is called are given with the device ([`Subject`]).
+//! A page contains the words in reading order; a [`Form`] writes it. Neither reads files: the findings of
+//! `check` and the file name are passed with the device ([`Subject`]).
 
 mod anchor;
 mod card;
@@ -37,25 +37,25 @@ use crate::model::Device;
 use objdict_model::{Language, diagnostic, model};
 use objdict_profile as profile;
 
-/// What is documented.
+/// The documented device with its context.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     /// The device.
     pub device: &'a Device,
-    /// The name of its file, as a reader knows it.
+    /// The file name shown to readers.
     pub file: &'a str,
     /// The format of the file: `EDS`, `DCF`, `XDD`, `XDC`, `JSON`.
     pub format: &'a str,
-    /// What `check` found; `None` where nothing was checked.
+    /// The findings of `check`; `None` if it did not run.
     pub findings: Option<&'a [Finding]>,
-    /// What generated code calls objects (no sub-index) and entries; empty where that is not known.
+    /// Identifiers in generated code; empty if unknown.
     pub identifiers: &'a Identifiers,
 }
 
-/// What generated code calls objects (no sub-index) and entries.
+/// Identifiers of objects (no sub-index) and entries in generated code.
 pub type Identifiers = BTreeMap<(u16, Option<u8>), CodeName>;
 
-/// What generated code calls an object or an entry.
+/// The identifiers of an object or an entry in generated code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CodeName {
     /// The constant in Rust: `od::identity_object::VENDOR_ID`.
@@ -64,14 +64,14 @@ pub struct CodeName {
     pub c: String,
 }
 
-/// How documentation is written down.
+/// Output forms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// One page that needs nothing beside it: no network, no other file.
+    /// A self-contained HTML page.
     Html,
-    /// One file of tables, as forges render them.
+    /// A Markdown file with tables, as GitHub and GitLab render them.
     Markdown,
-    /// One line for each entry.
+    /// One line per entry.
     Csv,
 }
 
@@ -79,12 +79,12 @@ impl Form {
     /// All forms.
     pub const ALL: [Self; 3] = [Self::Html, Self::Markdown, Self::Csv];
 
-    /// What the ending of a file, without its point, stands for.
+    /// The form for a file extension (without the dot).
     pub fn of_extension(extension: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
     }
 
-    /// The ending of a file.
+    /// The file extension.
     pub const fn extension(self) -> &'static str {
         match self {
             Self::Html => "html",
@@ -94,15 +94,15 @@ impl Form {
     }
 }
 
-/// What documentation shall be like.
+/// Options of the documentation.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The title; without it, the product's name.
+    /// The title (default: product name).
     pub title: Option<String>,
-    /// The node that COB-IDs are worked out for, 1 to 127; without it, that of a configured node, if any.
+    /// The node-ID for COB-IDs, 1 to 127 (default: that of the configured node, if any).
     pub node_id: Option<u8>,
-    /// The language of names and descriptions, where the description has them in several (RFC 5646, such as `de`); headings and
-    /// sentences are in it where objdict writes in it ([`Language::of_tag`]), else in English.
+    /// The language of names and descriptions, if the description has several (RFC 5646, such as `de`).
+    /// Headings and sentences use it if objdict supports it ([`Language::of_tag`]), else English.
     pub language: Option<String>,
 }
 
@@ -112,13 +112,13 @@ impl Options {
         self.language.as_deref().and_then(Language::of_tag).unwrap_or_default()
     }
 
-    /// The language of texts of the description.
+    /// The language of description texts.
     pub(crate) fn tag(&self) -> &str {
         self.language.as_deref().unwrap_or("en")
     }
 }
 
-/// The documentation of a device.
+/// Writes the documentation of a device.
 ///
 /// ```
 /// use objdict_document::{Form, Options, Subject};

@@ -1,4 +1,4 @@
-//! A page of Markdown as forges render it: headings, tables, lists, and nothing that only one of them knows.
+//! Markdown output as forges render it: headings, tables, lists, and no site-specific markup.
 
 use std::borrow::Cow;
 
@@ -11,7 +11,7 @@ use super::object::ObjectView;
 use super::page::Page;
 use super::texts::Texts;
 
-/// An array with more entries than this is folded.
+/// Larger arrays are folded.
 const LONG: usize = 10;
 
 #[derive(Template)]
@@ -21,11 +21,11 @@ struct PageTemplate<'a> {
     version: &'static str,
 }
 
-/// A line of a cell.
+/// A line of a table cell.
 struct Line<'a> {
-    /// What the text is called; may be empty.
+    /// The label; may be empty.
     label: Cow<'a, str>,
-    /// Whether the label stands so in the file.
+    /// Whether the label is a key of the file.
     is_key: bool,
     text: Cow<'a, str>,
     /// Numbers with their names.
@@ -50,7 +50,7 @@ impl<'a> Line<'a> {
 }
 
 impl<'a> PageTemplate<'a> {
-    /// What the last column of an entry says.
+    /// The last column of an entry.
     fn lines_of_entry(&self, entry: &'a EntryView<'a>) -> Vec<Line<'a>> {
         let mut lines: Vec<Line<'a>> =
             entry.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
@@ -62,7 +62,7 @@ impl<'a> PageTemplate<'a> {
         lines
     }
 
-    /// What is said of an object as a whole.
+    /// The details of the whole object.
     fn lines_of_object(&self, object: &'a ObjectView<'a>) -> Vec<Line<'a>> {
         let mut lines: Vec<Line<'a>> =
             object.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
@@ -87,18 +87,18 @@ impl<'a> PageTemplate<'a> {
         lines.extend(details.word_of.map(|first| Line::new(texts.bits_as, first.spoken())));
     }
 
-    /// Whether an object has so many entries that are alike that it is folded.
+    /// Whether an object is folded because it has many similar entries.
     fn is_long(&self, object: &ObjectView<'_>) -> bool {
         object.is_array && object.entries.len() > LONG
     }
 }
 
-/// The page as Markdown.
+/// Writes the page as Markdown.
 pub(super) fn write(page: &Page<'_>) -> String {
     let template = PageTemplate { page, version: env!("CARGO_PKG_VERSION") };
-    // about what an entry takes, so that the text is not moved while it grows
+    // approximate size per entry, to avoid reallocation
     let mut text = String::with_capacity(10_000 + 200 * page.entry_count());
-    // a String takes every text, and no filter of the templates fails
+    // writing to a String cannot fail, nor do the template filters
     let _ = template.render_into(&mut text);
     text.push('\n');
     text

@@ -1,4 +1,4 @@
-//! Which PDOs the configured nodes of a network send each other: CAN-IDs of TPDOs beside those of RPDOs.
+//! PDOs between the configured nodes of a network: matches CAN-IDs of TPDOs and RPDOs.
 
 use std::collections::BTreeMap;
 
@@ -6,34 +6,34 @@ use super::page::Context;
 use crate::describe::spelled;
 use crate::model::{Commissioning, MappedObject, Pdo, PdoKind};
 
-/// A configured node, as others see it.
+/// A configured node as part of a network.
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
     /// 1 to 127.
     pub(crate) id: u8,
-    /// Its name in the network, else that of the device.
+    /// The node name, else the product name.
     pub(crate) name: String,
-    /// The address of its page.
+    /// The link to its page.
     pub(crate) link: String,
-    /// What tells networks apart.
+    /// Identifies the network.
     network: (Option<u32>, String),
     pdos: Vec<End>,
 }
 
-/// A PDO that exists, on its node.
+/// A valid PDO of a node.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct End {
     kind: PdoKind,
     number: u16,
-    /// The CAN-ID, and whether it has 29 bits.
+    /// Whether the CAN-ID has 29 bits, and the CAN-ID.
     can_id: (bool, u32),
     bits: u32,
-    /// The names of what it carries.
+    /// The names of the mapped objects.
     carried: Vec<String>,
 }
 
 impl Node {
-    /// The node that a device is configured for; `None` for a type of device.
+    /// The node of a configured device; `None` for a device type.
     pub(super) fn new(context: &Context<'_>, device_name: &str, link: &str) -> Option<Self> {
         let device = context.device;
         let commissioning = device.commissioning.as_ref()?;
@@ -78,7 +78,7 @@ impl End {
 /// The nodes with the same network number and name.
 #[derive(Debug)]
 pub(crate) struct Network<'a> {
-    /// `2 line`; empty where no file names it.
+    /// `2 line`; empty if not stated in any file.
     pub(crate) name: String,
     /// By node-ID.
     pub(crate) nodes: Vec<&'a Node>,
@@ -87,7 +87,7 @@ pub(crate) struct Network<'a> {
 }
 
 impl Network<'_> {
-    /// The node-IDs that several nodes have, which no bus allows.
+    /// Duplicate node-IDs, which CANopen does not allow.
     pub(crate) fn doubled(&self) -> Vec<u8> {
         let pairs = self.nodes.windows(2).filter(|pair| pair[0].id == pair[1].id);
         let mut ids: Vec<u8> = pairs.map(|pair| pair[0].id).collect();
@@ -97,7 +97,7 @@ impl Network<'_> {
 }
 
 impl<'a> Network<'a> {
-    /// The CAN-IDs of the PDOs that one node sends and another one waits for.
+    /// The CAN-IDs of PDOs from one node to another.
     pub(crate) fn between(&self, from: &Node, to: &Node) -> Vec<String> {
         let has = |ports: &[Port<'a>], node: &Node| ports.iter().any(|port| std::ptr::eq(port.node, node));
         let frames =
@@ -106,7 +106,7 @@ impl<'a> Network<'a> {
     }
 }
 
-/// A CAN-ID that PDOs are sent or received with.
+/// A CAN-ID used by PDOs.
 #[derive(Debug)]
 pub(crate) struct Frame<'a> {
     can_id: (bool, u32),
@@ -114,7 +114,7 @@ pub(crate) struct Frame<'a> {
     pub(crate) receivers: Vec<Port<'a>>,
 }
 
-/// A PDO with its node.
+/// A PDO of a node.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Port<'a> {
     pub(crate) node: &'a Node,
@@ -132,36 +132,36 @@ impl<'a> Port<'a> {
         self.end.bits
     }
 
-    /// The names of what the PDO carries.
+    /// The names of the mapped objects.
     pub(crate) fn carried(&self) -> &'a [String] {
         &self.end.carried
     }
 }
 
 impl Frame<'_> {
-    /// `0x185`; of an extended frame with eight digits.
+    /// `0x185`; eight digits for an extended frame.
     pub(crate) fn shown_can_id(&self) -> String {
         let (is_extended, can_id) = self.can_id;
         spelled(can_id, is_extended)
     }
 
-    /// The PDOs whose contents are told: those that are sent, else those that somebody waits for.
+    /// The PDOs whose contents are shown: the TPDOs, or the RPDOs if there is no sender.
     pub(crate) fn content(&self) -> &[Port<'_>] {
         if self.senders.is_empty() { &self.receivers } else { &self.senders }
     }
 
-    /// Whether several nodes send with it, which no bus allows.
+    /// Whether several nodes send it, which CANopen does not allow.
     pub(crate) fn is_sent_twice(&self) -> bool {
         self.senders.len() > 1
     }
 
-    /// Whether somebody waits for more bits than are sent, and so takes nothing.
+    /// Whether a receiver maps more bits than are sent and therefore ignores the PDO.
     pub(crate) fn is_too_short(&self, receiver: &Port<'_>) -> bool {
         self.senders.iter().any(|sender| sender.end.bits < receiver.end.bits)
     }
 }
 
-/// The networks that have several of the nodes.
+/// The networks with several of the nodes.
 pub(crate) fn networks(nodes: &[Node]) -> Vec<Network<'_>> {
     let mut by_network: BTreeMap<&(Option<u32>, String), Vec<&Node>> = BTreeMap::new();
     for node in nodes {

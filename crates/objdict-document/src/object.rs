@@ -1,4 +1,4 @@
-//! Objects and the areas of the dictionary that they lie in.
+//! Objects and areas of the dictionary.
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -12,10 +12,10 @@ use super::texts::Texts;
 use super::{CodeName, profile};
 use crate::model::{Device, Object, ObjectType};
 
-/// A part of the dictionary (CiA 301 §7.4.1).
+/// An area of the dictionary (CiA 301 §7.4.1).
 #[derive(Debug)]
 pub(crate) struct Area<'a> {
-    /// What an address in the page is made of.
+    /// Prefix of anchors in the page.
     pub(crate) id: &'static str,
     pub(crate) title: String,
     /// Its indexes: `0x1000–0x1FFF`.
@@ -24,27 +24,27 @@ pub(crate) struct Area<'a> {
     pub(crate) objects: Vec<ObjectView<'a>>,
 }
 
-/// What a page says of an index.
+/// View of an object.
 #[derive(Debug)]
 pub(crate) struct ObjectView<'a> {
     pub(crate) index: u16,
-    /// The name in the language of the page, where the description has one, else that in the file.
+    /// The name in the language of the page if available, else the name in the file.
     pub(crate) name: Cow<'a, str>,
-    /// The name in the file, where another one is shown.
+    /// The name in the file, if another name is shown.
     pub(crate) own_name: Option<Cow<'a, str>>,
-    /// `ARRAY`; empty where only sub-indexes are described.
+    /// `ARRAY`; empty if only sub-indexes are described.
     pub(crate) object_type: String,
     /// Whether it has one value and no sub-indexes.
     pub(crate) is_single: bool,
-    /// Whether its entries are alike, so that a reader mostly wants none of them.
+    /// Whether its entries are alike; readers rarely need them one by one.
     pub(crate) is_array: bool,
-    /// Its entries; of an object with one value that one.
+    /// The entries; a single one for an object without sub-indexes.
     pub(crate) entries: Vec<EntryView<'a>>,
-    /// What is said of the object as a whole; nothing where it has one value, which says it.
+    /// The details of the object; empty if it has one value, whose entry contains them.
     pub(crate) details: Details<'a>,
-    /// The objects that it names.
+    /// The objects it refers to.
     pub(crate) links: Vec<Anchor>,
-    /// What it is for, as far as documents of CiA say; empty where an object before it says the same.
+    /// Its purpose according to CiA documents; empty if a previous object has the same text.
     pub(crate) about: Option<String>,
     pub(crate) code: Option<&'a CodeName>,
 }
@@ -81,17 +81,17 @@ impl<'a> ObjectView<'a> {
         }
     }
 
-    /// The entry that an object with one value has.
+    /// The only entry of an object without sub-indexes.
     pub(crate) fn single(&self) -> Option<&EntryView<'a>> {
         self.entries.first().filter(|_| self.is_single)
     }
 
-    /// Where it is in the page.
+    /// The anchor in the page.
     pub(crate) fn anchor(&self) -> Anchor {
         Anchor::object(self.index)
     }
 
-    /// The data type that all entries but sub-index 0 have; empty where they differ.
+    /// The common data type of all entries except sub-index 0; empty if they differ.
     pub(crate) fn common_type(&self) -> &str {
         let mut types = self.entries.iter().filter(|entry| entry.sub != 0).map(|entry| &*entry.data_type);
         let Some(first) = types.next() else { return "" };
@@ -99,7 +99,7 @@ impl<'a> ObjectView<'a> {
     }
 }
 
-/// The areas that the device has objects in.
+/// The areas in which the device has objects.
 pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Area<'a>> {
     let areas = AREAS.iter().map(|(id, title, range)| {
         let objects = context.device.objects.range(range.clone());
@@ -115,7 +115,7 @@ pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Area<'a>> {
     areas
 }
 
-/// Of sentences and bit tables that several objects share, only the first one shows them; the others name it.
+/// Shows sentences and bit tables shared by several objects only at the first one; the others link to it.
 fn say_once(areas: &mut [Area<'_>]) {
     let (mut sentences, mut words) = (HashSet::new(), HashMap::new());
     for object in areas.iter_mut().flat_map(|area| &mut area.objects) {
@@ -133,7 +133,7 @@ fn say_once(areas: &mut [Area<'_>]) {
 
 type Title = fn(&Texts, &Device, u16) -> String;
 
-/// CiA 301 table 31, the standardised device profiles one by one.
+/// CiA 301 table 31, with the standardised device profiles separated.
 const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
     ("types", |texts, _, _| texts.data_types.to_owned(), 0..=0x0FFF),
     ("communication-area", |texts, _, _| texts.communication_area.to_owned(), 0x1000..=0x1FFF),
@@ -151,7 +151,7 @@ const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
     ("reserved", |texts, _, _| texts.reserved_area.to_owned(), 0xC000..=0xFFFF),
 ];
 
-/// `Device profile CiA 402`, of a device with several of them with its number.
+/// `Device profile CiA 402`; with a number if the device has several profiles.
 fn profile_title(texts: &Texts, device: &Device, first: u16) -> String {
     let block = u8::try_from((first - 0x6000) / 0x800).unwrap_or_default();
     let has_several = device.objects.range(0x6800..=0x9FFF).next().is_some();

@@ -1,4 +1,4 @@
-//! All that is to be said of a device, in the order in which it is said.
+//! The content of a page in reading order.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -14,21 +14,21 @@ use crate::Language;
 use crate::describe::Decoder;
 use crate::model::{Device, Entry, Meanings};
 
-/// The documentation of a device, in words.
+/// The documentation of a device in words.
 #[derive(Debug)]
 pub(crate) struct Page<'a> {
     pub(crate) language: Language,
     pub(crate) texts: &'static Texts,
     pub(crate) title: String,
-    /// The node that formulas are worked out for.
+    /// The node-ID for formulas.
     pub(crate) node_id: Option<u8>,
     pub(crate) card: Card,
-    /// What `check` found, by rule; `None` where nothing was checked.
+    /// The findings of `check` by rule; `None` if it did not run.
     pub(crate) findings: Option<Vec<Found<'a>>>,
     pub(crate) communication: Communication,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
-    /// Whether an entry has a value beside its default.
+    /// Whether any entry has a configured value.
     pub(crate) is_configured: bool,
 }
 
@@ -55,47 +55,47 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// The CAN-ID of the default SDO to the device in hex; `6xx` where the node is not known (CiA 301 §7.3.5).
+    /// The CAN-ID of the default SDO request in hex; `6xx` if the node-ID is unknown (CiA 301 §7.3.5).
     pub(crate) fn sdo_can_id(&self) -> String {
         self.node_id.map_or_else(|| "6xx".to_owned(), |node| format!("{:X}", 0x600 + u16::from(node)))
     }
 
-    /// How many findings there are.
+    /// The number of findings.
     pub(crate) fn finding_count(&self) -> usize {
         self.findings.iter().flatten().map(|found| found.findings.len()).sum()
     }
 
-    /// How many objects there are.
+    /// The number of objects.
     pub(crate) fn object_count(&self) -> usize {
         self.areas.iter().map(|area| area.objects.len()).sum()
     }
 
-    /// Whether it takes a browser long to lay out what is not in its window.
+    /// Whether browsers need long to lay out parts outside the viewport.
     pub(crate) fn is_large(&self) -> bool {
         self.entry_count() > 1500
     }
 
-    /// How many entries they have.
+    /// The number of entries.
     pub(crate) fn entry_count(&self) -> usize {
         self.areas.iter().flat_map(|area| &area.objects).map(|object| object.entries.len()).sum()
     }
 }
 
-/// What the parts of a page are made of.
+/// Shared state for building a page.
 #[derive(Debug)]
 pub(crate) struct Context<'a> {
     pub(crate) device: &'a Device,
-    /// The node that formulas are worked out for.
+    /// The node-ID for formulas.
     pub(crate) node_id: Option<u8>,
-    /// Says what values mean.
+    /// Describes values.
     pub(crate) decoder: Decoder<'a>,
     pub(crate) language: Language,
     pub(crate) texts: &'static Texts,
-    /// The language of texts of the description.
+    /// The language of description texts.
     pub(crate) tag: &'a str,
-    /// What values mean; `None` where the description says that of none.
+    /// Meanings of values; `None` if the description has none.
     pub(crate) meanings: Option<Meanings<'a>>,
-    /// The PDOs that carry an entry, in words.
+    /// The PDOs that map an entry, in words.
     carriers: BTreeMap<(u16, u8), String>,
     pub(super) identifiers: &'a Identifiers,
 }
@@ -120,12 +120,12 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The PDOs that carry an entry.
+    /// The PDOs that map an entry.
     pub(super) fn carriers(&self, index: u16, sub: u8) -> Option<String> {
         self.carriers.get(&(index, sub)).cloned()
     }
 
-    /// The name of an entry in the language of the page, and the name in the file where that is another one.
+    /// The name of an entry in the language of the page, and the name in the file if it differs.
     pub(super) fn names(&self, entry: Cow<'a, Entry>) -> (Cow<'a, str>, Option<Cow<'a, str>>) {
         match entry {
             Cow::Borrowed(entry) => {
@@ -143,7 +143,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The name of an entry in the language of the page, else in the file, else words for none.
+    /// The name of an entry in the language of the page, else the name in the file, else a placeholder.
     pub(super) fn name<'e>(&self, entry: &'e Entry) -> &'e str {
         let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(self.tag));
         match label.map(str::trim).filter(|label| !label.is_empty()) {
@@ -154,14 +154,14 @@ impl<'a> Context<'a> {
     }
 }
 
-/// What each entry is carried by.
+/// The PDOs that map each entry.
 fn carriers(device: &Device) -> BTreeMap<(u16, u8), String> {
     let mut carriers: BTreeMap<(u16, u8), String> = BTreeMap::new();
     for pdo in device.pdos() {
         let name = pdo.to_string();
         for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
             let names = carriers.entry((mapped.index, mapped.sub)).or_default();
-            // one that carries it twice is told once, and it would be the last
+            // list a PDO that maps the entry twice only once; it would be the last in the list
             if names.rsplit(", ").next() != Some(&name) {
                 if !names.is_empty() {
                     names.push_str(", ");

@@ -1,4 +1,4 @@
-//! The PDOs of a device in words, with what their frames carry.
+//! PDOs of a device in words, with their frame layout.
 
 use super::anchor::Anchor;
 use super::diagram::Diagram;
@@ -8,36 +8,36 @@ use crate::Language;
 use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
 
-/// A PDO as a page tells it.
+/// View of a PDO.
 #[derive(Clone, Debug)]
 pub(crate) struct PdoView {
     /// `TPDO 1`.
     pub(crate) title: String,
-    /// `tpdo1`: its name in the addresses of the page.
+    /// `tpdo1`: its anchor in the page.
     pub(crate) id: String,
-    /// Bit 31 of its COB-ID is set.
+    /// Whether bit 31 of the COB-ID is set (not valid).
     pub(crate) is_off: bool,
-    /// Its communication record and its mapping, where the description has them.
+    /// Communication and mapping parameter, if described.
     pub(crate) objects: Vec<Anchor>,
     /// The sentence.
     pub(crate) parts: Vec<Part>,
-    /// What is odd about the mapping.
+    /// Problems of the mapping.
     pub(crate) remarks: Vec<String>,
     pub(crate) diagram: Option<Diagram>,
     pub(crate) rows: Vec<Row>,
 }
 
-/// A mapped object as a line of a table.
+/// A mapped object in the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
-    /// `0.0–1.7`; empty where it has no bits in the frame.
+    /// `0.0–1.7`; empty if outside the frame.
     pub(crate) span: String,
-    /// The entry, where the description has it.
+    /// The entry, if the description has it.
     pub(crate) anchor: Option<Anchor>,
-    /// `0x6000:01`; empty for a sub-index of the mapping that names nothing.
+    /// `0x6000:01`; empty for a mapping entry without an object.
     pub(crate) place: String,
     pub(crate) name: String,
-    /// Empty where it is not known.
+    /// Empty if unknown.
     pub(crate) data_type: String,
     pub(crate) bits: u32,
     pub(crate) kind: FieldKind,
@@ -45,7 +45,7 @@ pub(crate) struct Row {
     pub(crate) is_changed: bool,
 }
 
-/// All PDOs: first RPDOs, then TPDOs. `name` says what entries are called.
+/// All PDOs, RPDOs first. `name` supplies the names of entries.
 pub(crate) fn pdos(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Vec<PdoView> {
     decoder.device.pdos().map(|pdo| view(decoder, &pdo, name)).collect()
 }
@@ -67,7 +67,7 @@ fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -
     }
 }
 
-/// The sentence about a PDO while it is made.
+/// Builder for the sentence about a PDO.
 struct Parts<'a> {
     decoder: &'a Decoder<'a>,
     pdo: &'a Pdo<'a>,
@@ -103,7 +103,7 @@ impl Parts<'_> {
         };
         let change = ChangedCobId::of(self.decoder, self.pdo.communication_index(), 1);
         self.put(1, sentence::cob_id(self.decoder, id));
-        // one that is switched on has nothing else to show it
+        // for a PDO that the configuration makes valid, only this part can show the change
         self.only_if(change.can_id || (change.bit_31 && id.is_valid()));
         if !id.is_valid() {
             self.say(1, ("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird"));
@@ -115,7 +115,7 @@ impl Parts<'_> {
         }
     }
 
-    /// Marks the last part as changed only where that is true of it.
+    /// Restricts the change mark of the last part.
     fn only_if(&mut self, is_changed: bool) {
         let last = self.parts.pop().map(|part| part.only_if(is_changed));
         self.parts.extend(last);
@@ -151,7 +151,7 @@ impl Parts<'_> {
         }
     }
 
-    /// What it carries, and whether that can be changed.
+    /// The mapping, and whether it can be changed.
     fn mapping(&mut self, layout: &Layout) {
         let (language, index) = (self.decoder.language, self.pdo.mapping_index());
         let text = match (layout.content, layout.bits()) {
@@ -199,7 +199,7 @@ fn carries(bits: u32, language: Language) -> String {
     }
 }
 
-/// What is odd about a mapping.
+/// Problems of a mapping.
 fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &Layout) -> Vec<String> {
     let mut remarks = Vec::new();
     match (layout.content, decoder.language) {

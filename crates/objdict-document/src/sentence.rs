@@ -1,29 +1,29 @@
-//! Sentences about communication, made of parts that each come from an entry.
+//! Sentences about communication, built from parts that each refer to an entry.
 
 use super::anchor::Anchor;
 use crate::Language;
 use crate::describe::Decoder;
 use crate::model::{CobId, Device};
 
-/// A part of a sentence; a comma follows it.
+/// A part of a sentence, followed by a comma.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Part {
     pub(crate) text: String,
-    /// The entry that says so, where the description has it.
+    /// The source entry, if the description has it.
     pub(crate) anchor: Option<Anchor>,
-    /// Whether it is configured to another value than its default.
+    /// Whether the configured value differs from the default.
     pub(crate) is_changed: bool,
-    /// The default in words, where it is configured to another value.
+    /// The default in words, if the configured value differs.
     pub(crate) default: Option<String>,
 }
 
 impl Part {
-    /// One that no entry says.
+    /// A part without a source entry.
     pub(super) fn plain(text: impl Into<String>) -> Self {
         Self { text: text.into(), anchor: None, is_changed: false, default: None }
     }
 
-    /// What an entry says.
+    /// A part about an entry.
     pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8, text: impl Into<String>) -> Self {
         let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));
         let default = entry.as_ref().and_then(|entry| entry.default.as_ref());
@@ -35,13 +35,13 @@ impl Part {
         }
     }
 
-    /// The same, marked as changed only where that is true of what this part says of its entry.
+    /// Restricts the change mark to changes that this part describes.
     pub(super) fn only_if(self, is_changed: bool) -> Self {
         if is_changed { self } else { Self { is_changed: false, default: None, ..self } }
     }
 }
 
-/// Where an entry stands in the page, where it does.
+/// The anchor of an entry, if the page has it.
 pub(super) fn anchor(device: &Device, index: u16, sub: u8) -> Option<Anchor> {
     let object = device.object(index)?;
     if !object.has(sub) {
@@ -50,12 +50,12 @@ pub(super) fn anchor(device: &Device, index: u16, sub: u8) -> Option<Anchor> {
     Some(Anchor::entry(index, sub))
 }
 
-/// Whether an entry is configured to another value than its default.
+/// Whether the configured value of an entry differs from the default.
 pub(super) fn is_changed(decoder: &Decoder<'_>, index: u16, sub: u8) -> bool {
     decoder.device.entry(index, sub).is_some_and(|entry| entry.is_changed(decoder.node_id))
 }
 
-/// What of a COB-ID is configured to another value than its default.
+/// The parts of a COB-ID that differ from the default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ChangedCobId {
     pub(super) can_id: bool,
@@ -64,7 +64,7 @@ pub(super) struct ChangedCobId {
 }
 
 impl ChangedCobId {
-    /// That of the COB-ID in an entry; all of it where there is no default.
+    /// Compares the COB-ID in an entry with its default; without a default, all parts count as changed.
     pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8) -> Self {
         let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));
         let Some(entry) = entry else { return Self { can_id: false, bit_31: false, bit_30: false } };
@@ -79,13 +79,13 @@ impl ChangedCobId {
     }
 }
 
-/// Whether two CAN-IDs are one on the node, or, where it is not known, on every node.
+/// Whether two CAN-IDs are equal on the node or, if the node-ID is unknown, on every node.
 pub(super) fn is_same(one: CobId, other: CobId, node_id: Option<u8>) -> bool {
     let on = |node| one.can_id(node) == other.can_id(node);
     one.is_extended() == other.is_extended() && node_id.map_or(on(1) && on(127), on)
 }
 
-/// A COB-ID on its node: `COB-ID 0x185 with node-ID 5`, `COB-ID $NODEID+0x180`.
+/// A COB-ID of the node: `COB-ID 0x185 with node-ID 5`, `COB-ID $NODEID+0x180`.
 pub(super) fn cob_id(decoder: &Decoder<'_>, id: CobId) -> String {
     let number = crate::describe::can_id(id, decoder.node_id);
     let mut text = format!("COB-ID {number}");
@@ -101,7 +101,7 @@ pub(super) fn cob_id(decoder: &Decoder<'_>, id: CobId) -> String {
     text
 }
 
-/// The text of parts, with commas between them.
+/// The text of the parts, separated by commas.
 #[cfg(test)]
 pub(super) fn joined(parts: &[Part]) -> String {
     parts.iter().map(|part| &*part.text).collect::<Vec<_>>().join(", ")

@@ -1,11 +1,11 @@
-//! The services of a device beside its PDOs, in words.
+//! Services of a device other than PDOs, in words.
 
 use super::sentence::{self, ChangedCobId, Part};
 use crate::Language;
 use crate::describe::{Decoder, time};
 use crate::model::{CobId, Entry, Object, SdoChannel, Services};
 
-/// A service as a page tells it.
+/// View of a service.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Service {
     pub(crate) name: String,
@@ -13,7 +13,7 @@ pub(crate) struct Service {
     pub(crate) parts: Vec<Part>,
 }
 
-/// The services that the description speaks of. `name` says what entries are called.
+/// The services in the description. `name` supplies the names of entries.
 pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Vec<Service> {
     let facts = decoder.device.services();
     let speaker = Speaker { decoder, facts: &facts, entry_name: name };
@@ -39,7 +39,7 @@ pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -
     all
 }
 
-/// Makes the sentences.
+/// Builds the sentences.
 struct Speaker<'a> {
     decoder: &'a Decoder<'a>,
     facts: &'a Services,
@@ -63,7 +63,7 @@ impl Speaker<'_> {
         self.decoder.device.object(index).is_some()
     }
 
-    /// The COB-ID of an object, or that it is not stated; `None` where there is no such object.
+    /// The COB-ID of an object, or a note that it is not stated; `None` if the object does not exist.
     fn cob_id(&self, index: u16, sub: u8, id: Option<CobId>) -> Option<Part> {
         let text = match id {
             Some(id) => sentence::cob_id(self.decoder, id),
@@ -85,7 +85,7 @@ impl Speaker<'_> {
         ])
     }
 
-    /// What a device is said to be.
+    /// Roles of a device.
     fn roles(&self, roles: &[(Option<bool>, &'static str, &'static str)]) -> Vec<Part> {
         let roles = roles.iter().filter(|(is_so, ..)| *is_so == Some(true));
         roles.map(|(_, english, german)| Part::plain(self.pick(english, german))).collect()
@@ -171,7 +171,7 @@ impl Speaker<'_> {
         self.or_unused(0x1028, consumers.collect())
     }
 
-    /// The parts, or that no entry of the object is in use.
+    /// The parts, or a note that no entry of the object is in use.
     fn or_unused(&self, index: u16, parts: Vec<Part>) -> Vec<Part> {
         if parts.is_empty() && self.has(index) {
             return vec![self.part(index, 0, self.pick("none in use", "keiner in Gebrauch"))];
@@ -247,7 +247,7 @@ impl Speaker<'_> {
         self.service(&name, parts)
     }
 
-    /// An SRDO (CiA 304), where there is one of this number.
+    /// An SRDO (CiA 304), if the device has it.
     fn srdo(&self, number: u16) -> Service {
         let index = 0x1300 + number;
         let values = (1..=6).filter_map(|sub| {
@@ -263,7 +263,7 @@ impl Speaker<'_> {
         self.service(&format!("SRDO {number}"), values.collect())
     }
 
-    /// What each sub-index of an object says, with its name; its name alone where it has no value.
+    /// The value of each sub-index with its name; only the name without a value.
     fn each(&self, index: u16) -> Vec<Part> {
         let Some(object) = self.decoder.device.object(index) else { return Vec::new() };
         let entries = object.entries().filter(|(sub, _)| *sub > 0);
@@ -288,7 +288,7 @@ impl Speaker<'_> {
     }
 }
 
-/// The nodes whose EMCY the device waits for (1028h), with the COB-IDs.
+/// The nodes whose EMCY the device consumes (1028h), with the COB-IDs.
 pub(super) fn emcy_consumers(decoder: &Decoder<'_>) -> Vec<(u8, CobId)> {
     let Some(object) = decoder.device.object(0x1028) else { return Vec::new() };
     let consumers =

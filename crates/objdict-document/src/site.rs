@@ -1,4 +1,4 @@
-//! Several devices as one site: a page for each, and an index that leads to them.
+//! Sites: one page per device, and an index.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use crate::Language;
 use crate::diagnostic::Severity;
 use crate::model::PdoKind;
 
-/// A site while it is written: one page after the other, of which only what the index says is kept.
+/// A site under construction. Pages are written one by one; only the data for the index are kept.
 ///
 /// ```
 /// use objdict_document::{Form, Options, Site, Subject};
@@ -36,29 +36,29 @@ pub struct Site {
     form: Form,
     options: Options,
     title: Option<String>,
-    /// How many pages have a name, by the name in small letters.
+    /// The number of pages per lower-case name.
     taken: BTreeMap<String, usize>,
     devices: Vec<Listed>,
     nodes: Vec<Node>,
     places: Places,
 }
 
-/// The objects and entries of all devices by place and name, each with the numbers of the devices that have it.
+/// The objects and entries of all devices by place and name, each with the numbers of its devices.
 type Places = BTreeMap<(u16, Option<u8>, String), Vec<usize>>;
 
 /// A file of a site.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SiteFile {
-    /// Its name; all lie in one folder.
+    /// Its name; all files are in one folder.
     pub name: String,
-    /// What it says.
+    /// Its content.
     pub text: String,
 }
 
-/// What the index says of a device.
+/// A device in the index.
 #[derive(Debug)]
 pub(crate) struct Listed {
-    /// The address of its page.
+    /// The link to its page.
     link: String,
     title: String,
     file: String,
@@ -71,12 +71,12 @@ pub(crate) struct Listed {
     entries: usize,
     rpdos: usize,
     tpdos: usize,
-    /// Errors, warnings and notes; `None` where nobody checked.
+    /// Numbers of errors, warnings and notes; `None` if `check` did not run.
     findings: Option<[usize; 3]>,
 }
 
 impl Site {
-    /// A site without pages. The title is that of the site, its pages are called after their products.
+    /// Creates a site without pages. The title applies to the site; pages are titled by product.
     pub fn new(form: Form, options: &Options) -> Self {
         Self {
             form,
@@ -89,7 +89,8 @@ impl Site {
         }
     }
 
-    /// The page of a device. It is called as the file is, with a number where several files are called so.
+    /// Adds a device and returns its page. The page is named after the file, with a number if the name is
+    /// taken.
     pub fn add(&mut self, subject: &Subject<'_>) -> SiteFile {
         let name = self.page_name(subject.file);
         let link = address(&name);
@@ -107,14 +108,14 @@ impl Site {
             let count = self.taken.entry(stem.to_lowercase()).or_default();
             *count += 1;
             let name = if *count == 1 { stem.clone() } else { format!("{stem}-{count}") };
-            // a file may be called as another one is with its number
+            // a numbered name may be the name of another file
             if name == stem || self.taken.insert(name.to_lowercase(), 1).is_none() {
                 return format!("{name}.{}", self.form.extension());
             }
         }
     }
 
-    /// The index, when all pages are written.
+    /// Returns the index after all pages are added.
     pub fn index(&self) -> SiteFile {
         let language = self.options.own_language();
         let index = Index {
@@ -126,7 +127,7 @@ impl Site {
             places: &self.places,
             version: env!("CARGO_PKG_VERSION"),
         };
-        // a String takes every text, and no filter of the templates fails
+        // writing to a String cannot fail, nor do the template filters
         let text = match self.form {
             Form::Html => HtmlIndex { index: &index }.render().unwrap_or_default() + "\n",
             Form::Markdown => MarkdownIndex { index: &index }.render().unwrap_or_default() + "\n",
@@ -169,14 +170,14 @@ impl Listed {
         }
     }
 
-    /// `5 pump`; empty for a type of device.
+    /// `5 pump`; empty for a device type.
     fn node(&self) -> String {
         let id = self.node_id.map(|id| id.to_string()).unwrap_or_default();
         format!("{id} {}", self.node_name.trim()).trim().to_owned()
     }
 }
 
-/// Adds the objects and entries of the page of the device with this number.
+/// Adds the objects and entries of a device.
 fn add_places(places: &mut Places, number: usize, page: &Page<'_>) {
     let mut add = |anchor: Anchor, name: &str| {
         places.entry((anchor.index, anchor.sub, name.to_owned())).or_default().push(number);
@@ -188,7 +189,7 @@ fn add_places(places: &mut Places, number: usize, page: &Page<'_>) {
     }
 }
 
-/// What the index says.
+/// Data of the index template.
 struct Index<'a> {
     language: Language,
     texts: &'static Texts,
@@ -200,7 +201,7 @@ struct Index<'a> {
 }
 
 impl Index<'_> {
-    /// The objects and entries of all devices: where they are, their names, and the devices that have them.
+    /// The objects and entries of all devices: anchors, names, and the devices that have them.
     fn places(&self) -> impl ExactSizeIterator<Item = (Anchor, &str, Vec<&Listed>)> {
         self.places.iter().map(|((index, sub, name), numbers)| {
             let devices = numbers.iter().filter_map(|&number| self.devices.get(number)).collect();
@@ -226,7 +227,7 @@ struct MarkdownIndex<'a> {
     index: &'a Index<'a>,
 }
 
-/// One line for each device. As in the other tables, columns are never renamed, moved or dropped.
+/// One line per device. As in the other tables, columns are never renamed, moved or removed.
 fn index_csv(devices: &[Listed]) -> String {
     const COLUMNS: [&str; 15] = [
         "file",
@@ -270,14 +271,14 @@ fn index_csv(devices: &[Listed]) -> String {
     text
 }
 
-/// The address of a file in the same folder: whatever its name, it is no other address.
+/// The relative URL of a file in the same folder, percent-encoded so that no name becomes another URL.
 fn address(name: &str) -> String {
     let mut address = String::with_capacity(name.len());
     for &byte in name.as_bytes() {
         match byte {
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
             _ => {
-                let _ = write!(address, "%{byte:02X}"); // a String takes every text
+                let _ = write!(address, "%{byte:02X}"); // writing to a String cannot fail
             }
         }
     }

@@ -1,11 +1,11 @@
-//! How much room a text takes, estimated: nobody knows the font of a reader.
+//! Estimated width of a text: the reader's font is unknown.
 
-/// The width of a text in a sans-serif font of a size, a little more rather than less.
+/// The width of a text in a sans-serif font, rounded up.
 fn width(text: &str, size: f64) -> f64 {
     text.chars().map(of).sum::<f64>() * size
 }
 
-/// The width of a character by the size of the font.
+/// The width of a character relative to the font size.
 fn of(character: char) -> f64 {
     match character {
         'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '|' | '!' | '\'' | '`' => 0.29,
@@ -13,14 +13,14 @@ fn of(character: char) -> f64 {
         'm' | 'w' | 'M' | 'W' | '%' | '@' | '…' => 0.93,
         'A'..='Z' | '&' | '+' | '=' | '<' | '>' | '_' | '#' | '~' => 0.70,
         '\u{0}'..='\u{2FF}' => 0.58,
-        // Greek, Cyrillic and the like; then what is as wide as it is high
+        // Greek, Cyrillic and similar; then full-width characters
         '\u{300}'..='\u{10FF}' => 0.66,
         _ => 1.05,
     }
 }
 
-/// The text, or as much of its beginning and its end as there is room for, with an ellipsis between them: what tells names of
-/// a series apart stands at the end.
+/// Shortens a text with an ellipsis in the middle if there is not enough room, because names of a series
+/// differ at the end.
 pub(super) fn fit(text: &str, room: f64, size: f64) -> String {
     if width(text, size) <= room {
         return text.to_owned();
@@ -29,7 +29,7 @@ pub(super) fn fit(text: &str, room: f64, size: f64) -> String {
     let mut left = room - width("…", size);
     let (mut head, mut tail) = (0, 0);
     while head + tail < characters.len() {
-        // two of the beginning for one of the end
+        // two characters of the start for each one of the end
         let is_tail = head > 2 * tail;
         let next = if is_tail { characters[characters.len() - 1 - tail] } else { characters[head] };
         left -= of(next) * size;
@@ -38,14 +38,14 @@ pub(super) fn fit(text: &str, room: f64, size: f64) -> String {
         }
         if is_tail { tail += 1 } else { head += 1 }
     }
-    // better a whole word less than the end of one
+    // drop a partial word at the start of the tail
     let end = &characters[characters.len() - tail..];
     let end = end.iter().position(|&character| character == ' ').map_or(end, |space| &end[space + 1..]);
     let text = |part: &[char]| part.iter().collect::<String>();
     format!("{}…{}", text(&characters[..head]).trim_end(), text(end))
 }
 
-/// The text in one line or in two, broken between words; `None` where that is not enough.
+/// Breaks the text between words into one or two lines; `None` if they do not suffice.
 pub(super) fn wrap(text: &str, room: f64, size: f64) -> Option<(String, Option<String>)> {
     if width(text, size) <= room {
         return Some((text.to_owned(), None));

@@ -1,5 +1,5 @@
-//! The headings and words of documentation, in the languages that objdict writes in. Sentences with numbers in them stand where
-//! they are made.
+//! Headings and words of the documentation in the supported languages. Sentences with numbers are in the code
+//! that builds them.
 
 use crate::Language;
 
@@ -17,7 +17,7 @@ macro_rules! texts {
 }
 
 impl Texts {
-    /// Those of a language.
+    /// Returns the texts of a language.
     pub(crate) fn of(language: Language) -> &'static Self {
         match language {
             Language::English => &ENGLISH,

@@ -1,9 +1,9 @@
-//! COB-IDs: the CAN-ID, its length, and what the bits above say of the service.
+//! COB-IDs: the CAN-ID, its length, and the meaning of the upper bits.
 
 use super::Decoder;
 use crate::model::{CobId, PdoKind, Value};
 
-/// A CAN-ID on a node, else as a formula: `0x185`, `$NODEID+0x180`.
+/// A CAN-ID for a node, else as a formula: `0x185`, `$NODEID+0x180`.
 pub(crate) fn can_id(id: CobId, node_id: Option<u8>) -> String {
     let formula = match node_id {
         None if id.depends_on_node_id() => CobId::per_node(id.number() & 0x1FFF_FFFF),
@@ -15,7 +15,7 @@ pub(crate) fn can_id(id: CobId, node_id: Option<u8>) -> String {
     }
 }
 
-/// A CAN-ID with as many digits as its frame has bits for.
+/// A CAN-ID with the number of digits of its frame format.
 pub(crate) fn spelled(can_id: u32, is_extended: bool) -> String {
     if is_extended { format!("0x{can_id:08X}") } else { format!("0x{can_id:03X}") }
 }
@@ -32,7 +32,7 @@ impl Decoder<'_> {
         self.cob_id(value, |id| self.time_roles(id))
     }
 
-    /// What a device does with TIME.
+    /// Whether the device consumes or produces TIME.
     pub(crate) fn time_roles(&self, id: CobId) -> &'static str {
         let (english, german) = match (!id.is_valid(), id.bit_30()) {
             (true, true) => ("consumes and produces TIME", "empfängt und sendet TIME"),
@@ -43,7 +43,7 @@ impl Decoder<'_> {
         self.language.pick(english, german)
     }
 
-    /// The COB-ID of a service that bit 31 switches off.
+    /// The COB-ID of a service with a valid bit (bit 31).
     pub(super) fn service_cob_id(&self, value: &Value) -> Option<String> {
         self.cob_id(value, |id| self.existence(id))
     }

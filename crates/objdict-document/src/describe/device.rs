@@ -1,11 +1,11 @@
-//! What the device is, how it is watched and where it keeps parameters.
+//! Device type, error control and parameter storage.
 
 use super::{Decoder, time};
 use crate::Language;
 use crate::model::{HeartbeatConsumer, Value};
 use crate::profile;
 
-/// What is written to 1010h, to 1011h and to 1F25h, so that nobody does it by accident.
+/// The signatures for 1010h, 1011h and 1F25h, which prevent accidental writes.
 const SIGNATURES: [(u16, u32, &str); 3] =
     [(0x1010, 0x6576_6173, "save"), (0x1011, 0x6461_6F6C, "load"), (0x1F25, 0x666E_6F63, "conf")];
 
@@ -25,7 +25,7 @@ impl Decoder<'_> {
         format!("{of} CiA {profile}{name}, {information} 0x{additional:04X}") + &self.additional(number)
     }
 
-    /// What a device profile is about.
+    /// The subject of a device profile.
     pub(crate) fn profile_name(&self, profile: u32) -> Option<&'static str> {
         let (english, german) = match profile {
             401 => ("I/O modules", "E/A-Module"),
@@ -46,7 +46,7 @@ impl Decoder<'_> {
         Some(self.language.pick(english, german))
     }
 
-    /// What the device profile says of the high word.
+    /// The high word as defined by the device profile.
     fn additional(&self, number: u32) -> String {
         let high_word = Value::Unsigned(u64::from(number & 0xFFFF_0000));
         let meaning = profile::meaning(self.device, 0x1000, 0, &high_word).filter(|_| number >> 16 != 0);
@@ -106,7 +106,7 @@ impl Decoder<'_> {
         (1..=127).contains(&node).then(|| format!("{} {node}", self.pick(english, german)))
     }
 
-    /// Capabilities as a device answers them, or the signature that starts the work.
+    /// The capabilities that a read returns, or the signature that triggers the action.
     pub(super) fn storage(&self, index: u16, number: u32) -> Option<String> {
         let mut signatures = SIGNATURES.into_iter();
         if let Some((.., text)) = signatures.find(|&(of, signature, _)| (of, signature) == (index, number)) {

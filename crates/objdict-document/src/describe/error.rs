@@ -1,4 +1,4 @@
-//! Errors: the register, the history, and what becomes of the NMT state.
+//! Errors: the register, the history, and the effect on the NMT state.
 
 use super::Decoder;
 
@@ -13,7 +13,7 @@ const REGISTER: [(u32, &str, &str); 7] = [
     (7, "of the manufacturer", "des Herstellers"),
 ];
 
-/// Error codes by their leading bits: mask, code, words. The first that fits counts.
+/// Error codes by leading bits: mask, code, words. The first match applies.
 const CODES: [(u32, u32, &str, &str); 31] = [
     (0xFFFF, 0x8110, "CAN overrun", "CAN-Überlauf"),
     (0xFFFF, 0x8120, "CAN error passive", "CAN Error-Passive"),
@@ -73,7 +73,7 @@ impl Decoder<'_> {
         format!("0x{code:04X} ({name}), {information} 0x{additional:04X}")
     }
 
-    /// What a device does in an error (1029h).
+    /// The error behaviour (1029h).
     pub(crate) fn error_reaction(&self, reaction: u32) -> String {
         let (english, german) = match reaction {
             0 => ("operational becomes pre-operational", "aus operational wird pre-operational"),

@@ -1,4 +1,5 @@
-//! What the number in an entry says, in words: communication objects (CiA 301 §7.5.2, CiA 304), and what a device profile defines.
+//! Meanings of values in words: communication objects (CiA 301 §7.5.2, CiA 304) and objects of device
+//! profiles.
 
 mod cob_id;
 mod device;
@@ -13,24 +14,24 @@ use crate::Language;
 use crate::model::{Device, Value};
 use crate::profile;
 
-/// Says what the values of a device mean.
+/// Describes the values of a device in words.
 #[derive(Clone, Copy, Debug)]
 pub struct Decoder<'a> {
     /// The device.
     pub device: &'a Device,
-    /// The node that COB-IDs are worked out for, 1 to 127; without it they stay formulas.
+    /// The node-ID for COB-IDs, 1 to 127; without it they remain formulas.
     pub node_id: Option<u8>,
-    /// The language of the sentences. Words of device profiles are English in any.
+    /// The language of the sentences. Terms of device profiles are always English.
     pub language: Language,
 }
 
 impl<'a> Decoder<'a> {
-    /// One that speaks English.
+    /// Creates an English decoder.
     pub fn english(device: &'a Device, node_id: Option<u8>) -> Self {
         Self { device, node_id, language: Language::English }
     }
 
-    /// The meaning of a value of an entry, where it has one beside the number.
+    /// The meaning of an entry's value, if it is more than a number.
     pub fn of(&self, index: u16, sub: u8, value: &Value) -> Option<String> {
         self.of_communication(index, sub, value).or_else(|| profile::meaning(self.device, index, sub, value))
     }
@@ -68,7 +69,7 @@ impl<'a> Decoder<'a> {
         }
     }
 
-    /// That of two texts which is in the decoder's language.
+    /// Selects the text in the language of the decoder.
     const fn pick<'t>(&self, english: &'t str, german: &'t str) -> &'t str {
         self.language.pick(english, german)
     }
@@ -77,7 +78,7 @@ impl<'a> Decoder<'a> {
         if time == 0 { self.pick("off", "aus").to_owned() } else { text(time, self.language) }
     }
 
-    /// The value of an entry as a number, on the node.
+    /// The value of an entry as a number for this node.
     pub(crate) fn number(&self, index: u16, sub: u8) -> Option<u32> {
         let entry = self.device.entry(index, sub)?;
         u32::try_from(entry.value()?.as_integer()?).ok()

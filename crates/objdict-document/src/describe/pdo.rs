@@ -1,4 +1,4 @@
-//! PDOs, and SRDOs, which are built like them (CiA 304).
+//! PDOs, and SRDOs (CiA 304), which have the same structure.
 
 use super::{Decoder, time};
 use crate::Language;
@@ -21,7 +21,7 @@ impl Decoder<'_> {
         }
     }
 
-    /// When a PDO is sent, or taken over.
+    /// When a PDO is sent or its data are applied.
     pub(crate) fn transmission_type(&self, kind: PdoKind, number: u32) -> String {
         let (english, german) = match (kind, number) {
             (PdoKind::Tpdo, 0) => {
@@ -97,7 +97,7 @@ impl Decoder<'_> {
         })
     }
 
-    /// What a scanner list (1FA0h) names.
+    /// The object in a scanner list (1FA0h).
     pub(super) fn scanned(&self, number: u32) -> Option<String> {
         let [sub, low, high, block] = number.to_le_bytes();
         if number == 0 {
@@ -111,7 +111,7 @@ impl Decoder<'_> {
         })
     }
 
-    /// The objects of CiA 304.
+    /// The objects defined in CiA 304.
     pub(super) fn safety(&self, index: u16, sub: u8, value: &Value) -> Option<String> {
         let number = u32::try_from(value.as_integer().unwrap_or_default()).ok()?;
         let (english, german) = match (index, sub) {

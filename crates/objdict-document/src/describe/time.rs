@@ -1,4 +1,4 @@
-//! Times with their units.
+//! Times with units.
 
 use crate::Language;
 
@@ -12,12 +12,12 @@ pub(crate) fn of_tenths(time: u32, language: Language) -> String {
     decimal(time, 1, language) + " ms"
 }
 
-/// A time in microseconds; in milliseconds from one on.
+/// A time in microseconds; in milliseconds if it is 1 ms or longer.
 pub(crate) fn of_microseconds(time: u32, language: Language) -> String {
     if time < 1000 { format!("{time} µs") } else { decimal(time, 3, language) + " ms" }
 }
 
-/// A number with so many digits behind the point, the zeros at its end left out.
+/// A number with this many decimal places, without trailing zeros.
 fn decimal(number: u32, digits: u32, language: Language) -> String {
     let scale = 10_u32.pow(digits);
     let (whole, rest) = (number / scale, number % scale);
@@ -29,17 +29,17 @@ fn decimal(number: u32, digits: u32, language: Language) -> String {
     format!("{whole}{}{}", language.pick(".", ","), rest.trim_end_matches('0'))
 }
 
-/// Milliseconds since midnight as a time of day; `None` beyond one.
+/// Milliseconds since midnight as a time of day; `None` if longer than a day.
 pub(crate) fn of_day(milliseconds: u32) -> Option<String> {
     let seconds = milliseconds / 1000;
     let (hours, minutes) = (seconds / 3600, seconds / 60 % 60);
     (hours < 24).then(|| format!("{hours:02}:{minutes:02}:{:02}.{:03}", seconds % 60, milliseconds % 1000))
 }
 
-/// The date so many days after 1984-01-01, as `2026-05-03`; `None` where the year would have five digits.
+/// The date this many days after 1984-01-01, as `2026-05-03`; `None` if the year has five digits.
 pub(crate) fn date(days: u32) -> Option<String> {
-    // Years begin in March here, so that the day which only some years have is the last of them. March 1st, 1600 was
-    // 140_193 days before 1984-01-01, and in 400 years there are 146_097 days.
+    // Years start in March here, so a leap day is the last day of its year. March 1st, 1600 was 140_193 days
+    // before 1984-01-01, and 400 years have 146_097 days.
     let days = u64::from(days) + 140_193;
     let (era, day) = (days / 146_097, days % 146_097);
     let year_of_era = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;

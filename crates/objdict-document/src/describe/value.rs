@@ -1,24 +1,24 @@
-//! Values as people read them.
+//! Values formatted for reading.
 
 use crate::model::{DataType, Entry, Field, Value};
 
-/// Writes the values of an entry: where it stands, and for which node formulas are worked out.
+/// Formats the values of an entry: depends on its index and on the node-ID for formulas.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader {
-    /// The index of its object.
+    /// The index of the object.
     pub index: u16,
-    /// The node, 1 to 127; without it formulas stay formulas.
+    /// The node-ID, 1 to 127; without it formulas are not evaluated.
     pub node_id: Option<u8>,
 }
 
 impl Reader {
-    /// A value in a table: on the node, where there is one.
+    /// A value in a table: for the node, if known.
     pub fn short(self, value: Option<&Value>, data_type: Option<DataType>) -> String {
         let Some(value) = value else { return String::new() };
         self.text(&self.resolve(value, data_type), data_type)
     }
 
-    /// A field's value in a table; a text that is no value of it in backticks.
+    /// The value of a field in a table; a text that is not a valid value is in backticks.
     pub fn field(self, entry: &Entry, field: &Field, value: Option<&Value>) -> String {
         match (value, entry.invalid_values.iter().find(|invalid| invalid.field == *field)) {
             (None, Some(invalid)) => format!("`{}`?", invalid.text),
@@ -26,14 +26,14 @@ impl Reader {
         }
     }
 
-    /// The value on the node; a formula that does not fit there, or without a node, stays one.
+    /// The value for the node. A formula remains one if the node-ID is unknown or the result does not fit.
     pub fn resolve(self, value: &Value, data_type: Option<DataType>) -> Value {
         let resolved =
             self.node_id.zip(data_type).and_then(|(node, data_type)| value.resolve(data_type, node));
         resolved.unwrap_or_else(|| value.clone())
     }
 
-    /// A value in full: a formula and what it comes to, numbers in decimal and hex.
+    /// A value in full: a formula and its result, numbers in decimal and hex.
     pub fn long(self, value: &Value, data_type: Option<DataType>) -> String {
         let resolved = self.resolve(value, data_type);
         match (value, self.node_id) {
@@ -45,14 +45,15 @@ impl Reader {
         }
     }
 
-    /// The bytes of an SDO transfer, in hex with a text between them.
+    /// The bytes of an SDO transfer in hex, with a separator.
     pub fn bytes(self, value: &Value, data_type: Option<DataType>, between: &str) -> Option<String> {
         let bytes = self.resolve(value, data_type).to_bytes(data_type?)?;
         let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
         Some(digits.join(between))
     }
 
-    /// UNSIGNED32 of the communication area is mostly identifiers, COB-IDs and mappings: those are read in hex.
+    /// UNSIGNED32 in the communication area is mostly identifiers, COB-IDs and mappings, which are easier to
+    /// read in hex.
     fn text(self, value: &Value, data_type: Option<DataType>) -> String {
         let is_communication = (0x1000..0x2000).contains(&self.index);
         match value {
@@ -62,7 +63,7 @@ impl Reader {
                 format!("0x{number:X}")
             }
             Value::Text(text) if text.is_empty() => "\"\"".to_owned(),
-            // the numbers that most values are, without the detour over formatting
+            // fast path without the formatting machinery: most values are integers
             Value::Unsigned(number) => number.to_string(),
             Value::Signed(number) => number.to_string(),
             _ => value.to_string(),

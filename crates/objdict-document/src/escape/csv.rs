@@ -1,17 +1,17 @@
-//! CSV after RFC 4180, as spreadsheets open it.
+//! CSV (RFC 4180) for spreadsheets.
 
 use std::borrow::Cow;
 
 use super::shown;
 
-/// A text as a field: in quotes where it needs them, on one line, and never a formula.
+/// Escapes a field: quoted if necessary, on one line, and never a formula.
 ///
-/// A spreadsheet computes what begins with `=`, `+`, `-` or `@`, even where it is in quotes, so an apostrophe stands before it, which is
-/// the sign for a text there. Numbers are as they are. A spreadsheet that takes `;` for the separator sees a field begin behind each,
-/// so the same holds there.
+/// Spreadsheets evaluate fields that begin with `=`, `+`, `-` or `@`, even in quotes, so such a field gets an
+/// apostrophe as prefix, which marks text. Numbers are unchanged. A spreadsheet with `;` as separator sees a
+/// new field after each one, so the same applies there.
 pub(crate) fn field(text: &str) -> Cow<'_, str> {
     if text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b" _./()".contains(&byte)) {
-        return Cow::Borrowed(text); // most names and all indices
+        return Cow::Borrowed(text); // fast path for most names and all indexes
     }
     let line = one_line(text);
     let mut field = String::with_capacity(line.len() + 3);
@@ -25,7 +25,7 @@ pub(crate) fn field(text: &str) -> Cow<'_, str> {
     Cow::Owned(if quoted { format!("\"{}\"", field.replace('"', "\"\"")) } else { field })
 }
 
-/// The text with blanks for line ends and tabs, and U+FFFD for what is not to be seen.
+/// Replaces line ends and tabs by spaces, and invisible characters by U+FFFD.
 fn one_line(text: &str) -> String {
     let mut characters = text.chars().peekable();
     let mut line = String::with_capacity(text.len());
@@ -38,7 +38,7 @@ fn one_line(text: &str) -> String {
     line
 }
 
-/// Whether a text is a decimal number with a sign, which no spreadsheet takes for a formula.
+/// Whether a text is a signed decimal number, which spreadsheets do not evaluate as a formula.
 fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     digits.starts_with(|first: char| first.is_ascii_digit())
@@ -75,7 +75,7 @@ mod tests {
         }
     }
 
-    /// The fields of a line, as RFC 4180 reads it.
+    /// Parses a line as defined in RFC 4180.
     fn read(line: &str) -> Vec<String> {
         let (mut fields, mut quoted) = (vec![String::new()], false);
         let mut characters = line.chars().peekable();
@@ -100,7 +100,7 @@ mod tests {
             let fields = read(&line);
             prop_assert_eq!(fields.len(), texts.len());
             for (field, text) in fields.iter().zip(&texts) {
-                // apostrophes apart, which stand before formulas
+                // ignores apostrophes added before formulas
                 prop_assert_eq!(field.replace('\'', ""), one_line(text).replace('\'', ""));
                 prop_assert!(is_number(field) || !field.trim_start().starts_with(['=', '+', '-', '@']));
             }

@@ -1,4 +1,4 @@
-//! HTML and SVG, in texts and in attributes with quotes.
+//! Escaping for HTML and SVG, in text and in quoted attributes.
 
 use std::fmt;
 
@@ -6,13 +6,14 @@ use askama::filters::Escaper;
 
 use super::shown;
 
-/// What `.html` and `.svg` templates write texts with.
+/// The escaper of `.html` and `.svg` templates.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Html;
 
 impl Escaper for Html {
     fn write_escaped_str<W: fmt::Write>(&self, mut dest: W, text: &str) -> fmt::Result {
-        // most texts are names and numbers, and a page of a large device has a hundred thousand of them
+        // fast path: most texts are names and numbers, and a page of a large device has a hundred thousand of
+        // them
         if text.bytes().all(is_plain) {
             return dest.write_str(text);
         }
@@ -41,15 +42,15 @@ impl Escaper for Html {
     }
 }
 
-/// Whether a character stands for itself.
+/// Whether a character needs no escaping.
 const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'')
 }
 
-/// A text as HTML without line ends.
+/// A text as HTML on one line.
 pub(super) fn one_line(text: &str) -> String {
     let mut written = String::with_capacity(text.len() + 8);
-    let _ = Html.write_escaped_str(&mut written, text); // a String takes every text
+    let _ = Html.write_escaped_str(&mut written, text); // writing to a String cannot fail
     written.replace('\n', "<br>")
 }
 
@@ -79,10 +80,11 @@ mod tests {
     }
 
     proptest! {
-        /// An XML reader sees the text, as text and as attribute. (Newlines of attributes are blanks for XML alone.)
+        /// An XML reader gets the original text, in text and in attributes. (Newlines in attributes become
+        /// spaces in XML only.)
         #[test]
         fn comes_back(text in "(?s).{0,40}") {
-            let text = text.replace(['\u{FFFE}', '\u{FFFF}'], ""); // XML has none of them
+            let text = text.replace(['\u{FFFE}', '\u{FFFF}'], ""); // not allowed in XML
             let page = format!("<p title=\"{0}\">{0}</p>", escaped(&text));
             let tree = roxmltree::Document::parse(&page).unwrap();
             let expected = text_of(&text);

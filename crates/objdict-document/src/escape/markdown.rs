@@ -1,9 +1,11 @@
-//! Markdown as forges render it: CommonMark with the tables of GitHub, and what forges do to the text afterwards.
+//! Escaping for Markdown on GitHub, GitLab and the like: CommonMark, GitHub tables, and the post-processing
+//! of these sites.
 //!
-//! A text is the same in a table cell, a heading, a list and a paragraph, so one way of writing serves all. What can be markup for
-//! a parser has a backslash or is a character reference; what forges look for in rendered text (`@user`, `:smile:`, `$x$`, links
-//! without brackets, `[[page]]`) has its sign in a `<span>` of its own, for there a backslash is gone already. The rest stays as it
-//! is: names and numbers are to be readable in the file, too.
+//! The same escaping works in table cells, headings, lists and paragraphs. Possible markup gets a backslash
+//! or becomes a character reference. Post-processing works on the rendered text, where backslashes are
+//! already removed (`@user`, `:smile:`, `$x$`, links without brackets, `[[page]]`), so its special characters
+//! get a `<span>` of their own. Everything else is unchanged, because names and numbers must be readable in
+//! the source, too.
 
 use std::fmt;
 
@@ -11,8 +13,8 @@ use askama::filters::Escaper;
 
 use super::shown;
 
-/// What `.md` templates write texts with. A text is to be given in one piece, for how a character is written depends on its
-/// neighbours; where a piece begins or ends it is on the safe side.
+/// The escaper of `.md` templates. Pass each text in one piece: the escaping of a character depends on its
+/// neighbours. At the start and end of a piece the escaper assumes the worst case.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Markdown;
 
@@ -33,14 +35,14 @@ impl Escaper for Markdown {
     }
 }
 
-/// A text as `.md` templates write it.
+/// Escapes a text as `.md` templates do.
 pub(super) fn escaped(text: &str) -> String {
     let mut written = String::with_capacity(text.len() + 8);
-    let _ = Markdown.write_escaped_str(&mut written, text); // a String takes every text
+    let _ = Markdown.write_escaped_str(&mut written, text); // writing to a String cannot fail
     written
 }
 
-/// A sentence with formulas such as `$NODEID+0x180`, which are code.
+/// Escapes a sentence; formulas such as `$NODEID+0x180` become code.
 pub(super) fn worded(text: &str) -> String {
     const NODE_ID: &str = "$NODEID";
     let mut written = String::with_capacity(text.len() + 8);
@@ -57,7 +59,8 @@ pub(super) fn worded(text: &str) -> String {
     written + &beside_code(rest, has_before, false)
 }
 
-/// A sentence that quotes between backticks, as findings do: what is quoted is code. Where one backtick has no other, none quotes.
+/// Escapes a sentence with quotes in backticks, such as a finding; quoted text becomes code. An unpaired
+/// backtick quotes nothing.
 pub(super) fn quoting(text: &str) -> String {
     let parts: Vec<&str> = text.split('`').collect();
     if parts.len().is_multiple_of(2) {
@@ -71,7 +74,7 @@ pub(super) fn quoting(text: &str) -> String {
     written.collect()
 }
 
-/// A part of a sentence, with blanks as they are where code stands beside them.
+/// Escapes a part of a sentence and preserves spaces next to code.
 fn beside_code(part: &str, has_before: bool, has_after: bool) -> String {
     let start = if has_before { part.len() - part.trim_start_matches(' ').len() } else { 0 };
     let end = if has_after { part.trim_end_matches(' ').len() } else { part.len() };
@@ -82,8 +85,8 @@ fn beside_code(part: &str, has_before: bool, has_after: bool) -> String {
     }
 }
 
-/// A text as code: between backticks, where nothing but a backtick ends it. A cell ends at `|` even there, and generators of sites
-/// expand `{{` everywhere, so what has one of these is an element with an escaped text.
+/// Formats a text as code in backticks. `|` ends a table cell even in code, and site generators expand `{{`
+/// everywhere, so texts with these become an element with escaped text.
 pub(crate) fn code(text: &str) -> String {
     let awkward = |character: char| {
         matches!(character, '`' | '|' | '{' | '\\') || shown(character, None) != Some(character)
@@ -100,7 +103,7 @@ enum Spelling {
     Itself,
     Backslash,
     Reference,
-    /// In an element of its own.
+    /// As an element.
     Alone,
     Markup(&'static str),
 }
@@ -109,15 +112,15 @@ fn spelling(before: &str, character: char, after: &str) -> Spelling {
     let (previous, next) = (before.chars().next_back(), after.chars().next());
     let starts = before.trim_start_matches('\r').is_empty();
     let word = |neighbour: Option<char>| neighbour.is_some_and(char::is_alphanumeric);
-    // what comes behind the text is not known
+    // unknown text may follow
     let next_is = |wanted: fn(char) -> bool| next.is_none_or(wanted);
     let backslash = match character {
-        // a tag alone in a line would be a block of HTML
+        // a tag on a line of its own would start an HTML block
         '\n' if starts => return Spelling::Markup("<span></span><br>"),
         '\n' => return Spelling::Markup("<br>"),
         '<' => return Spelling::Markup("&lt;"),
         '|' | '{' => return Spelling::Reference,
-        // some look for `$x$` in the file, some in what became of it
+        // some renderers search the source for `$x$`, others the rendered text
         '$' => return Spelling::Markup("<span>&#36;</span>"),
         '@' if next_is(|next| !next.is_whitespace()) => return Spelling::Alone,
         ':' if after.starts_with("//") || is_emoji(after) => return Spelling::Alone,
@@ -138,7 +141,7 @@ fn spelling(before: &str, character: char, after: &str) -> Spelling {
     if backslash { Spelling::Backslash } else { Spelling::Itself }
 }
 
-/// Whether a text behind a colon makes a picture of it: `smile:`, `+1:`, but not the minutes of a time.
+/// Whether the text after a colon makes it an emoji: `smile:`, `+1:`, but not the minutes of a time.
 fn is_emoji(after: &str) -> bool {
     let in_name = |character: char| character.is_ascii_alphanumeric() || matches!(character, '_' | '+' | '-');
     let name = &after[..after.len() - after.trim_start_matches(in_name).len()];
@@ -146,13 +149,13 @@ fn is_emoji(after: &str) -> bool {
     !is_number && after[name.len()..].starts_with(':')
 }
 
-/// Whether a dot behind the text begins a link without a scheme.
+/// Whether a dot after the text starts a link without a scheme.
 fn ends_with_www(before: &str) -> bool {
     let scheme = before.len().checked_sub(3).and_then(|start| before.get(start..));
     scheme.is_some_and(|scheme| scheme.eq_ignore_ascii_case("www"))
 }
 
-/// Whether a dot behind the text would make an item of a list of it.
+/// Whether a dot after the text makes it a list item.
 fn is_list_number(before: &str) -> bool {
     (1..=9).contains(&before.len()) && before.bytes().all(|byte| byte.is_ascii_digit())
 }
@@ -233,7 +236,7 @@ mod tests {
         assert_eq!(worded("a*b $x"), "a\\*b <span>&#36;</span>x");
     }
 
-    /// The text that a reader of Markdown sees, and what it is in: the tags without texts.
+    /// The rendered text, and the tags without text around it.
     fn read(page: &str) -> (String, Vec<String>) {
         let options = Options::ENABLE_TABLES
             | Options::ENABLE_FOOTNOTES
@@ -269,7 +272,7 @@ mod tests {
         "**@** (@)\n",
     ];
 
-    /// Each place has the texts that it has with a harmless text, and no other tags.
+    /// Checks that a text renders with the same tags as a harmless text.
     fn stays_text(text: &str, written: &str) -> Result<(), TestCaseError> {
         for place in PLACES {
             let (frame, tags) = read(&place.replace('@', "harmless"));

@@ -1,8 +1,8 @@
-//! Texts of a description in the places of a page: whatever stands in a file, it stays a text, and it is the text that is read.
+//! Escaping of description texts. Any text of a file appears as that text and never as markup.
 //!
-//! Characters that steer a terminal or the direction of a text, NUL among them, are U+FFFD everywhere
-//! ([`visible`](crate::diagnostic::visible)); line ends are one line feed. askama.toml says which file has which escaper, so no
-//! template can forget it.
+//! Control characters and bidirectional control characters, including NUL, become U+FFFD everywhere
+//! ([`visible`](crate::diagnostic::visible)); every line end becomes one line feed. askama.toml assigns an
+//! escaper to each file extension, so a template cannot omit it.
 
 mod csv;
 mod html;
@@ -14,7 +14,7 @@ pub(crate) use markdown::{Markdown, code};
 
 use crate::diagnostic::visible;
 
-/// A character as it is written: `\r\n` and `\r` are one `\n`, so the first of the two is nothing.
+/// The character to write: `\r\n` and `\r` become one `\n`, so the first of the two yields nothing.
 fn shown(character: char, next: Option<char>) -> Option<char> {
     match character {
         '\n' => Some('\n'),
@@ -24,38 +24,38 @@ fn shown(character: char, next: Option<char>) -> Option<char> {
     }
 }
 
-/// The same for templates.
-#[allow(unreachable_pub)] // what the attribute writes is `pub`
+/// The same as template filters.
+#[allow(unreachable_pub)] // the attribute generates `pub` items
 pub(crate) mod filters {
     use askama::filters::Safe;
     use askama::{Result, Values};
 
-    /// A text as code in Markdown: names that tools read, formulas, numbers.
+    /// A text as Markdown code: keys, formulas, numbers.
     #[askama::filter_fn]
     pub(crate) fn code(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::code(text.as_ref())))
     }
 
-    /// A value in Markdown: formulas and texts that are no value as code, anything else as it is.
+    /// A value in Markdown: formulas and invalid values as code, other values as text.
     #[askama::filter_fn]
     pub(crate) fn shown_value(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         let text = text.as_ref();
         Ok(Safe(if text.contains('$') { super::code(text) } else { super::markdown::quoting(text) }))
     }
 
-    /// What a finding says in Markdown, with what it quotes as code.
+    /// The message of a finding in Markdown, with quoted text as code.
     #[askama::filter_fn]
     pub(crate) fn quoting(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::markdown::quoting(text.as_ref())))
     }
 
-    /// A sentence in Markdown, with the formulas in it as code.
+    /// A sentence in Markdown, with formulas as code.
     #[askama::filter_fn]
     pub(crate) fn worded(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::markdown::worded(text.as_ref())))
     }
 
-    /// A text in an element of Markdown that is HTML with all that it has in it.
+    /// A text inside a Markdown element that contains only HTML.
     #[askama::filter_fn]
     pub(crate) fn html(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::html::one_line(text.as_ref())))
@@ -66,7 +66,7 @@ pub(crate) mod filters {
 mod tests {
     use super::*;
 
-    /// A text as it comes out of every form.
+    /// A text as every output form shows it.
     pub(super) fn text_of(text: &str) -> String {
         let nexts = text.chars().skip(1).map(Some).chain([None]);
         text.chars().zip(nexts).filter_map(|(character, next)| shown(character, next)).collect()

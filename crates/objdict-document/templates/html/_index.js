@@ -7,7 +7,7 @@
   let places;
   byId("tools").hidden = false;
 
-  // a device is found by what its row says, an object by place and name: `0x6040`, `6040h` and `6040` name the same
+  // devices are searched by the text of their row, objects by place and name: `0x6040`, `6040h` and `6040` are equivalent
   filter.addEventListener("input", () => {
     const terms = filter.value.toLowerCase().split(/\s+/).filter(Boolean).map(word => word.replace(/^([0-9a-f]{4})h/, "$1"));
     const found = of => terms.every(term => of.text.includes(term));

@@ -7,7 +7,7 @@
   const ACCESS = new Set(["ro", "wo", "rw", "rwr", "rww", "const"]);
   tools.hidden = byId("fold").hidden = false;
 
-  // what an object or entry is found by: its name without the remarks, the name in the file, type, access and PDO
+  // searchable text of an object or entry: its name without remarks, the name in the file, type, access and PDO
   const words = (at, anchor, name, remarks, cells) => {
     const own = remarks?.firstElementChild?.firstElementChild;
     const texts = [name?.data, own?.tagName === "CODE" ? own.textContent : "", ...cells];
@@ -18,14 +18,14 @@
     const cells = row.cells;
     return words(row, row.id, cells[1].firstChild, cells[1].firstElementChild, [cells[2], cells[3], cells[4]].map(cell => cell.textContent));
   };
-  // by the first of its kind: a search through all rows of all objects takes half a second of a large page
+  // only the first element of each kind: searching all rows of all objects takes half a second on a large page
   const ofObject = at => {
     const name = at.querySelector("h4").lastChild, remarks = at.querySelector(":scope>.m");
     if (at.tagName !== "DETAILS") return { rows: [], ...words(at, at.id, name, remarks, texts(at.querySelectorAll(":scope>dl>dd")).slice(0, 3)) };
     const rows = at.querySelector("tbody").rows, kind = at.firstElementChild.querySelectorAll(":scope>span");
     return { rows: [...rows].map(ofRow), ...words(at, at.id, name, remarks, texts(kind)) };
   };
-  // read ahead while nobody waits
+  // build the index in idle time
   const index = [];
   const read = idle => {
     while (index.length < objects.length) {
@@ -37,7 +37,7 @@
     return index;
   };
 
-  // 0x6040, 6040h, 6040:1 and 6040sub1 name the same
+  // 0x6040, 6040h, 6040:1 and 6040sub1 are equivalent
   const term = word => {
     const place = /^(?:0x)?([0-9a-f]{1,4})h?(?:(?:sub|[:.])(0*)([0-9a-f]*))?$/.exec(word);
     const anchor = place && (place[2] === undefined ? place[1] : `${place[1]}sub${place[3] || (place[2] && "0")}`);
@@ -65,26 +65,26 @@
       count++;
       const kept = new Set(rows);
       for (const row of object.rows) show(row, kept.has(row));
-      // what was found in something closed is to be seen, and closed again when it was not that; nobody reads hundreds
+      // open closed sections with matches and close them again when they no longer match; at most 100
       if (isWhole) { if (opened.delete(object)) object.at.open = false; }
       else if (!object.at.open && opened.size < 100) { opened.add(object); object.at.open = true; }
     }
     for (const area of areas) area.at.hidden = area.objects.every(object => object.hidden);
     hits.textContent = !terms.length ? "" : count ? `${count} / ${objects.length}` : hits.dataset.none;
   }
-  // the objects are below all else: what was found is to be seen
+  // the objects are at the end of the page: scroll to the matches
   const section = byId("objects");
   const lead = () => { if (last && section.getBoundingClientRect().top > innerHeight / 2) section.scrollIntoView(); };
   const clear = () => { filter.value = ""; apply(); };
 
-  // shows what an address names, though it lies in something that is closed or filtered away
+  // shows the target of a link even if it is in a closed section or filtered out
   const reveal = () => {
     let target;
     try { target = byId(decodeURIComponent(location.hash.slice(1))); } catch { return; }
     if (!target) return;
     if (target.closest("[hidden]")) clear();
     for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
-    // on a large page what lies above gets its height when it is drawn: until the target stands still
+    // on a large page, elements above get their height when drawn: repeat until the target does not move
     let top, still = 0, frames = 30;
     const scroll = () => {
       still = target.getBoundingClientRect().top === top ? still + 1 : 0;
@@ -108,7 +108,7 @@
   byId("expand").addEventListener("click", () => toggle(true));
   byId("collapse").addEventListener("click", () => toggle(false));
 
-  // one button for all: it goes where the mouse or the focus is, and offers what names or reads the entry there
+  // one shared button: it follows the mouse or focus and offers to copy the name or SDO request of that entry
   const copy = byId("copy"), copies = byId("copies");
   const offer = event => {
     const link = event.target.closest("tr[id],.o")?.querySelector("a");

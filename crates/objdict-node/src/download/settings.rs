@@ -124,7 +124,7 @@ impl<'a> Settings<'a> {
         self.noted(key, bytes).map(|data| Step::Write(Download { index, sub, data }))
     }
 
-    /// The bytes of the target value; `None` if there is no value or, after recording a problem, no legal
+    /// The bytes of the target value; `None` without a value or, after recording a problem, without a legal
     /// one.
     pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
         let bytes = self.find(key)?.bytes(self.options.node_id)?;
@@ -183,7 +183,7 @@ impl<'a> Settings<'a> {
 }
 
 impl Setting<'_> {
-    /// Encodes the target value and checks its limits. `None` if there is no value.
+    /// Encodes the target value and checks its limits. `None` without a value.
     fn bytes(&self, node_id: Option<u8>) -> Option<Result<Vec<u8>, ProblemKind>> {
         if let Some(text) = unreadable_value(self.entry) {
             return Some(Err(ProblemKind::Unreadable(text.into())));
