@@ -8,16 +8,16 @@ use crate::profile::default_mapping::{Channels, of_channels};
 use crate::profile::{index_in, number_of};
 use crate::{Facts, PdoFacts};
 
-/// The last PDO that has a default mapping.
+/// The last PDO with a default mapping.
 const LAST: u16 = 4;
 
-/// A kind of channels.
+/// A kind of channel.
 pub(crate) struct ChannelKind {
-    /// Its bit of the device type.
+    /// The bit of the kind in the device type.
     pub bit: u8,
-    /// Its name in messages.
+    /// The name in messages.
     pub name: &'static str,
-    /// The objects that hold its values, the usual one first.
+    /// The objects with the values of the channels, the usual one first.
     indexes: &'static [RangeInclusive<u16>],
 }
 

@@ -18,9 +18,9 @@ pub(crate) struct Drive<'a> {
 /// A mode of operation.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Mode {
-    /// Its bit in 6502h.
+    /// The bit of the mode in 6502h.
     pub bit: u8,
-    /// Its number in 6060h.
+    /// The number of the mode in 6060h.
     pub number: i128,
     pub name: &'static str,
 }

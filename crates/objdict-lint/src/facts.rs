@@ -17,7 +17,7 @@ pub(crate) struct Facts<'a> {
     pub options: &'a Options,
     /// The PDOs, first RPDOs, then TPDOs, by number; without those that `CompactPDO` implies.
     pub pdos: Vec<PdoFacts<'a>>,
-    /// Every COB-ID that an object states, PDOs last; without those of SRDOs.
+    /// Every COB-ID that an object states, those of PDOs last; without those of SRDOs.
     pub cob_ids: Vec<CobIdUse>,
     /// The SRDOs, by number.
     pub srdos: Vec<Srdo<'a>>,
@@ -32,11 +32,11 @@ pub(crate) struct PdoFacts<'a> {
 
 /// A mapping entry in use.
 pub(crate) struct Mapped<'a> {
-    /// Sub-index of the mapping.
+    /// The sub-index in the mapping parameter.
     pub slot: u8,
     /// The object that the entry refers to.
     pub object: MappedObject,
-    /// The described target.
+    /// The target of the entry.
     pub target: Target<'a>,
 }
 
@@ -109,7 +109,7 @@ impl<'a> Facts<'a> {
 }
 
 impl Facts<'_> {
-    /// The predefined base of a COB-ID in an EDS that lies in the predefined connection set but is missing the
+    /// The predefined base of a COB-ID in an EDS that is in the predefined connection set but has no
     /// node-ID. A DCF describes one node and may contain numbers.
     pub(crate) fn base_without_node_id(&self, cob_id: &CobIdUse) -> Option<u16> {
         let base = match cob_id.service {
@@ -126,8 +126,8 @@ impl Facts<'_> {
 }
 
 impl Facts<'_> {
-    /// The owner of the CAN-ID of an active service on a node, if that is another service. SDO channels may use
-    /// the identifiers of the default SDOs of other nodes, and the default SDO owns them.
+    /// The other service that owns the CAN-ID of an active service on a node, if there is one. SDO channels
+    /// may use the identifiers of the default SDOs of other nodes, and the default SDO owns them.
     pub(crate) fn owner(&self, cob_id: &CobIdUse, node: u8) -> Option<&'static str> {
         let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
         let can_id = cob_id.cob_id.can_id(node);
@@ -145,15 +145,16 @@ impl Facts<'_> {
         restricted(can_id)
     }
 
-    /// Whether the CAN-ID of a service belongs to another one on every node that the description applies to.
+    /// Whether another service owns the CAN-ID of a service on every node that the description applies to.
     pub(crate) fn is_restricted(&self, cob_id: &CobIdUse) -> bool {
         self.node_ids().all(|node| self.owner(cob_id, node).is_some())
     }
 }
 
 impl Facts<'_> {
-    /// The service that owns the CAN-ID of an active PDO or additional SDO channel in the predefined connection set, if it
-    /// is SYNC, TIME or EMCY and no service of the device uses the CAN-ID too, which has other rules.
+    /// The owner of the CAN-ID of an active PDO or additional SDO channel in the predefined connection set,
+    /// if it is SYNC, TIME or EMCY. `None` if a service of the device also uses the CAN-ID, which other
+    /// rules report.
     pub(crate) fn foreign_service(&self, cob_id: &CobIdUse) -> Option<&'static str> {
         let node = *self.node_ids().start();
         let is_fixed =
@@ -309,12 +310,12 @@ fn cob_ids(device: &Device, pdos: &[PdoFacts<'_>]) -> Vec<CobIdUse> {
 }
 
 impl CobIdUse {
-    /// Whether the device sends or receives frames with it. SYNC is always received.
+    /// Whether the device sends or receives frames with the COB-ID. SYNC is always received.
     pub(crate) fn is_in_use(&self) -> bool {
         match self.service {
             Service::Sync => true,
             Service::Time => self.cob_id.bit_30() || !self.cob_id.is_valid(),
-            // many stacks write 0, the CAN-ID of NMT, into a channel that is not configured
+            // many stacks write 0, the CAN-ID of NMT, to an unused channel
             Service::ServerRequest(_)
             | Service::ServerResponse(_)
             | Service::ClientRequest(_)
@@ -323,7 +324,7 @@ impl CobIdUse {
         }
     }
 
-    /// Whether the device sends frames with it; otherwise it receives them.
+    /// Whether the device sends frames with the COB-ID; otherwise it receives them.
     pub(crate) fn is_sent(&self) -> bool {
         match self.service {
             Service::Sync | Service::Time => self.cob_id.bit_30(),
@@ -361,7 +362,7 @@ impl Sayable for Service {
     }
 }
 
-/// Whether a sub-index exists but the description states no value for it, not even an invalid one.
+/// Whether a sub-index exists without any value in the description, valid or invalid.
 pub(crate) fn is_unstated(object: &Object, sub: u8) -> bool {
     if !object.has(sub) || object.value(sub).is_some() {
         return false;

@@ -1,7 +1,7 @@
 //! Sets of object indexes.
 
-/// A set of indexes with one bit each: a list of a hostile file may be long, and a lookup must be fast. Most devices have
-/// objects in a few ranges, so only their pages are allocated.
+/// A set of indexes with one bit each, because a list in a hostile file may be long and lookups must be
+/// fast. Most devices have objects in a few ranges, so only the pages of these are allocated.
 pub(crate) struct IndexSet {
     /// For the high byte of an index, the page with the bits of its low byte.
     pages: [u16; 256],
@@ -15,7 +15,7 @@ impl IndexSet {
         Self { pages: [0; 256], bits: vec![[0; 4]] }
     }
 
-    /// Inserts an index; false if the set already contains it.
+    /// Inserts an index; `false` if the set already contains it.
     pub(crate) fn insert(&mut self, index: u16) -> bool {
         let page = &mut self.pages[usize::from(index >> 8)];
         if *page == 0 {

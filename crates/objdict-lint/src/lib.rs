@@ -1,7 +1,7 @@
-//! The linter: rules about the model. A rule knows no files and no formats; it checks a [`Device`] and reports
-//! [`Place`](crate::model::Place)s.
+//! The linter: rules about the model. A rule is independent of files and formats; it checks a [`Device`] and
+//! reports [`Place`](crate::model::Place)s.
 
-// without the catalogue, some of the shared code has no user
+// without the catalogue, some of the shared code is unused
 #![cfg_attr(not(feature = "catalogue"), allow(dead_code, unused_imports))]
 
 mod channels;

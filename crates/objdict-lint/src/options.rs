@@ -9,7 +9,8 @@ use crate::profile::Profile;
 /// The options of a check.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The node-ID for which formulas are evaluated; without it that of a DCF, otherwise every node-ID from 1 to 127.
+    /// The node-ID for which formulas are evaluated; by default that of a DCF, otherwise every node-ID from
+    /// 1 to 127.
     pub node_id: Option<u8>,
     /// Profiles that apply in addition to that of the device type; see [`crate::profile::named`] and
     /// [`Profile::from_toml`].

@@ -7,7 +7,7 @@ use crate::{Facts, PdoFacts, stated};
 
 /// A rule about the model.
 pub struct Rule {
-    /// Its id, severity and page.
+    /// The id, severity and page.
     pub info: RuleInfo,
     /// The check and its subject.
     pub(crate) check: Check,
@@ -21,9 +21,9 @@ pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
 pub(crate) enum Check {
     /// The device as a whole.
     Device(fn(&Device, &mut Findings)),
-    /// Each object with its index, including those without a section of their own ([`Object::orphan`]).
+    /// Each object with its index, including those without their own section ([`Object::orphan`]).
     Object(fn(&Device, u16, &Object, &mut Findings)),
-    /// Each described entry, also of modules: an object's own section, or a sub-index.
+    /// Each described entry, also of modules: the section of an object, or a sub-index.
     Entry(EntryCheck),
     /// The communication as a whole.
     Facts(fn(&Facts<'_>, &mut Findings)),
@@ -43,9 +43,9 @@ pub(crate) struct EntryAt<'a> {
     pub device: &'a Device,
     pub origin: Origin,
     pub index: u16,
-    /// Its object; for an extension, an object with only this entry.
+    /// The object of the entry; for an extension, an object with only this entry.
     pub object: &'a Object,
-    /// The sub-index; `None` for the object's own section.
+    /// The sub-index; `None` for the section of the object.
     pub sub: Option<u8>,
     pub entry: &'a Entry,
 }
@@ -74,7 +74,7 @@ impl EntryAt<'_> {
         })
     }
 
-    /// The object's own section as a place.
+    /// The section of the object as a place.
     pub(crate) fn object_place(&self) -> Place {
         Self { sub: None, ..*self }.place()
     }
@@ -93,7 +93,7 @@ impl EntryAt<'_> {
         }
     }
 
-    /// Whether the entry has a value of its own: a sub-index, a VAR or DOMAIN, or the shared attributes of a compact
+    /// Whether the entry has a value: a sub-index, a VAR or DOMAIN, or the shared attributes of a compact
     /// object; not the header of an ARRAY or RECORD.
     pub(crate) fn holds_value(&self) -> bool {
         self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()

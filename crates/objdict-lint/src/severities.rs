@@ -1,4 +1,4 @@
-//! Severities that the user sets in place of those of the rules.
+//! Severities that replace those of the rules.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -48,12 +48,12 @@ impl FromStr for Level {
 #[error("`{0}` is not a valid severity: `off`, `note`, `warning` or `error`")]
 pub struct UnknownLevel(pub String);
 
-/// Severities that the user sets in place of those of the rules. A later setting takes precedence.
+/// Severities that replace those of the rules. A later setting takes precedence.
 #[derive(Clone, Debug, Default)]
 pub struct Severities {
     rules: BTreeMap<&'static str, Level>,
     groups: BTreeMap<&'static str, Level>,
-    /// The only rules that are reported; all, if it is empty.
+    /// The only rules that are reported; all rules if empty.
     only: Vec<Selection>,
 }
 
@@ -71,7 +71,8 @@ impl Severities {
         }
     }
 
-    /// Turns all rules off that are not selected. Several calls select more rules; one that is off otherwise stays off.
+    /// Turns off all rules that are not selected. Further calls select more rules; a rule that is off for
+    /// another reason stays off.
     pub fn select(&mut self, rules: Selection) {
         self.only.push(rules);
     }

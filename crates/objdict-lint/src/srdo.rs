@@ -6,7 +6,7 @@ use crate::model::{CobId, Device, MappedObject, MappingSlot, Object};
 
 /// An SRDO: the configured values of its communication parameter and its mapping.
 pub(crate) struct Srdo<'a> {
-    /// Number, 1 to 64.
+    /// The number, 1 to 64.
     pub number: u16,
     /// 1301h to 1340h.
     pub communication: Option<&'a Object>,
@@ -41,17 +41,17 @@ impl<'a> Srdo<'a> {
         Self { number, communication, mapping, mapped_count, slots: slots.unwrap_or_default() }
     }
 
-    /// Index of the communication parameter.
+    /// The index of the communication parameter.
     pub(crate) fn communication_index(&self) -> u16 {
         0x1300 + self.number
     }
 
-    /// Index of the mapping.
+    /// The index of the mapping parameter.
     pub(crate) fn mapping_index(&self) -> u16 {
         0x1380 + self.number
     }
 
-    /// Index of the first described object.
+    /// The index of the first described object.
     pub(crate) fn first_index(&self) -> u16 {
         if self.communication.is_some() { self.communication_index() } else { self.mapping_index() }
     }

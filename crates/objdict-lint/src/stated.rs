@@ -1,11 +1,13 @@
-//! Unambiguous statements of a description. A rule that uses them reports nothing where a more basic rule has a finding.
+//! Unambiguous properties of a description. A rule that uses them reports nothing if a more basic rule has a
+//! finding.
 
 use std::cmp::Ordering;
 
 use crate::model::{Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
 
-/// The object type, VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a valid value,
-/// if the object has no section of its own, or if `ObjectType` is missing although the object has sub-indexes.
+/// The object type, VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a
+/// valid value, if the object has no own section, or if `ObjectType` is missing although the object has
+/// sub-indexes.
 pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
     let invalid_values = &object.main.invalid_values;
     let unreadable = !invalid_values.is_empty()
@@ -26,7 +28,7 @@ pub(crate) fn is_structured(object: &Object) -> bool {
     !object.subs.is_empty() || object.compact.is_some() || object.sub_number.is_some_and(|number| number > 0)
 }
 
-/// Whether the device has an object: described, or only listed, which has its own rule.
+/// Whether the device has an object: described, or only listed, which another rule reports.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.objects.contains_key(&index) || device.lists.contains(index)
 }
@@ -36,7 +38,7 @@ pub(crate) fn is_invalid(entry: &Entry, field: &Field) -> bool {
     !entry.invalid_values.is_empty() && entry.invalid_values.get(field).is_some()
 }
 
-/// Number of described sub-indexes as `SubNumber` counts them: without FFh.
+/// The number of described sub-indexes as `SubNumber` counts them: without FFh.
 pub(crate) fn described_subs(object: &Object) -> usize {
     object.subs.len() - usize::from(object.subs.get(0xFF).is_some())
 }
@@ -46,7 +48,8 @@ pub(crate) fn node_ids(device: &Device) -> [u8; 2] {
     device.node_id().map_or([1, 127], |node_id| [node_id, node_id])
 }
 
-/// Compares two numbers for the node `node_id`; REAL in the precision of the type. `None` if one is not a number.
+/// Compares two numbers for the node `node_id`; REAL values in the precision of the type. `None` if one is
+/// not a number.
 pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Ordering> {
     match (left, right) {
         (Value::Unsigned(left), Value::Unsigned(right)) => Some(left.cmp(right)),
@@ -57,7 +60,8 @@ pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Orderi
     }
 }
 
-/// The first of the node-IDs for which two numbers compare like `order`; only formulas depend on the node-ID.
+/// The first of the node-IDs for which comparing two numbers gives `order`; only formulas depend on the
+/// node-ID.
 pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids: [u8; 2]) -> Option<u8> {
     let [first, last] = node_ids;
     let holds = |node_id| compare(left, right, node_id) == Some(order);
@@ -68,8 +72,9 @@ pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids:
     (is_formula && holds(last)).then_some(last)
 }
 
-/// Whether sub-index 0 does not count all sub-indexes, or counts only those in use: the error history, the number of
-/// PDOs of version 3, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2, EN 50325-5).
+/// Whether sub-index 0 does not count all sub-indexes, or counts only those in use: the error history, the
+/// number of PDOs of version 3, mappings of PDOs and SRDOs, the lists of multiplexed PDOs (CiA 301 §7.5.2,
+/// EN 50325-5).
 pub(crate) fn counts_otherwise(index: u16) -> bool {
     matches!(index, 0x1003 | 0x1004 | 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF | 0x1FA0..=0x1FFF)
 }
@@ -99,7 +104,7 @@ pub(crate) fn first_formula(device: &Device) -> Option<Place> {
     })
 }
 
-/// Each entry that the description states of the device's own objects, with its place.
+/// Each entry of the objects of the device itself, with its place.
 pub(crate) fn entries(device: &Device) -> impl Iterator<Item = (Place, &Entry)> {
     device.objects.iter().flat_map(|(&index, object)| {
         object.described().map(move |(sub, entry)| {

@@ -1,9 +1,9 @@
-//! Additions by fixes: missing members of object lists (CiA 306-1 §4.6.3.1) and sub-index 0.
+//! Parts that fixes add: missing members of object lists (CiA 306-1 §4.6.3.1) and sub-index 0.
 
 use crate::diagnostic::{Change, Fix, MAX_FIX_LINES};
 use crate::model::{Field, Object, Part};
 
-/// A list with further members: in order if the list is sorted, otherwise at its end.
+/// A list with additional members: in order if the list is sorted, otherwise at its end.
 pub(crate) fn with_members(list: &[u16], others: impl IntoIterator<Item = u16>) -> Vec<u16> {
     let is_sorted = list.is_sorted();
     let mut members = list.to_vec();
@@ -14,7 +14,7 @@ pub(crate) fn with_members(list: &[u16], others: impl IntoIterator<Item = u16>) 
     members
 }
 
-/// Sub-index 0 of an object as most devices have it.
+/// Sub-index 0 of an object with the usual attributes.
 pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
     let keys = [
         (Field::ParameterName, "Highest sub-index supported".to_owned()),
@@ -27,8 +27,8 @@ pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
     Change::Add(Part::Entry(index, 0), keys.to_vec())
 }
 
-/// The fixes of a rule that rewrite lists. Each changes as many lines as its list has, and a hostile list is long, so their
-/// total is limited.
+/// The fixes of a rule that rewrite lists. Each fix changes as many lines as its list has, and a list in a
+/// hostile file is long, so their total is limited.
 pub(crate) struct ListFixes {
     lines: usize,
 }
@@ -39,7 +39,7 @@ impl ListFixes {
         Self { lines: MAX_FIX_LINES }
     }
 
-    /// The fix of one more finding, unless the limit is reached.
+    /// The fix of the next finding, unless the limit is reached.
     pub(crate) fn next(&mut self, list: &[u16], fix: impl FnOnce() -> Fix) -> Option<Fix> {
         self.lines = self.lines.checked_sub(list.len().max(1))?;
         Some(fix())

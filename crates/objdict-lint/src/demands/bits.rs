@@ -7,7 +7,7 @@ use crate::model::DataType;
 use crate::profile::{BitField, device_type_index};
 use crate::stated;
 
-/// Bits are set that the document does not define.
+/// Reports set bits that the document does not define.
 pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
     let reserved = value & !at.facts.bits().fold(0, |known, field| known | mask(&field));
@@ -26,7 +26,7 @@ pub(crate) fn reserved_bits(rule: &'static RuleInfo, at: &Expected<'_>, findings
     findings.push(finding.fix(Fix::risky(say!("write `{}`", cleared)).set(place, cleared)));
 }
 
-/// A group of bits has a value that is not among those that the document defines.
+/// Reports a group of bits with a value that the document does not define.
 pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = value(at) else { return };
     for field in at.facts.bits().filter(|field| field.meanings().len() > 0) {
@@ -51,7 +51,8 @@ pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, 
     }
 }
 
-/// The value that has bits; `None` if another rule covers it, and for 1000h if each logical device has its own type.
+/// The value of the bits; `None` if another rule covers it, and for 1000h if each logical device has its own
+/// type.
 fn value(at: &Expected<'_>) -> Option<u64> {
     let against = &at.against;
     let is_type_of_all =

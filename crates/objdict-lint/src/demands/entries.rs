@@ -7,10 +7,10 @@ use crate::model::{Access, DataType, Field, TypeKind, Value};
 use crate::profile::Mapping;
 use crate::{stated, with_others};
 
-/// The data type differs. Sub-index 0 has its own rule.
+/// Reports a different data type. Sub-index 0 has its own rule.
 pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let wrong = at.entry.data_type.filter(|&data_type| !at.counts() && !at.facts.accepts_type(data_type));
-    // a type that does not exist, or that no entry can have, has another rule
+    // a type that does not exist or that an entry cannot have is reported by another rule
     let exists = |data_type: &DataType| match data_type.kind() {
         TypeKind::Reserved | TypeKind::Structure => false,
         TypeKind::Defined => at.against.device.objects.contains_key(&data_type.0),
@@ -26,7 +26,7 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
     findings.push(finding.fix(set(at.place(), Field::DataType, code)));
 }
 
-/// The access type differs.
+/// Reports a different access type.
 pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let wrong = at.entry.access.filter(|&access| !at.facts.accepts_access(access));
     // the access type of a compactly stored object may be meant for sub-index 0
@@ -46,12 +46,12 @@ pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings:
     findings.push(finding.fix(set(at.place(), Field::AccessType, first.to_owned())));
 }
 
-/// Entries are marked as mappable although the document does not allow them in a PDO.
+/// Reports entries that are marked as mappable although the document does not allow them in a PDO.
 pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let marked = at.entries().filter(|at| at.entry.is_mappable() && at.facts.mapping == Some(Mapping::No));
     // sub-index 0 of an ARRAY or RECORD is harmless, because it is never mapped
     let marked = marked.filter(|at| !at.counts());
-    // constants and texts are never mappable, which has its own rule
+    // another rule reports constants and texts, which are never mappable
     let marked = marked.filter(|at| {
         let length = at.entry.data_type.and_then(DataType::bit_length);
         at.entry.access != Some(Access::Const) && length.is_some()
@@ -68,7 +68,7 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
     findings.push(with_others(finding, others.into_iter().map(|place| (place, "mappable here too"))));
 }
 
-/// The document does not allow the value. Sub-index 0 has its own rule.
+/// Reports a value that the document does not allow. Sub-index 0 has its own rule.
 pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let Some(value) = at.entry.value().filter(|_| !at.counts() && !at.facts.values.is_empty()) else {
         return;
@@ -91,10 +91,10 @@ pub(super) fn alternatives<T: Sayable>(items: impl IntoIterator<Item = T>) -> Ar
     Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " or "])
 }
 
-/// The default differs.
+/// Reports a different default.
 pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let (Some(expected), Some(found)) = (at.facts.default, &at.entry.default) else { return };
-    // a value that the document does not allow has another rule
+    // another rule reports a value that the document does not allow
     let is_allowed = found.as_integer().is_none_or(|number| at.facts.accepts_value(number));
     if at.counts() || is_equal(expected, found) || !is_allowed {
         return;
@@ -110,7 +110,7 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     findings.push(finding.fix(set(at.place(), Field::DefaultValue, text)));
 }
 
-/// Whether two values are the same number or text, whatever their types.
+/// Whether two values are the same number or text, independent of their types.
 fn is_equal(left: &Value, right: &Value) -> bool {
     match (left, right) {
         (Value::NodeId(left), Value::NodeId(right)) => left == right,

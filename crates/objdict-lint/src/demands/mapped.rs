@@ -6,7 +6,8 @@ use crate::model::PdoKind;
 use crate::profile::Mapping;
 use crate::{Facts, Target};
 
-/// A PDO maps an entry that the document defines for the other direction, although its access type allows it.
+/// Reports a PDO that maps an entry that the document defines for the other direction, although its access
+/// type allows it.
 pub(crate) fn mapped_in_wrong_direction(
     rule: &'static RuleInfo,
     facts: &Facts<'_>,
@@ -24,7 +25,7 @@ pub(crate) fn mapped_in_wrong_direction(
                 Some(Mapping::Rpdo) => PdoKind::Rpdo,
                 _ => continue,
             };
-            // what the entry itself forbids has another rule
+            // another rule reports what the entry itself forbids
             if right == pdo.pdo.kind || !entry.is_mappable() || !entry.fits_pdo(pdo.pdo.kind) {
                 continue;
             }

@@ -6,7 +6,7 @@ use crate::model::{Device, ObjectType, Part, Place};
 use crate::profile::{Need, index_in};
 use crate::{Facts, stated};
 
-/// Objects that the document requires are missing.
+/// Reports missing objects that the document requires.
 pub(crate) fn missing_object(
     rule: &'static RuleInfo,
     facts: &Facts<'_>,
@@ -35,12 +35,12 @@ pub(crate) fn missing_object(
     }
 }
 
-/// Whether an object is described, its absence has another rule, or a module may provide it.
+/// Whether an object is described, reported as missing by another rule, or possibly provided by a module.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.is_modular() || stated::is_there(device, index)
 }
 
-/// When something is required, as the end of a message.
+/// The condition of a requirement, as the end of a message.
 fn condition(need: Need<'_>, device: &Device, block: u8) -> Text {
     match need {
         Need::When(condition) => say!(" when {}", Text::from(condition.in_words(device, block))),
@@ -48,14 +48,14 @@ fn condition(need: Need<'_>, device: &Device, block: u8) -> Text {
     }
 }
 
-/// The place of the value or object because of which something is required.
+/// The place of the value or object that causes a requirement.
 fn cause(need: Need<'_>, device: &Device, block: u8) -> Option<Place> {
     let Need::When(condition) = need else { return None };
     let (index, sub) = condition.causes(device, block).next()?;
     Some(sub.map_or(Place::object(index), |sub| device.value_place(index, sub)))
 }
 
-/// Sub-indexes that the document requires are missing.
+/// Reports missing sub-indexes that the document requires.
 pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let is_structured = at.stated_type().is_some_and(ObjectType::has_subs);
     if !is_structured || !at.has_its_shape() || at.device.is_modular() {

@@ -1,6 +1,6 @@
-//! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the device with the
-//! document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so the groups contain only the
-//! rule pages, and the checks are here.
+//! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the
+//! device with the document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so
+//! the groups contain only the pages of the rules, and the checks are here.
 
 mod bits;
 mod entries;
@@ -45,7 +45,7 @@ pub(crate) struct Against<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct Expected<'a> {
     pub against: Against<'a>,
-    /// The sub-index; `None` for the object's own section.
+    /// The sub-index; `None` for the section of the object.
     pub sub: Option<u8>,
     pub entry: &'a Entry,
     pub facts: EntryFacts<'a>,
@@ -72,7 +72,7 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
             applied.extend(of_number(block, profile::number_of(device, block)));
             continue;
         }
-        // several axes of one profile, although the device type does not state them
+        // several axes with one profile, even if the device type does not state them
         let repeated = applied.iter().filter(|one| one.block == 0 && one.profile.repeats);
         let repeated = repeated.filter(|one| has_block(device, one.profile, block)).copied();
         let repeated: Vec<_> = repeated.map(|one| Applied { block, ..one }).collect();
@@ -81,7 +81,7 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
     applied
 }
 
-/// Whether the device has an object that the document defines for a further logical device.
+/// Whether the device has an object that the document defines for another logical device.
 fn has_block(device: &Device, profile: &Profile, block: u8) -> bool {
     let (first, last) = (profile::index_in(block, 0x6000), profile::index_in(block, 0x67FE));
     device.objects.range(first..=last).any(|(&index, _)| profile.object_in(block, index).is_some())
@@ -97,7 +97,7 @@ pub(crate) fn against<'a>(device: &'a Device, applied: &Applied<'a>) -> impl Ite
 }
 
 impl Applied<'_> {
-    /// Its name in messages.
+    /// The name in messages.
     pub(crate) fn document(&self) -> &str {
         &self.profile.document
     }
@@ -145,7 +145,7 @@ impl Expected<'_> {
         self.sub.map_or(Place::object(index), |sub| Place::entry(index, sub))
     }
 
-    /// The document's name in messages.
+    /// The name of the document in messages.
     pub(crate) fn document(&self) -> &str {
         self.against.applied.document()
     }
@@ -158,7 +158,8 @@ impl Expected<'_> {
         }
     }
 
-    /// Whether it is sub-index 0 of an object with sub-indexes: the number of entries, which has its own rules.
+    /// Whether the entry is sub-index 0 of an object with sub-indexes: their number, which has its own
+    /// rules.
     pub(crate) fn counts(&self) -> bool {
         self.sub == Some(0) && self.against.object.object_type().has_subs()
     }

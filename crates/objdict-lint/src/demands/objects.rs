@@ -5,7 +5,7 @@ use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity,
 use crate::model::{DataType, Field, Object, ObjectType, Place};
 use crate::profile::index_in;
 
-/// The object type differs.
+/// Reports a different object type.
 pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let (object, index) = (at.object, at.index);
     let (expected, found) = (at.facts.object_type(), object.object_type());
@@ -23,7 +23,8 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     findings.push(if harmless { finding.severity(Severity::Warning) } else { finding });
 }
 
-/// Whether another rule reports the object type: a missing one, sub-indexes of a VAR, a VAR of type DOMAIN.
+/// Whether another rule reports the object type: it is missing, or the object is a VAR with sub-indexes or
+/// of type DOMAIN.
 fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
     let object = at.object;
     let is_var = object.object_type() == ObjectType::Var;
@@ -32,10 +33,10 @@ fn type_is_reported_elsewhere(at: &Against<'_>) -> bool {
         || (is_var && (!object.subs.is_empty() || is_domain))
 }
 
-/// The document does not define a sub-index. Any sub-index is allowed if the document defines none, or if it does not state
-/// the object type because it only adds to another document.
+/// Reports sub-indexes that the document does not define. Any sub-index is allowed if the document defines
+/// none, or if it does not state the object type because it only extends another document.
 pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    // a VAR with sub-indexes has another rule
+    // another rule reports a VAR with sub-indexes
     let is_whole = at.facts.states_type() && at.facts.entries().len() > 0;
     if !at.has_its_shape() || !at.object.object_type().has_subs() || !is_whole {
         return;
@@ -66,7 +67,7 @@ pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, fin
     }
 }
 
-/// The document does not allow the highest sub-index.
+/// Reports a highest sub-index that the document does not allow.
 pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     if !at.has_its_shape() || !at.object.object_type().has_subs() {
         return;
@@ -98,14 +99,14 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
         && object.subs.get(0).and_then(|entry| entry.access).is_some_and(|access| !access.is_writable());
     let has_rule = matches!(facts.first, 0x1018 | 0x1200..=0x12FF | 0x1400..=0x19FF | 0x1F00..=0x1F9F);
     let missing = facts.entries().any(|entry| entry.is_mandatory() && !object.has(entry.first));
-    // compact storage cannot describe an entry for all nodes, whose access type differs
+    // compact storage cannot describe an entry for all nodes with another access type
     let is_whole = highest > 1
         && object.compact.is_some()
         && matches!((facts.entry(highest), facts.entry(highest + 1)), (Some(last), Some(next)) if last.first != next.first);
     differs || highest > facts.highest_sub() || (has_rule && missing) || is_whole
 }
 
-/// The object is described, but the document defines it only for other devices.
+/// Reports a described object that the document defines only for other devices.
 pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let Some(only) = at.facts.only.filter(|_| !at.object.orphan) else { return };
     if only.holds(at.device, at.applied.block) == Some(false) {
@@ -120,7 +121,7 @@ pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findin
     }
 }
 
-/// The object has a different number of elements than the objects it belongs to.
+/// Reports an object with a different number of elements than the objects it belongs to.
 pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let facts = at.facts;
     if facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
@@ -142,14 +143,15 @@ pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>,
     findings.push(finding.help(say!("describe {}", counted(number.into(), "element", "elements"))));
 }
 
-/// The number of elements if sub-index 0 and the description agree. A missing number has another rule.
+/// The number of elements if sub-index 0 and the description agree. Another rule reports a missing number.
 fn count(object: &Object) -> Option<u8> {
     let number = object.value(0)?.as_integer()?;
     let highest = object.highest_sub()?;
     (number == i128::from(highest) && highest > 0 && !object.orphan).then_some(highest)
 }
 
-/// A fix that writes the value that the document requires. The device may differ, so the user has to check it.
+/// A fix that writes the value that the document requires. It may not match the device, so the user has to
+/// check it.
 pub(super) fn set(place: Place, field: Field, value: String) -> Fix {
     Fix::risky(say!("write `{}`", Argument::setting(&field, &value))).set(place.field(field), value)
 }

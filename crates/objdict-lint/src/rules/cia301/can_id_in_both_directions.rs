@@ -16,7 +16,7 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let is_looked_at = |cob_id: &&CobIdUse| {
         let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
-        // a missing node-ID and a restricted CAN-ID have their own rules
+        // other rules report a missing node-ID and a restricted CAN-ID
         is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
     };
     let (sent, received): (Vec<_>, Vec<_>) =
@@ -26,7 +26,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let same = |other: &&&CobIdUse| key(facts, other) == key(facts, transmitter);
         for receiver in received.iter().filter(same).filter(|other| !has_own_rule(facts, transmitter, other))
         {
-            // the two directions of a client and a server are one cause
+            // both directions of a client and a server have one cause
             let objects = [transmitter.index, receiver.index];
             if pairs.insert([objects[0].min(objects[1]), objects[0].max(objects[1])]) {
                 findings.push(finding(facts, transmitter, receiver));
@@ -35,7 +35,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// What two COB-IDs have in common that meet on every node of the description.
+/// The key that two COB-IDs share if they collide on every node of the description.
 fn key(facts: &Facts<'_>, cob_id: &CobIdUse) -> (bool, bool, u32) {
     let node = facts.device.node_id();
     let is_formula = cob_id.cob_id.depends_on_node_id() && node.is_none();
@@ -67,7 +67,7 @@ fn finding(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUse) -> Di
         receiver.service,
         transmitter.cob_id
     );
-    // the entry for another node is the likely mistake
+    // the mistake is probably in the entry for another node
     let is_at_receiver = receiver.service == Service::EmcyConsumer || receiver.index > transmitter.index;
     let (at, other) = if is_at_receiver { (receiver, transmitter) } else { (transmitter, receiver) };
     Diagnostic::new(&RULE.info, place(at), message)

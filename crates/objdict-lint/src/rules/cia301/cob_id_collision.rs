@@ -19,7 +19,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut per_node: BTreeMap<Key, &CobIdUse> = BTreeMap::new();
     let is_looked_at = |cob_id: &&CobIdUse| {
         let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
-        // a missing node-ID and a restricted CAN-ID have their own rules
+        // other rules report a missing node-ID and a restricted CAN-ID
         is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
     };
     for cob_id in facts.cob_ids.iter().filter(is_looked_at) {
@@ -44,7 +44,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// What must be unique. Without a node-ID, formulas are compared by their offset.
+/// The value that must be unique. Without a node-ID, formulas are compared by their offset.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     is_sent: bool,

@@ -22,7 +22,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     };
     let entry = pdo.pdo.communication.and_then(|object| object.subs.get(1));
     let is_configured = entry.is_none_or(|entry| entry.configured_value().is_some());
-    // a missing node-ID and CAN-IDs of other services have their own rules
+    // other rules report a missing node-ID and CAN-IDs of other services
     let is_reported = facts.base_without_node_id(&cob_id).is_some()
         || facts.is_restricted(&cob_id)
         || facts.foreign_service(&cob_id).is_some()

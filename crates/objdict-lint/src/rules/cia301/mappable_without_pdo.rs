@@ -42,6 +42,6 @@ fn has_pdo(device: &Device, kind: PdoKind) -> bool {
         PdoKind::Rpdo => info.rpdo_count,
         PdoKind::Tpdo => info.tpdo_count,
     });
-    // a count without objects has its own rule
+    // another rule reports a count without objects
     declared.is_some_and(|count| count > 0) || device.pdos().any(|pdo| pdo.kind == kind)
 }

@@ -15,7 +15,7 @@ rule! {
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
-        // a type without a fixed length has its own rule
+        // another rule reports a type without a fixed length
         let is_variable = mapped.variable_type().is_some();
         if entry.is_mappable() || is_variable || entry.invalid_values.get(&Field::PdoMapping).is_some() {
             continue;

@@ -22,7 +22,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
     for facts in applied.profile.objects().filter(|facts| facts.need == Need::Mandatory) {
         let (index, name) = (facts.first, facts.name);
-        // objects that are listed but not described have their own rule
+        // another rule reports objects that are listed but not described
         if stated::is_there(device, index) {
             continue;
         }

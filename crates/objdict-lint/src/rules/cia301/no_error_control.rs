@@ -13,7 +13,7 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    // a file without any communication object is a fragment, which has its own rule
+    // another rule reports a fragment, a file without any communication object
     if [0x1017, 0x100C, 0x100D].into_iter().any(|index| stated::is_there(device, index))
         || device.objects.range(0x1000..0x2000).next().is_none()
     {

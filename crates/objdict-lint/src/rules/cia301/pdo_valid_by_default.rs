@@ -19,7 +19,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         let pdo = &of_pdo.pdo;
         let entry = pdo.communication?.subs.get(1)?;
         let cob_id = of_pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)?;
-        // a restricted CAN-ID has its own rule
+        // another rule reports a restricted CAN-ID
         let is_looked_at = pdo.number > 4 && is_type && !facts.is_restricted(&cob_id);
         (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
     });

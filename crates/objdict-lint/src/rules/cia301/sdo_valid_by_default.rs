@@ -21,7 +21,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             Service::ServerRequest(number) => number > 1,
             service => matches!(service, Service::ClientRequest(_)),
         };
-        // a restricted CAN-ID and a half valid channel have their own rules
+        // other rules report a restricted CAN-ID and a channel with only one valid COB-ID
         let pair = facts.cob_ids.iter().find(|other| other.index == cob_id.index && other.sub == 2);
         let is_half = pair.is_none_or(|other| !other.is_in_use());
         if !is_additional || is_half || facts.is_restricted(cob_id) {

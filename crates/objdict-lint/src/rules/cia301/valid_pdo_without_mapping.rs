@@ -12,7 +12,7 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
-    // a restricted CAN-ID has its own rule
+    // another rule reports a restricted CAN-ID
     if pdo.cob_id().is_some_and(|cob_id| facts.is_restricted(&cob_id)) {
         return;
     }

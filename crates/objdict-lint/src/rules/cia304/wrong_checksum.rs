@@ -34,7 +34,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// The checksum over all parameters of an SRDO; `None` where one is not known.
+/// The checksum over all parameters of an SRDO; `None` if one of them is unknown.
 fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
     let count = srdo.mapped_count.filter(|&count| count <= 16)?;
     let mut bytes = Vec::with_capacity(100);
@@ -42,7 +42,7 @@ fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
     bytes.extend(u16::try_from(srdo.number(2)?).ok()?.to_le_bytes());
     bytes.push(u8::try_from(srdo.number(3)?).ok()?);
     for sub in [5, 6] {
-        // values below 101h are defaults to which the device adds its node-ID
+        // the device adds its node-ID to default values below 101h
         let cob_id = srdo.cob_id(facts, sub).filter(|&cob_id| cob_id > 0x100)?;
         bytes.extend(u32::try_from(cob_id).ok()?.to_le_bytes());
     }
@@ -55,7 +55,7 @@ fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
     Some(crc(&bytes))
 }
 
-/// CRC of 16 bits, polynomial 1021h, from 0, most significant bit first.
+/// CRC-16: polynomial 1021h, initial value 0, most significant bit first.
 fn crc(bytes: &[u8]) -> u16 {
     bytes.iter().fold(0, |crc, &byte| {
         (0..8).fold(
@@ -69,7 +69,7 @@ fn crc(bytes: &[u8]) -> u16 {
 mod tests {
     #[test]
     fn the_checksum_of_the_digits() {
-        // the check value of CRC catalogues for this polynomial and start value
+        // the check value for this polynomial and initial value in CRC catalogues
         assert_eq!(super::crc(b"123456789"), 0x31C3);
     }
 }

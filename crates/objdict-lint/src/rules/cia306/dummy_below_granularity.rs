@@ -17,7 +17,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let granularity = device.device_info.as_ref().and_then(|info| info.granularity);
     let Some(granularity) = granularity.filter(|granularity| (2..=64).contains(granularity)) else { return };
     let is_odd = |bits: u8| !bits.is_multiple_of(granularity);
-    // a mapping that contradicts the granularity has its own rule
+    // another rule reports a mapping that contradicts the granularity
     if facts.pdos.iter().flat_map(|pdo| &pdo.mapped).any(|mapped| is_odd(mapped.object.bits)) {
         return;
     }

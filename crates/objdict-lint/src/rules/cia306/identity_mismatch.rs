@@ -28,7 +28,7 @@ fn check(device: &Device, findings: &mut Findings) {
             continue;
         }
         let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
-        // a value that was never filled in is the wrong one
+        // 0 was never filled in, so it is the wrong value
         let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
         let fix = if stated == 0 { Fix::safe(title) } else { Fix::risky(title) };
         let fix = fix.set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));

@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
     let Some(info) = &device.device_info else { return };
     let supported: Vec<u16> = info.baud_rates.supported().collect();
-    // a device without bit rates has its own finding
+    // another rule reports a device without bit rates
     if supported.is_empty() || supported.contains(&rate) {
         return;
     }

@@ -95,7 +95,7 @@ fn help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
     }
 }
 
-/// The number for a word that means yes or no.
+/// The number for a word such as `yes` or `no`.
 fn switch(word: &str) -> Option<u8> {
     let is = |words: [&str; 3]| words.iter().any(|other| other.eq_ignore_ascii_case(word));
     let (yes, no) = (is(["true", "yes", "on"]), is(["false", "no", "off"]));

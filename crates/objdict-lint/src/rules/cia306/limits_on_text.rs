@@ -24,7 +24,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         data_type.kind(),
         TypeKind::VisibleString | TypeKind::UnicodeString | TypeKind::OctetString | TypeKind::Domain
     );
-    // for DOMAIN objects these keys are not supported, which has its own rule
+    // another rule reports these keys for DOMAIN objects, which do not support them
     if is_text && at.holds_value() && at.object_type() != Some(ObjectType::Domain) {
         let message = say!("`{}` has no meaning for a {}", field, data_type);
         let finding = Diagnostic::new(&RULE.info, at.field(field), message)

@@ -32,7 +32,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(if is_formula { finding } else { finding.fix(fix) });
 }
 
-/// A negative limit with its bits too: `0xFFFF` was perhaps meant as a positive number.
+/// A limit, if negative also as bits: `0xFFFF` may be meant as a positive number.
 fn shown(limit: &Value, data_type: Option<DataType>) -> Text {
     match (limit, data_type.map(|data_type| (data_type, data_type.kind()))) {
         (Value::Signed(number @ ..0), Some((data_type, TypeKind::Signed(bits)))) => {

@@ -16,7 +16,7 @@ const NAMES: [&str; 4] = ["vendor-ID", "product code", "revision number", "seria
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(info) = &device.device_info else { return };
-    // a missing 1018h has its own finding
+    // another rule reports a missing 1018h
     let Some(identity) = device.object(0x1018).filter(|_| info.lss_supported == Some(true)) else { return };
     let missing: Vec<&str> =
         (1..).zip(NAMES).filter(|&(sub, _)| identity.entry(sub).is_none()).map(|(_, name)| name).collect();

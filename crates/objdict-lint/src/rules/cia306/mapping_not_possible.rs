@@ -17,7 +17,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !entry.is_mappable() || !at.holds_value() || at.object_type() == Some(ObjectType::Domain) {
         return;
     }
-    // a PDO that maps an entry without a fixed length has its own finding
+    // another rule reports a PDO that maps an entry without a fixed length
     let is_mapped = |at: &EntryAt<'_>| {
         let this = |mapped: MappedObject| (mapped.index, mapped.sub) == (at.index, at.sub.unwrap_or(0));
         at.device.pdos().any(|pdo| pdo.mapped().any(this))

@@ -77,7 +77,7 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
     });
 }
 
-/// The object type is unknown: missing, or invalid, which another rule reports.
+/// Reports a missing object type; another rule reports an invalid one.
 fn check_object_type(at: &EntryAt<'_>, findings: &mut Findings) {
     let in_doubt = at.sub.is_none() && stated::is_structured(at.object);
     if !in_doubt || at.entry.object_type.is_some() || !at.entry.invalid_values.is_empty() {

@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let is_node = device.kind == DeviceKind::Node;
     let severe = if is_node { Severity::Note } else { Severity::Error };
     let light = if is_node { Severity::Note } else { Severity::Warning };
-    // keys before the first section most likely belong to it, which has its own finding
+    // keys before the first section, which another rule reports, probably belong to `FileInfo`
     let headless = device.extra.iter().any(|section| section.name().is_empty());
     if device.file_info.is_none() && !headless {
         findings.push(report(&Part::FileInfo, severe, "write author and date of the file"));
@@ -62,7 +62,7 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         let fix = Fix::safe("add the list").with(Change::List(list, members.clone().collect()));
         let objects = members.count();
         if objects == 0 {
-            // missing mandatory objects have their own finding
+            // another rule reports missing mandatory objects
             if list != ObjectList::Mandatory {
                 let finding =
                     report(&Part::List(list), light, say!("write `{SupportedObjects=0}` in the {section}"));

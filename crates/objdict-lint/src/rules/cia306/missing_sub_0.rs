@@ -16,7 +16,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if object.subs.get(0).is_some() || object.compact.is_some() {
         return;
     }
-    // an object without sub-indexes has its own findings
+    // other rules report an object without sub-indexes
     let counted_only = object.subs.is_empty() && object.sub_number != Some(0);
     let Some(object_type) = stated::object_type(object).filter(|object_type| object_type.has_subs()) else {
         return;

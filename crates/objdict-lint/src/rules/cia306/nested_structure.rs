@@ -30,8 +30,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(finding.help("use a separate sub-index or object for each part of the structure"));
 }
 
-/// Type definitions may name a structure, objects and sub-indexes may not. The type of sub-index 0 has its own
-/// rule.
+/// Type definitions may refer to a structure, objects and sub-indexes may not. The type of sub-index 0 has
+/// its own rule.
 fn holds_one_value(at: &EntryAt<'_>) -> bool {
     let is_definition = matches!(at.object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
     at.holds_value() && !is_definition && at.sub != Some(0)

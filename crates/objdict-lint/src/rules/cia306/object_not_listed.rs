@@ -22,7 +22,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for (list, members) in
         ObjectList::ALL.into_iter().zip([&lists.mandatory, &lists.optional, &lists.manufacturer])
     {
-        // a missing list has its own finding
+        // another rule reports a missing list
         let Some(members) = members else { continue };
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let all = with_members(members, others.clone());

@@ -31,7 +31,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// Whether a document requires an entry, which is a rule of its own.
+/// Whether a document requires an entry, which another rule reports.
 fn demands_entries(facts: &Facts<'_>, index: u16) -> bool {
     demands::applied(facts.device, facts.options).iter().any(|applied| {
         let object = applied.profile.object_in(applied.block, index);

@@ -18,7 +18,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     if stated == described || object.compact.is_some() {
         return;
     }
-    // a counted, but missing sub-index 0 has its own finding
+    // another rule reports a sub-index 0 that is counted but missing
     let only_sub_0_missing = described > 0 && stated == described + 1 && object.subs.get(0).is_none();
     if only_sub_0_missing || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
         return;

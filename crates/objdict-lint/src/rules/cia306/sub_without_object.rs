@@ -42,7 +42,7 @@ fn check(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// The missing section of the object, with sub-index 0 if missing too.
+/// The missing section of the object, with sub-index 0 if that is also missing.
 fn section(title: Text, index: u16, object: &Object) -> Fix {
     let fix = Fix::risky(title);
     let (fix, described) = match object.subs.get(0) {

@@ -44,7 +44,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     });
 }
 
-/// The keys that count sub-indexes. Described sub-indexes have their own finding.
+/// The keys that count sub-indexes. Another rule reports described sub-indexes.
 fn keys_of_structure(at: &EntryAt<'_>) -> Vec<Field> {
     let object = at.object;
     let mut keys = Vec::new();

@@ -40,14 +40,14 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     }
 }
 
-/// A limit exceeded by a value, and the node-ID for which it is.
+/// A limit that a value exceeds, and the node-ID for which it does.
 struct Exceeded<'a> {
     field: Field,
     limit: &'a Value,
     node_id: u8,
 }
 
-/// The limit exceeded by a value.
+/// The limit that a value exceeds.
 fn exceeded<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Option<Exceeded<'a>> {
     let beyond = |limit: &Option<Value>, order| stated::first_node(value, limit.as_ref()?, order, node_ids);
     let below = beyond(&entry.low_limit, Ordering::Less);

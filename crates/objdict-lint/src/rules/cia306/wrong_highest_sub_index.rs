@@ -51,8 +51,8 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     findings.push(finding.fix(fix));
 }
 
-/// Whether `SubNumber` and sub-index 0 agree: then a section is missing or superfluous, which the mismatch
-/// of `SubNumber` reports.
+/// Whether `SubNumber` and sub-index 0 agree: then a section is missing or superfluous, which
+/// `sub-number-mismatch` reports.
 fn explained_by_sub_number(object: &Object, value: i128) -> bool {
     let stated = object.sub_number.map(i128::from);
     stated == Some(value + 1) && object.sub_number.map(usize::from) != Some(stated::described_subs(object))

@@ -24,7 +24,7 @@ fn check(device: &Device, findings: &mut Findings) {
     for list in ObjectList::ALL {
         for (number, &index) in (1..).zip(device.lists.get(list)) {
             let right = right_list(index, list);
-            // an object that is also in the right list has another finding
+            // another rule reports an object that is also in the right list
             if right != list && !is_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = say!("{:04X}h is in `{}`, but belongs in `{}`", index, list, right);
@@ -49,7 +49,7 @@ fn moved(device: &Device, from: ObjectList, to: ObjectList, is_in: &impl Fn(u16,
     fix.with(Change::List(from, right)).with(Change::List(to, members))
 }
 
-/// The list that an index belongs to; the current one if that is as good.
+/// The list that an index belongs to; the current one if that is also correct.
 fn right_list(index: u16, is: ObjectList) -> ObjectList {
     match index {
         0x1000 | 0x1001 | 0x1018 => ObjectList::Mandatory,

@@ -21,7 +21,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     else {
         return;
     };
-    // with 255 in sub-index 0, FFh is an ordinary element
+    // if sub-index 0 is 255, FFh is an ordinary element
     let is_element = object.value(0).is_some_and(|count| count.as_integer() == Some(0xFF));
     if is_element {
         return;

@@ -13,10 +13,10 @@ rule! {
     source: "CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)",
 }
 
-/// Elements that the default PDOs carry: PDO 1, and PDOs 2 to 4.
+/// The number of elements that the default PDOs carry: PDO 1, and PDOs 2 to 4.
 const BYTES: u8 = 8;
 const WORDS: u8 = 12;
-/// The last PDO that has a default mapping.
+/// The last PDO with a default mapping.
 const LAST: u16 = 4;
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

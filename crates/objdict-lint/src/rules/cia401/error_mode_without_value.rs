@@ -14,7 +14,7 @@ rule! {
     source: "CiA 401 (6206h, 6207h, 6443h to 6445h)",
 }
 
-/// The error values that go with an error mode, of the first logical device.
+/// The error values that belong to an error mode, of the first logical device.
 fn values(mode: u16) -> &'static [u16] {
     match mode {
         0x6206 => &[0x6207],

@@ -47,7 +47,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
 }
 
-/// Whether the mapping is stated, and no other rule reports it.
+/// Whether the mapping is stated and not reported by another rule.
 fn is_readable(pdo: &PdoFacts<'_>) -> bool {
     let fits = |target: &Target<'_>| match target {
         Target::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),

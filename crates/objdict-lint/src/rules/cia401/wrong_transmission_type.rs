@@ -15,7 +15,7 @@ rule! {
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     for (pdo, _) in channels::default_pdos(facts, applied) {
         let pdo = &pdo.pdo;
-        // types that no PDO has are reported as that
+        // another rule reports reserved transmission types
         let wrong = pdo.transmission_type.filter(|found| !matches!(found, 241..=251 | 255));
         let Some(found) = wrong.filter(|_| pdo.is_valid() != Some(false)) else { continue };
         let message = say!("transmission type `{}` of {} differs from CiA 401 (255)", found, pdo);

@@ -15,7 +15,7 @@ rule! {
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let index = profile::device_type_index(facts.device, applied.block);
-    // without device types of their own all axes have that of 1000h
+    // axes without their own device type have that of 1000h
     if applied.block > 0 && index == 0x1000 {
         return;
     }

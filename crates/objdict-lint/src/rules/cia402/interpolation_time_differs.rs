@@ -31,7 +31,8 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     findings.push(finding.help("set both to the same time"));
 }
 
-/// A time in seconds as value and power of ten; `None` below a microsecond and beyond all periods.
+/// The time in microseconds for a value in seconds and a power of ten; `None` below a microsecond and above
+/// all periods.
 fn microseconds(value: i128, index: i128) -> Option<i128> {
     let power = u32::try_from(index + 6).ok().filter(|&power| power <= 12)?;
     Some(value * 10i128.pow(power))

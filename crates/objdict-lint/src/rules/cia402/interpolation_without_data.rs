@@ -40,7 +40,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     findings.push(finding.help("describe the missing objects, or clear bit 6 of 6502h"));
 }
 
-/// Whether a cyclic mode requires the time, which is a rule of its own.
+/// Whether a cyclic mode requires the time, which another rule checks.
 fn is_cyclic(drive: Drive<'_>) -> bool {
     (7..=9).any(|bit| drive.supports(bit) == Some(true))
 }

@@ -16,7 +16,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let drive = Drive::new(facts, applied);
     let (there, missing) = match (drive.has(0x6060), drive.has(0x6061)) {
         (true, false) => (0x6060, 0x6061),
-        // with several modes the selection is missing, which is a rule of its own
+        // with several modes the selection is missing, which another rule reports
         (false, true) if !has_several_modes(drive) => (0x6061, 0x6060),
         _ => return,
     };

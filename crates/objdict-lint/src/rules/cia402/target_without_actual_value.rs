@@ -32,7 +32,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
 }
 
-/// Whether the document demands an object, which is a rule of its own.
+/// Whether the document requires an object, which another rule checks.
 fn is_demanded(facts: &Facts<'_>, applied: &Applied<'_>, index: u16) -> bool {
     let wanted = applied.profile.object(index);
     wanted.is_some_and(|wanted| wanted.is_demanded(facts.device, applied.block))

@@ -12,7 +12,7 @@ rule! {
     source: "CiA 402-2, the object descriptions of the modes",
 }
 
-/// The modes that need a value, as bits of 6502h; 0 for all of them.
+/// The values that must not be 0, with the modes that need them as bits of 6502h; 0 for all modes.
 const VALUES: [(u16, u8, u32, &str); 16] = [
     (0x6046, 2, 1 << 1, "vl velocity max amount"),
     (0x6048, 1, 1 << 1, "vl velocity acceleration"),

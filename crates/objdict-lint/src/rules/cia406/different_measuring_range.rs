@@ -22,7 +22,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let all = (value(range), value(resolution), value(revolutions));
     let (Some(stated), Some(steps), Some(turned)) = all else { return };
     let right = steps * turned;
-    // a value of 0 has its own rule
+    // another rule reports a value of 0
     let is_comparable =
         stated > 0 && right > 0 && turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {

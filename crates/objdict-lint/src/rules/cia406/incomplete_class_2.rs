@@ -14,7 +14,7 @@ rule! {
     source: "CiA 406, class C2; manuals of encoders",
 }
 
-/// What class C2 has beside class C1, scaling and preset, whatever its type.
+/// The objects that class C2 adds to class C1, scaling and preset, for all encoder types.
 const ALL: [u16; 8] = [0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6509, 0x650A, 0x650B];
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

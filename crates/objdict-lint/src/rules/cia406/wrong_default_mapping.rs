@@ -13,7 +13,7 @@ rule! {
     source: "CiA 406 (1A00h, 1A01h)",
 }
 
-/// The object that holds the position, in one of its forms.
+/// The object with the position, in its different formats.
 const POSITIONS: [MappedObject; 3] = [
     MappedObject { index: 0x6004, sub: 0, bits: 32 },
     MappedObject { index: 0x6008, sub: 0, bits: 64 },
@@ -66,7 +66,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     }
 }
 
-/// Whether the mapping is stated, and no other rule reports it.
+/// Whether the mapping is stated and not reported by another rule.
 fn is_readable(pdo: &PdoFacts<'_>) -> bool {
     let fits = |target: &Target<'_>| match target {
         Target::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),

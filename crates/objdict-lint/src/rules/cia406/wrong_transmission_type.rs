@@ -13,7 +13,7 @@ rule! {
     source: "CiA 406 (1800h, 1801h)",
 }
 
-/// A TPDO with the type that it should have and those that it may have.
+/// A TPDO with its default type and all types it may have.
 const TYPES: [(u16, u8, &[u8]); 2] = [(1, 254, &[254, 255]), (2, 1, &[1])];
 
 fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
@@ -24,7 +24,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let has_third = device.objects.contains_key(&0x1802);
     for (number, right, allowed) in TYPES.into_iter().filter(|(number, ..)| *number == 1 || !has_third) {
         let Some(pdo) = device.pdo(PdoKind::Tpdo, number) else { continue };
-        // types that no PDO has are reported as that
+        // another rule reports reserved transmission types
         let wrong =
             pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
         let Some(found) = wrong else { continue };

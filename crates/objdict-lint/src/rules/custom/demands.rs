@@ -1,4 +1,4 @@
-//! The requirements of loaded profiles: one row per rule that uses a check of [`crate::demands`].
+//! The requirements of custom profiles: one row per rule that uses a check of [`crate::demands`].
 
 use crate::demands::{
     misplaced_object, missing_entry, missing_object, undefined_sub_index, wrong_access, wrong_data_type,

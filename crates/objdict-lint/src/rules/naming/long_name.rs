@@ -2,7 +2,7 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::Field;
 use crate::{EntryAt, rule};
 
-/// Length of the longest name that is not reported.
+/// The maximum length of a name that is not reported.
 const LONGEST: usize = 100;
 
 rule! {
@@ -17,7 +17,7 @@ rule! {
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let name = &at.entry.name;
-    // a line that is too long has its own finding
+    // another rule reports a line that is too long
     if name.len() <= LONGEST || name.len() > 241 {
         return;
     }

@@ -31,7 +31,7 @@ rule! {
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let name = &at.entry.name;
-    // the longest has ten characters
+    // the longest placeholder has ten characters
     if name.len() > 10 || !PLACEHOLDERS.iter().any(|placeholder| placeholder.eq_ignore_ascii_case(name)) {
         return;
     }

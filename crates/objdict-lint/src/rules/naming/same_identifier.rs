@@ -30,7 +30,7 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     findings.push(finding.help("express the difference in words"));
 }
 
-/// The first two sub-indexes whose names differ in case, spaces and punctuation only.
+/// The first two sub-indexes whose names differ only in case, spaces and punctuation.
 fn alike(object: &Object) -> Option<(u8, u8)> {
     let mut seen: Vec<(u64, u8)> = Vec::with_capacity(object.subs.len());
     for (sub, entry) in object.subs.iter() {
@@ -40,7 +40,7 @@ fn alike(object: &Object) -> Option<(u8, u8)> {
             other == hash && is_alike(name, &entry.name)
         });
         match same {
-            // equal names have their own finding
+            // another rule reports equal names
             Some(&(_, first)) if object.subs.get(first).is_some_and(|other| other.name == entry.name) => {}
             Some(&(_, first)) => return Some((first, sub)),
             None => seen.push((hash, sub)),
@@ -49,7 +49,7 @@ fn alike(object: &Object) -> Option<(u8, u8)> {
     None
 }
 
-/// The letters and digits of a name in lower case; a name with other letters is not ASCII and not looked at.
+/// The letters and digits of a name in lower case; a name with non-ASCII letters is skipped.
 fn letters(name: &str) -> impl Iterator<Item = u8> {
     name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
 }
@@ -58,8 +58,7 @@ fn is_alike(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
 }
 
-/// A number that is the same for names that are alike; `None` for a name without letters, or with those of other
-/// alphabets.
+/// A hash that is equal for similar names; `None` for a name without letters, or with non-ASCII letters.
 fn hash(name: &str) -> Option<u64> {
     if !name.is_ascii() {
         return None;

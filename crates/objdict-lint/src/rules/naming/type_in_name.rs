@@ -13,7 +13,7 @@ rule! {
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
-    // some editors give the number of entries the name of the object
+    // some editors give sub-index 0 the name of the object
     let Some(data_type) = at.entry.data_type.filter(|_| at.sub != Some(0)) else { return };
     let Some((named, text)) = named_type(&at.entry.name) else { return };
     let is_other = data_type.kind() != named && data_type.bit_length().is_some();

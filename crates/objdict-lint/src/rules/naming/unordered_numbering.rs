@@ -52,7 +52,8 @@ fn disorder(object: &Object) -> Option<(u8, u8)> {
     broken.filter(|_| is_row && is_unique(object, lowest))
 }
 
-/// Whether no number repeats; the numbers are known to lie within a range as long as the number of elements.
+/// Whether all numbers are different; the caller has checked that they are in a range as long as the number
+/// of elements.
 fn is_unique(object: &Object, lowest: u64) -> bool {
     let mut seen = [false; 256];
     object.subs.iter().filter(|&(sub, _)| sub > 0 && sub < 0xFF).all(|(_, entry)| {

@@ -24,7 +24,7 @@ fn check(device: &Device, findings: &mut Findings) {
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
-/// Whether a name between 1 and the number of names is missing, which has its own rule.
+/// Whether a name between 1 and the number of names is missing, which another rule reports.
 fn has_gap(compact: &Compact) -> bool {
     (1..=compact.names.len()).any(|sub| compact.names.iter().all(|(named, _)| usize::from(*named) != sub))
 }
