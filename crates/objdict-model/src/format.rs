@@ -1,8 +1,8 @@
-//! The kinds of description files.
+//! The formats of description files.
 
 use crate::model::DeviceKind;
 
-/// A kind of file.
+/// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// Electronic data sheet: a type of device (CiA 306-1).
@@ -16,7 +16,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format of a file name: what its last known ending says, so `drive.eds.txt` is an EDS.
+    /// The format for a file name, by its last known extension: `drive.eds.txt` is an EDS.
     pub fn from_name(name: &str) -> Option<Self> {
         name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
             "eds" => Some(Self::Eds),
@@ -27,7 +27,7 @@ impl Format {
         })
     }
 
-    /// What a file of this format describes.
+    /// The kind of device that a file of this format describes.
     pub const fn kind(self) -> DeviceKind {
         match self {
             Self::Eds | Self::Xdd => DeviceKind::Type,
@@ -35,7 +35,7 @@ impl Format {
         }
     }
 
-    /// How a file of this format is built.
+    /// The syntax of the format.
     pub const fn syntax(self) -> Syntax {
         match self {
             Self::Eds | Self::Dcf => Syntax::Ini,
@@ -43,7 +43,7 @@ impl Format {
         }
     }
 
-    /// What the format is called.
+    /// The name of the format.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Eds => "EDS",
@@ -54,7 +54,7 @@ impl Format {
     }
 }
 
-/// How a file is built.
+/// The syntax of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Syntax {
     /// Sections and keys.

@@ -1,8 +1,8 @@
-//! The languages that objdict itself writes documentation in.
+//! The languages of the documentation that objdict generates.
 
 use std::fmt;
 
-/// A language of headings and sentences. Texts of a description may be in any other; see
+/// A language of headings and sentences. Texts of a description may be in any other language; see
 /// [`Labels::name_in`](crate::model::Labels::name_in).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
@@ -14,10 +14,10 @@ pub enum Language {
 }
 
 impl Language {
-    /// Both.
+    /// Both languages.
     pub const ALL: [Self; 2] = [Self::English, Self::German];
 
-    /// The language of a tag such as `de` or `de-AT` (RFC 5646), where objdict writes in it.
+    /// The language of a tag such as `de` or `de-AT` (RFC 5646), if objdict supports it.
     pub fn of_tag(tag: &str) -> Option<Self> {
         let primary = tag.split(['-', '_']).next().unwrap_or_default();
         Self::ALL.into_iter().find(|language| language.tag().eq_ignore_ascii_case(primary))
@@ -31,7 +31,7 @@ impl Language {
         }
     }
 
-    /// That of two texts which is in this language.
+    /// Selects the text in this language.
     pub const fn pick<'a>(self, english: &'a str, german: &'a str) -> &'a str {
         match self {
             Self::English => english,

@@ -1,5 +1,5 @@
-//! What every other part of objdict builds on: texts with positions, findings as data, and the typed dictionary of a
-//! device. Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
+//! The foundation of objdict: texts with positions, findings as data, and the typed dictionary of a device.
+//! Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
 
 pub mod canopennode;
 pub mod diagnostic;

@@ -23,7 +23,7 @@ const LABELS: &[(&str, u16, u16)] = &[
     ("TPDO", 0x1800, 0x19FF),
 ];
 
-/// The objects of each label, with the labels in the order of their first objects.
+/// The objects of each label. The labels are in the order of their first objects.
 #[derive(Debug, Default)]
 pub struct Counters {
     labels: Vec<String>,
@@ -49,7 +49,7 @@ impl Counters {
         self.objects.get(label).map_or(&[], Vec::as_slice)
     }
 
-    /// How many objects a label has.
+    /// The number of objects of a label.
     pub fn count(&self, label: &str) -> usize {
         self.of(label).len()
     }
@@ -60,12 +60,12 @@ impl Counters {
     }
 }
 
-/// The label of an object: that of the description, which may be empty, otherwise that of its index.
+/// The label of an object: that of the description, even if empty, otherwise that of its index.
 fn label(index: u16, object: &Object) -> Option<String> {
     let stated = object.main.stack.as_ref().and_then(|stack| stack.count_label.as_deref());
     if let Some(stated) = stated {
         let word = stated.trim().replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_");
-        let is_array = word.starts_with("ARR_"); // counts elements
+        let is_array = word.starts_with("ARR_"); // an ARRAY counts its elements
         return (!word.is_empty()).then(|| if is_array { format!("{word}_") } else { word });
     }
     let of_index = LABELS.iter().find(|(_, first, last)| (*first..=*last).contains(&index));

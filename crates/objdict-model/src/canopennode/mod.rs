@@ -26,7 +26,7 @@ pub struct Unmet {
 /// The kind of requirement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// An object is missing without which the stack does not compile.
+    /// A missing object without which the stack does not compile.
     Missing,
     /// The error history is missing.
     NoHistory,
@@ -218,7 +218,7 @@ impl Wanted<'_> {
         let mut reported = "";
         for (label, first) in RANGES {
             if reported == label {
-                continue; // mappings whose communication parameters are missing too
+                continue; // the communication parameters are also missing
             }
             let of_label = self.counters.of(label).len();
             let Some(missing) = (first..).take(of_label).find(|&index| self.object(index).is_none()) else {
@@ -280,7 +280,7 @@ fn entry(index: u16, object: &Object, sub: u8, bytes: u8, optional: bool) -> Opt
         let help = format!("describe the entry with {bytes} {}", plural(bytes));
         return if optional { None } else { unmet(Place::object(index), message, help) };
     };
-    let length = entry.data_type.and_then(DataType::byte_length)?; // a missing type has another rule
+    let length = entry.data_type.and_then(DataType::byte_length)?; // a missing data type has another rule
     if length == bytes {
         return None;
     }

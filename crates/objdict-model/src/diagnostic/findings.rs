@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{Diagnostic, RuleInfo, Severity};
 
-/// The maximum number of findings kept per rule and file; more are only counted. This limits memory for hostile files.
+/// The maximum number of findings kept per rule and file; further ones are only counted. This limits memory
+/// use for hostile files.
 pub const MAX_PER_RULE: u32 = 1000;
 
 /// The findings of one file.
@@ -16,7 +17,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// No findings yet.
+    /// An empty collection.
     pub fn new() -> Self {
         Self::default()
     }
@@ -40,7 +41,7 @@ impl Findings {
         }
     }
 
-    /// Changes each finding; removed ones are not counted either.
+    /// Changes each finding; removed ones are not counted.
     pub fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
         let Self { kept, mut seen, suppressed } = self;
         let change = |diagnostic: Diagnostic| {
@@ -88,7 +89,7 @@ impl Findings {
         for diagnostic in other.kept {
             self.push(diagnostic);
         }
-        // after the kept ones: counted first, they would reduce the number kept
+        // added after the kept findings, because earlier counts would reduce the number kept
         for (rule, count) in omitted {
             let seen = self.seen.entry(rule).or_default();
             *seen = seen.saturating_add(count);
@@ -116,7 +117,7 @@ impl Findings {
         self.kept.is_empty()
     }
 
-    /// Number of findings kept.
+    /// The number of findings kept.
     pub fn len(&self) -> usize {
         self.kept.len()
     }
@@ -131,7 +132,7 @@ impl Findings {
         self.worst() == Some(Severity::Error)
     }
 
-    /// Number of findings suppressed by the file, the configuration or a baseline.
+    /// The number of findings suppressed by the file, the configuration or a baseline.
     pub fn suppressed(&self) -> u32 {
         self.suppressed
     }

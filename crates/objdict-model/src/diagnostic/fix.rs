@@ -6,8 +6,8 @@ use super::Text;
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
 
-/// The fix of a finding: changes that belong together. The format of the description turns them into edits of its
-/// text; if it cannot, the finding has no fix in that file.
+/// The fix of a finding: changes that belong together. The format of the description converts them to edits
+/// of its text; if it cannot, the finding has no fix in that file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
     /// The title, as an imperative: "remove the spaces before `=`".
@@ -43,7 +43,7 @@ impl fmt::Display for Applicability {
 pub enum Change {
     /// Replaces bytes by a text; only the reader of a format knows the bytes.
     Replace(Span, String),
-    /// Sets a field: at its place, or as a new line or attribute of its existing part.
+    /// Sets a field: in its place, or as a new line or attribute of its existing part.
     Set(Place, String),
     /// Removes a field or a whole part.
     Remove(Place),
@@ -68,7 +68,7 @@ pub enum Change {
 pub enum Tidy {
     /// Mixed line ends: use those of most lines.
     LineEnds,
-    /// Comments with another mark than the format's.
+    /// Comments with a mark of another format.
     Comments,
     /// Spaces around keys.
     Keys,
@@ -76,17 +76,17 @@ pub enum Tidy {
     Iso646,
 }
 
-/// The maximum number of lines of a fix, and of all fixes of one rule that write long lists. In a hostile file, each of a
-/// thousand findings would otherwise contain a huge list.
+/// The maximum number of lines of a fix, and of all fixes of one rule that write long lists. Otherwise, each
+/// of a thousand findings in a hostile file could contain a huge list.
 pub const MAX_FIX_LINES: usize = 50_000;
 
 impl Fix {
-    /// A fix without changes yet that preserves the meaning.
+    /// A fix that preserves the meaning, without changes yet.
     pub fn safe(title: impl Into<Text>) -> Self {
         Self { title: title.into(), safety: Applicability::Safe, changes: Vec::new() }
     }
 
-    /// A fix without changes yet that needs review.
+    /// A fix that needs review, without changes yet.
     pub fn risky(title: impl Into<Text>) -> Self {
         Self { safety: Applicability::Unsafe, ..Self::safe(title) }
     }

@@ -35,7 +35,7 @@ pub use words::{counted, nearest, one_line, sub_index, visible};
 pub enum Severity {
     /// Style, or compatibility with a tool.
     Note,
-    /// A violation of the specification, or suspicious.
+    /// A violation of the specification, or a suspicious value.
     Warning,
     /// A tool or a device will malfunction.
     Error,
@@ -58,7 +58,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// The target of a label.
+/// The place of a label.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum At {
     /// Bytes of the text; only the reader of a format knows them.
@@ -82,7 +82,7 @@ impl From<Place> for At {
 /// A place with a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceLabel {
-    /// Where.
+    /// The place.
     pub at: At,
     /// The text; empty if the message is sufficient.
     pub text: Text,
@@ -93,7 +93,7 @@ pub struct SourceLabel {
 pub struct Diagnostic {
     /// The rule of the finding.
     pub rule: &'static RuleInfo,
-    /// The severity: the rule's default unless overridden by the configuration.
+    /// The severity: the default of the rule unless the configuration overrides it.
     pub severity: Severity,
     /// The problem: lower case, offending text in backticks, no full stop.
     pub message: Text,

@@ -1,10 +1,10 @@
-//! The terms of findings by their name in CiA 306, and their names in other syntaxes.
+//! The terms of findings: their names in CiA 306 and in other syntaxes.
 
 use std::borrow::Cow;
 
 use crate::model::{Field, ModulePart, Part};
 
-/// Maps a CiA 306 term to its name in another syntax; `None` if the name is the same.
+/// Maps a CiA 306 term to its name in another syntax; `None` if both names are equal.
 pub type Vocabulary = fn(&Notion<'_>) -> Option<String>;
 
 /// A term with a different name in each syntax.
@@ -22,7 +22,7 @@ pub enum Notion<'a> {
     Word(&'a str),
 }
 
-/// The words that a text has in braces because other syntaxes use other words.
+/// The words that templates put in braces because other syntaxes use other words.
 pub const WORDS: &[&str] =
     &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf"];
 
@@ -73,8 +73,8 @@ pub fn section_name(part: &Part) -> String {
     }
 }
 
-/// Rejects a template whose number of gaps differs from the number of values, or with an unknown name in braces.
-/// [`say!`](crate::say) calls it at compile time.
+/// Rejects a template with an unknown name in braces, or whose number of gaps differs from the number of
+/// values. [`say!`](crate::say) calls it at compile time.
 pub const fn assert_template(template: &str, values: usize) {
     let text = template.as_bytes();
     let (mut at, mut gaps) = (0, 0);

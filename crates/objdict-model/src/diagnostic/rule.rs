@@ -42,7 +42,7 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// The public address of its page; `None` as long as the manifest names no repository.
+    /// The public address of its page; `None` if the manifest has no repository.
     pub fn address(&self) -> Option<String> {
         let repository = Some(env!("CARGO_PKG_REPOSITORY")).filter(|address| !address.is_empty())?;
         Some(format!("{repository}/blob/main/docs/rules/{}.md#{}", self.group(), self.name()))
@@ -62,8 +62,8 @@ impl RuleInfo {
     }
 }
 
-/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the page; without the
-/// part `fix` for a rule without fixes.
+/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
+/// page; a rule without fixes omits the part `fix`.
 #[macro_export]
 macro_rules! rule_info {
     ($id:literal, $severity:ident $(, fix $safety:ident)?; $($part:ident: $text:literal,)+) => {
@@ -76,7 +76,8 @@ macro_rules! rule_info {
     };
 }
 
-/// Declares a rule raised by the reader of a format: `text_rule! { NAME = … }` with the fields of [`rule_info!`] is a `static`.
+/// Declares a rule reported by the reader of a format: `text_rule! { NAME = … }` with the fields of
+/// [`rule_info!`] is a `static`.
 #[macro_export]
 macro_rules! text_rule {
     ($NAME:ident = $($info:tt)+) => {
@@ -84,7 +85,7 @@ macro_rules! text_rule {
     };
 }
 
-/// Declares the rules of a module, each as [`text_rule!`](crate::text_rule) does, and `RULES`, the list of them.
+/// Declares the rules of a module, each like [`text_rule!`](crate::text_rule), and the list `RULES` of them.
 #[macro_export]
 macro_rules! text_rules {
     ($(

@@ -1,10 +1,10 @@
-//! Selects rules by name.
+//! Selection of rules by name.
 
 use std::fmt;
 
 use super::RuleInfo;
 
-/// The rules selected by a name: one, or all of a group.
+/// The rules selected by a name: one rule, or all rules of a group.
 #[derive(Clone, Copy, Debug)]
 pub enum Selection {
     /// The rules of a group, such as `cia306`.

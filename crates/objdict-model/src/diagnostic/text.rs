@@ -1,5 +1,5 @@
-//! The texts of findings: a template with gaps, and the values for the gaps. The text is rendered when shown, in the
-//! words of the file's syntax.
+//! The texts of findings: a template with gaps, and the values for the gaps. The text is rendered for
+//! display, in the words of the syntax of the file.
 
 use std::borrow::{Borrow, Cow};
 use std::fmt;
@@ -49,15 +49,15 @@ pub enum Argument {
     Key(Field),
     /// A field with a value: `PDOMapping=1`.
     Setting(Field, Box<str>),
-    /// The value of a field alone, which another syntax may spell differently.
+    /// Only the value of a field, which another syntax may spell differently.
     Worth(Field, Box<str>),
     /// The part of the file that describes a part of the device: `[1018sub1]`.
     Section(Part),
     /// A nested text.
     Text(Text),
-    /// A text for syntaxes with object lists only.
+    /// A text only for syntaxes with object lists.
     OfLists(Text),
-    /// Several values with a separator and a last separator.
+    /// Several values with a separator and a final separator.
     Series(Box<[Argument]>, [&'static str; 2]),
 }
 
@@ -86,7 +86,7 @@ impl Text {
         }
     }
 
-    /// Whether one of the values is this field, alone or with a value.
+    /// Whether one of the values is this field, with or without a value.
     pub fn names(&self, field: &Field) -> bool {
         self.any(&|argument| match argument {
             Argument::Key(key) | Argument::Setting(key, _) | Argument::Worth(key, _) => key == field,
@@ -199,7 +199,7 @@ pub fn listing<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     series(items.into_iter().map(|item| say!("`{}`", item)))
 }
 
-/// A number as [`std::fmt`] would write it: `#` for `0x`, the width with zeros before, `x` or `X` for hex.
+/// A number in the format of [`std::fmt`]: `#` for `0x`, the width with leading zeros, `x` or `X` for hex.
 fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Result {
     let (is_marked, width) = spec.strip_prefix('#').map_or((false, spec), |width| (true, width));
     let width: usize = width.trim_end_matches(['x', 'X']).parse().unwrap_or_default();
@@ -212,7 +212,7 @@ fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Resu
     }
 }
 
-/// A text of a file, truncated to the quoted length.
+/// A text of a file, truncated to the maximum length of a quotation.
 fn cut(text: &str) -> Box<str> {
     match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => [text.get(..end).unwrap_or_default(), "…"].concat().into(),
@@ -220,7 +220,7 @@ fn cut(text: &str) -> Box<str> {
     }
 }
 
-/// An external text: quotes in backticks are truncated.
+/// An external text: quotations in backticks are truncated.
 fn cut_quotes(text: String) -> String {
     if text.len() <= MAX_QUOTED {
         return text;
@@ -232,7 +232,7 @@ fn cut_quotes(text: String) -> String {
 
 /// A value for a gap.
 pub trait Sayable {
-    /// As an argument.
+    /// The value as an argument.
     fn argument(&self) -> Argument;
 }
 
@@ -348,10 +348,10 @@ impl PartialEq<&str> for Text {
 
 /// A [`Text`]: a template with gaps, and the values for them.
 ///
-/// `{}` and `{:04X}` are gaps for [`Sayable`] values, in their order. Terms with other names in other syntaxes are in
-/// braces too: a key `{LowLimit}`, a key with a value `{PDOMapping=1}`, a value of a key `{ObjectType:0x8}`, a section
-/// `{[DeviceInfo]}`, or one of the [`WORDS`](crate::diagnostic::WORDS), such as `{the key}`. A wrong number of
-/// values or an unknown name does not compile.
+/// `{}` and `{:04X}` are gaps for [`Sayable`] values, in order. Terms whose name depends on the syntax are
+/// also in braces: a key `{LowLimit}`, a key with a value `{PDOMapping=1}`, a value of a key
+/// `{ObjectType:0x8}`, a section `{[DeviceInfo]}`, or one of the [`WORDS`](crate::diagnostic::WORDS), such
+/// as `{the key}`. A wrong number of values or an unknown name does not compile.
 #[macro_export]
 macro_rules! say {
     ($template:literal $(, $argument:expr)* $(,)?) => {{

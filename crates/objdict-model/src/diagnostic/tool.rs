@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// A tool that descriptions may have to be compatible with. Rules of the group `portability` find what it does not support.
+/// A tool that descriptions can be checked against. Rules of the group `portability` report what it does not
+/// support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Tool {

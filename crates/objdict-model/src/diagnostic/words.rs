@@ -50,7 +50,7 @@ pub fn visible(character: char) -> char {
     }
 }
 
-/// A text as one line without terminal control characters: it may quote any text of a file.
+/// A text as one line without terminal control characters, because it may quote any text of a file.
 pub fn one_line(text: &str) -> String {
     text.chars().map(|character| if character == '\t' { ' ' } else { visible(character) }).collect()
 }

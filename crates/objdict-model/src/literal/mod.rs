@@ -1,4 +1,4 @@
-//! How values are spelled in description files: CiA 306-1 §4.3, and what real files make of it.
+//! The spelling of values in description files: CiA 306-1 §4.3 and the practice of real files.
 
 mod parse;
 mod print;

@@ -2,11 +2,11 @@
 
 use crate::model::{DataType, Reason, Time, TypeKind, Value, hex};
 
-/// An accepted spelling that is not standard, or that other tools read differently.
+/// An accepted spelling that is not standard, or that other tools interpret differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u16)]
 pub enum Quirk {
-    /// A leading zero: octal by the standard, decimal to some tools.
+    /// A leading zero: octal in the standard, decimal in some tools.
     Octal = 1 << 0,
     /// A leading zero that does not change the number: `07`.
     LeadingZero = 1 << 1,
@@ -35,7 +35,7 @@ pub enum Quirk {
 pub struct Quirks(u16);
 
 impl Quirks {
-    /// Whether there are none.
+    /// Whether the set is empty.
     #[inline]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
@@ -51,7 +51,7 @@ impl Quirks {
     }
 }
 
-/// The value of `text`, which is not empty, as `data_type`. Types that are not static give [`Value::Raw`].
+/// The value of `text`, which is not empty, as `data_type`. Non-static types result in [`Value::Raw`].
 ///
 /// # Errors
 /// The reason why the text is not a valid value of the type.
@@ -105,15 +105,15 @@ pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
     }
 }
 
-/// A number as written: hex digits may mean two's complement.
+/// A number as written, because hex digits may be two's complement.
 #[derive(Clone, Copy)]
 struct Number {
     value: i128,
     hex: bool,
 }
 
-/// A short number in decimal without leading zero, or hex: the fast path for nearly all numbers.
-/// [`integer`] reads the same and more.
+/// A short number in decimal without leading zero, or hex: the fast path for nearly all numbers. [`integer`]
+/// accepts the same and more.
 #[inline]
 pub fn small_number(text: &[u8]) -> Option<u32> {
     match text {
@@ -130,8 +130,8 @@ pub fn small_number(text: &[u8]) -> Option<u32> {
     }
 }
 
-/// The value of `text` as an integer of the given type, if it is a [small number](small_number) within its range in any
-/// spelling. [`value`] reads the same and more.
+/// The value of `text` as an integer of the given type, if it is a [small number](small_number) within the
+/// range of the type in any spelling. [`value`] accepts the same and more.
 #[inline]
 pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
     let number = u64::from(small_number(text.as_bytes())?);
@@ -142,7 +142,7 @@ pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
     }
 }
 
-/// Tries the common spellings first, the others only if these fail.
+/// Tries the common spellings first, and the others only if these fail.
 fn number(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
     match plain_number(text) {
         Ok(number) => Ok(number),
@@ -343,7 +343,7 @@ fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     Ok(Value::Bytes(bytes))
 }
 
-/// `days milliseconds`, twelve hex digits (the bytes on the wire), or a whole number of 48 bits. CiA 306-1 defines
+/// `days milliseconds`, twelve hex digits (the bytes on the wire), or a 48-bit integer. CiA 306-1 defines
 /// none of them; real files use all three.
 fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     let text = strip_comment(text, quirks);
@@ -363,7 +363,7 @@ fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     time.map(Value::Time).ok_or(Reason::NotATime)
 }
 
-/// The time of six bytes; `None` if the void bits are set, which would be lost.
+/// The time of six bytes; `None` if void bits are set, which would be lost.
 fn wire_time(bytes: &[u8]) -> Option<Time> {
     let bytes: [u8; 6] = bytes.try_into().ok()?;
     Some(Time::from_bytes(bytes)).filter(|time| time.to_bytes() == bytes)

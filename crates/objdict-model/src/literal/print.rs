@@ -4,8 +4,8 @@ use std::fmt::Display;
 
 use crate::model::{Value, hex};
 
-/// How REAL numbers are spelled. No spelling suits all readers: CiA 306-1 does not define it, some read a hex number as bits,
-/// others only decimals.
+/// The spelling of REAL numbers. No spelling suits all readers: CiA 306-1 does not define one, some readers
+/// interpret a hex number as bits, others accept only decimals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RealSpelling {
     /// `1.5`: accepted by most readers, such as python-canopen. Non-finite numbers are written as their bits.
@@ -15,18 +15,19 @@ pub enum RealSpelling {
     Hex,
 }
 
-/// How values are spelled.
+/// The spelling of values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spelling {
     /// REAL numbers.
     pub real: RealSpelling,
-    /// Whether all strings are in quotes; otherwise only those that would be read differently without.
+    /// Whether all strings are quoted; otherwise only those that would be misread without quotes.
     pub quote_strings: bool,
-    /// Whether UNSIGNED32 is written in hex, as communication objects are; otherwise in decimal, as all other integers.
+    /// Whether UNSIGNED32 is written in hex, as in communication objects; otherwise in decimal, like all
+    /// other integers.
     pub hex: bool,
 }
 
-/// The text of a value; [`value`](super::value) reads it back equal.
+/// The text of a value; [`value`](super::value) parses it to an equal value.
 pub fn print(value: &Value, spelling: Spelling) -> String {
     match value {
         Value::Boolean(value) => u8::from(*value).to_string(),
@@ -59,7 +60,7 @@ fn real(spelling: Spelling, is_finite: bool, decimal: impl Display, bits: String
     }
 }
 
-/// Whether a reader would ignore the text, trim spaces, or remove quotes that belong to it.
+/// Whether a reader would ignore the text, trim its spaces, or remove quotes that belong to it.
 fn needs_quotes(text: &str) -> bool {
     let quoted = text.len() > 1 && text.starts_with('"') && text.ends_with('"');
     text.is_empty() || text.trim_matches([' ', '\t']) != text || quoted

@@ -3,8 +3,8 @@
 use super::{Quirk, Quirks, Spelling, print, strip_comment};
 use crate::model::Value;
 
-/// `text` without one of its quirks, if the same value can be spelled that way; `value` is the parsed value. Other quirks
-/// stay.
+/// `text` without one of its quirks, if the value can be spelled without it; `value` is the parsed value.
+/// Other quirks are kept.
 pub fn respell(text: &str, quirk: Quirk, value: Option<&Value>) -> Option<String> {
     let core = strip_comment(text, &mut Quirks::default());
     let tail = &text[core.len()..];
@@ -28,7 +28,7 @@ pub fn trailing_comment(text: &str) -> Option<&str> {
     (core.len() < text.len()).then_some(comment)
 }
 
-/// The string in quotes, if it is the same without them.
+/// The quoted string without quotes, if it has the same value.
 pub(crate) fn unquoted(text: &str) -> Option<&str> {
     let inner = text.strip_prefix('"')?.strip_suffix('"')?;
     let is_plain = !inner.is_empty() && inner.trim_ascii() == inner && !inner.starts_with('"');
@@ -70,7 +70,7 @@ fn without_suffix(term: &str) -> String {
     }
 }
 
-/// `$NODEID+` and the other terms in their order.
+/// `$NODEID+` followed by the other terms in order.
 fn formula(core: &str) -> Option<String> {
     let terms: Vec<&str> = core.split('+').map(str::trim_ascii).collect();
     let (node_ids, others): (Vec<&str>, Vec<&str>) =

@@ -20,7 +20,7 @@ pub static RULES: &[&RuleInfo] = &[
     &HEX_PREFIX_IN_BYTES,
 ];
 
-/// The rule about quotes, which also holds for names.
+/// The rule about quotes, which also applies to names.
 pub static QUOTED: &RuleInfo = &QUOTED_STRING;
 
 /// Reports the spelling of `text`, whose key and value are at `name_at` and `at` in a line; `value` is the parsed value.
@@ -74,7 +74,7 @@ pub fn spelling(
     }
 }
 
-/// The rules broken by quirks, each with its help.
+/// The rules violated by quirks, each with its help.
 fn found(quirks: Quirks) -> impl Iterator<Item = (Quirk, &'static RuleInfo, &'static str)> {
     SPELLINGS.into_iter().filter(move |(quirk, ..)| {
         // the fix of the order also corrects the spelling
@@ -87,7 +87,7 @@ fn finding(text: &str, at: At, quirk: Quirk, rule: &'static RuleInfo, help: &'st
     Diagnostic::new(rule, at, say!("`{}` {}", text, rule_text(quirk))).help(help)
 }
 
-/// A fix without its change. Lely's tools need strings in quotes and REAL numbers as bits.
+/// A fix without its change. The tools of Lely need quoted strings and REAL numbers as bits.
 fn fix_of(quirk: Quirk, text: &str) -> Fix {
     match quirk {
         Quirk::Quoted => Fix::risky("remove the quotes"),

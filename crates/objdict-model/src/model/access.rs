@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Who may read and write an entry over the network.
+/// The access of the network to an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -13,9 +13,9 @@ pub enum Access {
     Wo,
     /// Read and write.
     Rw,
-    /// Read and write; a process input, so for a TPDO.
+    /// Read and write; a process input, which a TPDO can carry.
     Rwr,
-    /// Read and write; a process output, so for an RPDO.
+    /// Read and write; a process output, which an RPDO can carry.
     Rww,
     /// Read only, and the value never changes.
     Const,
@@ -37,7 +37,7 @@ impl Access {
         }
     }
 
-    /// The access type of a word, whatever its case.
+    /// The access type with this name, ignoring case.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|access| access.name().eq_ignore_ascii_case(name))
     }
@@ -69,7 +69,7 @@ impl fmt::Display for Access {
     }
 }
 
-/// Whether a PDO may carry an entry. An EDS only knows [`No`](Self::No) and [`Optional`](Self::Optional).
+/// Whether a PDO may carry an entry. An EDS has only [`No`](Self::No) and [`Optional`](Self::Optional).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -77,7 +77,7 @@ pub enum PdoMapping {
     /// Never.
     #[default]
     No,
-    /// In either direction that the access type allows.
+    /// In each direction that the access type allows.
     Optional,
     /// Mapped by default.
     Default,

@@ -1,9 +1,9 @@
-//! Which object or entry is meant.
+//! Addresses of objects and entries.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// An object, or an entry of it, as people name them.
+/// An object or entry, in the notations that users write.
 ///
 /// ```
 /// use objdict_model::model::Address;
@@ -20,7 +20,7 @@ pub struct Address {
     pub sub: Option<u8>,
 }
 
-/// A text that is no address.
+/// A text that is not an address.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoAddress;
 
@@ -34,8 +34,8 @@ impl fmt::Display for NoAddress {
 
 impl std::error::Error for NoAddress {}
 
-/// `1018`, `0x1018`, `1018h`, each with `:1`, `sub1`, `.1` or `/1` behind it. All numbers are hexadecimal, as in the names
-/// of an EDS's sections.
+/// `1018`, `0x1018` or `1018h`, optionally followed by `:1`, `sub1`, `.1` or `/1`. All numbers are
+/// hexadecimal, as in the section names of an EDS.
 impl FromStr for Address {
     type Err = NoAddress;
 

@@ -33,7 +33,7 @@ part! {
         pub unique_id: Box<str>,
         /// Names and descriptions.
         pub labels: Labels,
-        /// What it is made of.
+        /// The content of the type.
         pub shape: TypeShape,
     }
 
@@ -49,7 +49,7 @@ part! {
     pub struct EnumValue {
         /// Names and descriptions.
         pub labels: Labels,
-        /// `value`; missing means one more than the value before.
+        /// `value`; by default one more than the previous value.
         pub value: Option<Box<str>>,
     }
 
@@ -89,7 +89,7 @@ part! {
         pub multiplier: Option<Box<str>>,
         /// `initialValue`.
         pub initial_value: Option<Box<str>>,
-        /// `conditionalSupport`: the parameters that decide whether it is supported.
+        /// `conditionalSupport`: the parameters on which the support depends.
         pub conditional_support: Vec<Box<str>>,
         /// `defaultValue`.
         pub default_value: Option<ScaledValue>,
@@ -105,7 +105,7 @@ part! {
         pub name: Box<str>,
         /// `uniqueID`.
         pub unique_id: Box<str>,
-        /// `package`: the library that it is from.
+        /// `package`: the library of the function type.
         pub package: Option<Box<str>>,
         /// Names and descriptions.
         pub labels: Labels,
@@ -117,11 +117,11 @@ part! {
         pub outputs: Vec<VarDeclaration>,
         /// `configVars`.
         pub configuration: Vec<VarDeclaration>,
-        /// The functions that it is made of.
+        /// The functions that it consists of.
         pub functions: FunctionInstances,
     }
 
-    /// Who made a version of a function type.
+    /// The origin of a version of a function type.
     pub struct VersionInfo {
         /// `organization`.
         pub organization: Box<str>,
@@ -129,13 +129,13 @@ part! {
         pub version: Box<str>,
         /// `author`.
         pub author: Box<str>,
-        /// `date`, as it is written.
+        /// `date`, as written.
         pub date: Box<str>,
         /// Names and descriptions.
         pub labels: Labels,
     }
 
-    /// Functions and how they are connected.
+    /// Functions and their connections.
     pub struct FunctionInstances {
         /// `functionInstance`.
         pub instances: Vec<FunctionInstance>,
@@ -167,13 +167,13 @@ part! {
 
     /// A variable of a function instance (`variableRef`).
     pub struct VariableRef {
-        /// `position`; missing means 1.
+        /// `position`; 1 if missing.
         pub position: Option<u8>,
-        /// `instanceIDRef`: the function instances, from the outside in.
+        /// `instanceIDRef`: the function instances, from the outermost to the innermost.
         pub instances: Vec<Box<str>>,
         /// `variableIDRef`: the variable.
         pub variable: Box<str>,
-        /// `memberRef`: the members of it, from the outside in.
+        /// `memberRef`: the members of the variable, from the outermost to the innermost.
         pub members: Vec<MemberRef>,
     }
 
@@ -186,12 +186,12 @@ part! {
     }
 }
 
-/// What a data type is made of.
+/// The content of a data type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case", deny_unknown_fields))]
 pub enum TypeShape {
-    /// Elements of one type, in as many dimensions as there are ranges.
+    /// Elements of one type, with one dimension per range.
     Array {
         /// `subrange`.
         #[cfg_attr(feature = "serde", serde(default))]
@@ -218,7 +218,7 @@ pub enum TypeShape {
         #[cfg_attr(feature = "serde", serde(default))]
         base: Option<SimpleType>,
     },
-    /// Another name of a type.
+    /// An alias of a type.
     Derived {
         /// `count`: the number of elements.
         #[cfg_attr(feature = "serde", serde(default))]
@@ -249,7 +249,7 @@ pub enum DataTypeRef {
 }
 
 words! {
-    /// The data types of IEC 61131-3 that CiA 311 knows. Not every data type of CiA 301 has one.
+    /// The data types of IEC 61131-3 in CiA 311. Some data types of CiA 301 have no counterpart.
     pub enum SimpleType {
         /// One bit.
         Bool = "BOOL",

@@ -1,20 +1,20 @@
-//! Values that somebody gives to entries.
+//! Values assigned to entries.
 
 use super::{Device, Value};
 
-/// An entry and the value that it gets.
+/// An entry and its new value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
-    /// Index of the object.
+    /// The index of the object.
     pub index: u16,
-    /// Sub-index of the entry.
+    /// The sub-index of the entry.
     pub sub: u8,
-    /// The value, as `ParameterValue` holds it.
+    /// The value, as in `ParameterValue`.
     pub value: Value,
 }
 
 impl Device {
-    /// Configures the values; those of entries that are not there are passed over.
+    /// Configures the values; assignments to missing entries are ignored.
     pub fn assign(&mut self, assignments: &[Assignment]) {
         for Assignment { index, sub, value } in assignments {
             let Some(object) = self.objects.get_mut(index) else { continue };
@@ -38,7 +38,7 @@ impl Device {
         }
     }
 
-    /// The values that entries of `self` have in `other`, where they are configured otherwise there.
+    /// The values in `other` of entries that `self` has, if they are configured differently there.
     pub fn reconfigured(&self, other: &Self) -> Vec<Assignment> {
         let mut values = Vec::new();
         for (&index, object) in &other.objects {

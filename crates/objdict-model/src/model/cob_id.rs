@@ -1,33 +1,33 @@
-//! COB-IDs: a CAN identifier with flag bits (CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35) and the identifiers
-//! that CiA 301 gives to its services (§7.3.3, §7.3.5).
+//! COB-IDs: a CAN-ID with flag bits (CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35), and the CAN-IDs
+//! that CiA 301 assigns to its services (§7.3.3, §7.3.5).
 
 use std::fmt;
 
 use super::Value;
 
-/// A COB-ID as a communication object holds it: a number, or the node-ID plus a number.
+/// The COB-ID in a communication object: a number, or the node-ID plus a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CobId {
-    /// The number, flags included.
+    /// The number, including flags.
     number: u32,
-    /// Whether the node-ID is to be added.
+    /// Whether the node-ID is added.
     plus_node_id: bool,
 }
 
 impl CobId {
-    /// Bit 31. Of a PDO, SDO or EMCY: there is no such service. Of TIME: the device consumes it.
+    /// Bit 31. PDO, SDO and EMCY: not valid. TIME: the device consumes it.
     pub const BIT_31: u32 = 1 << 31;
-    /// Bit 30. Of a TPDO: no RTR allowed. Of SYNC and TIME: the device produces it. Of an SDO: assigned dynamically.
+    /// Bit 30. TPDO: no RTR allowed. SYNC and TIME: the device produces it. SDO: assigned dynamically.
     pub const BIT_30: u32 = 1 << 30;
-    /// Bit 29: the CAN-ID has 29 bits, else 11.
+    /// Bit 29: the CAN-ID has 29 bits, otherwise 11.
     pub const FRAME: u32 = 1 << 29;
 
-    /// A COB-ID of a number.
+    /// A COB-ID with this number.
     pub const fn new(number: u32) -> Self {
         Self { number, plus_node_id: false }
     }
 
-    /// The node-ID plus a number; `None` where the sum would reach the flag bits.
+    /// The node-ID plus a number; `None` if the sum would reach the flag bits.
     pub const fn per_node(number: u32) -> Option<Self> {
         if (number & 0x1FFF_FFFF) + 127 > 0x1FFF_FFFF {
             return None;
@@ -35,7 +35,7 @@ impl CobId {
         Some(Self { number, plus_node_id: true })
     }
 
-    /// The COB-ID that a value states; `None` where it is no 32-bit number.
+    /// The COB-ID of a value; `None` if the value is not a 32-bit number.
     pub fn from_value(value: &Value) -> Option<Self> {
         match value {
             Value::NodeId(offset) => Self::per_node(u32::try_from(*offset).ok()?),
@@ -43,7 +43,7 @@ impl CobId {
         }
     }
 
-    /// The value that states it.
+    /// The COB-ID as a value.
     pub fn to_value(self) -> Value {
         if self.plus_node_id {
             Value::NodeId(self.number.into())
@@ -52,17 +52,17 @@ impl CobId {
         }
     }
 
-    /// The number, to which the node-ID is added where [`depends_on_node_id`](Self::depends_on_node_id).
+    /// The number; the node-ID is added if [`depends_on_node_id`](Self::depends_on_node_id).
     pub const fn number(self) -> u32 {
         self.number
     }
 
-    /// Whether the node-ID is part of it.
+    /// Whether the node-ID is added.
     pub const fn depends_on_node_id(self) -> bool {
         self.plus_node_id
     }
 
-    /// The number on a node.
+    /// The COB-ID on a node.
     pub const fn on_node(self, node_id: u8) -> u32 {
         if self.plus_node_id { self.number + node_id as u32 } else { self.number }
     }
@@ -72,7 +72,7 @@ impl CobId {
         self.on_node(node_id) & self.can_id_mask()
     }
 
-    /// Whether bit 31 is clear: the PDO, SDO or EMCY exists.
+    /// Whether bit 31 is clear: the PDO, SDO or EMCY is valid.
     pub const fn is_valid(self) -> bool {
         self.number & Self::BIT_31 == 0
     }
@@ -87,18 +87,18 @@ impl CobId {
         self.number & Self::FRAME != 0
     }
 
-    /// The bits above an 11-bit CAN-ID that are set although the frame is a base frame, on any node.
+    /// The set bits above an 11-bit CAN-ID of a base frame, on any node.
     pub const fn stray_bits(self) -> u32 {
         if self.is_extended() { 0 } else { self.on_node(127) & 0x1FFF_F800 }
     }
 
-    /// The same with bit 31 set: the service does not exist.
+    /// The same COB-ID with bit 31 set: the service is not valid.
     #[must_use]
     pub const fn disabled(self) -> Self {
         Self { number: self.number | Self::BIT_31, ..self }
     }
 
-    /// The same with bit 31 clear.
+    /// The same COB-ID with bit 31 clear.
     #[must_use]
     pub const fn enabled(self) -> Self {
         Self { number: self.number & !Self::BIT_31, ..self }
@@ -110,7 +110,7 @@ impl CobId {
     }
 }
 
-/// As an EDS spells it: `0x80000000`, `$NODEID+0x180`.
+/// The spelling of an EDS: `0x80000000`, `$NODEID+0x180`.
 impl fmt::Display for CobId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.plus_node_id, self.number) {
@@ -121,21 +121,21 @@ impl fmt::Display for CobId {
     }
 }
 
-/// CAN-IDs of the predefined connection set (CiA 301 §7.3.5): what a device uses before anybody configures it.
+/// CAN-IDs of the predefined connection set (CiA 301 §7.3.5), which a device uses until it is configured.
 pub mod predefined {
     use super::CobId;
 
-    /// CAN-ID of SYNC.
+    /// The CAN-ID of SYNC.
     pub const SYNC: u16 = 0x080;
-    /// CAN-ID of TIME.
+    /// The CAN-ID of TIME.
     pub const TIME: u16 = 0x100;
-    /// CAN-ID of EMCY less the node-ID.
+    /// The CAN-ID of EMCY minus the node-ID.
     pub const EMCY: u16 = 0x080;
-    /// CAN-ID of the default SDO from server to client less the node-ID of the server.
+    /// The CAN-ID of the default SDO from server to client, minus the node-ID of the server.
     pub const SDO_RESPONSE: u16 = 0x580;
-    /// CAN-ID of the default SDO from client to server less the node-ID of the server.
+    /// The CAN-ID of the default SDO from client to server, minus the node-ID of the server.
     pub const SDO_REQUEST: u16 = 0x600;
-    /// CAN-ID of heartbeat, boot-up and guarding less the node-ID.
+    /// The CAN-ID of heartbeat, boot-up and guarding, minus the node-ID.
     pub const ERROR_CONTROL: u16 = 0x700;
 
     /// The COB-ID of a service whose CAN-ID is this base plus the node-ID.
@@ -144,8 +144,8 @@ pub mod predefined {
     }
 }
 
-/// Who owns a CAN-ID that no configurable service may use (CiA 301 §7.3.5, table 40); `None` for a free one. Only base
-/// frames have restricted identifiers.
+/// The owner of a CAN-ID that no configurable service may use (CiA 301 §7.3.5, table 40); `None` for any
+/// other. Only base frames have restricted CAN-IDs.
 pub const fn restricted(can_id: u32) -> Option<&'static str> {
     Some(match can_id {
         0x000 => "NMT",

@@ -1,13 +1,13 @@
-//! What a DCF says of the node (CiA 306-1 §5.4).
+//! The description of the node in a DCF (CiA 306-1 §5.4).
 
 use super::{Extra, InvalidValues};
 
-/// The node that a device description was configured for: `DeviceComissioning`, as the standard spells it.
+/// The configured node: `DeviceComissioning`, in the spelling of the standard.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Commissioning {
-    /// `NodeID`, 1 to 127; 255 for a node that waits for LSS.
+    /// `NodeID`, 1 to 127; 255 for an unconfigured node that uses LSS.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub node_id: Option<u8>,
     /// `NodeName`.
@@ -34,10 +34,10 @@ pub struct Commissioning {
     /// `LSS_SerialNumber`, as in 1018h sub-index 4.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub lss_serial_number: Option<u32>,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")

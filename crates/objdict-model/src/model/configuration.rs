@@ -1,11 +1,11 @@
-//! What belongs to one node and not to its type.
+//! Removes what belongs to one node and not to its type.
 
 use std::borrow::Cow;
 
 use super::{Device, DeviceKind, Entry, Extra, Field, InvalidValues, Labels, Object, Parameter};
 
 impl Device {
-    /// The device as a description of its type: without the node, and without what was configured for it.
+    /// The device as a description of its type: without the node and its configured values.
     pub fn unconfigured(&self) -> Cow<'_, Self> {
         if self.kind == DeviceKind::Type {
             return Cow::Borrowed(self);
@@ -39,7 +39,7 @@ impl Object {
         if let Some(compact) = &mut self.compact {
             compact.values.clear();
             compact.denotations.clear();
-            // they stand in the section of the values
+            // these belong to the section of the values
             compact.extra = Extra::default();
             compact.invalid_values = InvalidValues::default();
         }

@@ -2,21 +2,21 @@
 
 use std::fmt;
 
-/// A data type, named by the index of its definition in the object dictionary.
+/// A data type, identified by the index of its definition in the object dictionary.
 ///
-/// 0001h to 001Bh are the static types of CiA 301; 0020h to 0025h its predefined structures; from 0040h on a device or
-/// a profile defines its own.
+/// 0001h to 001Bh are the static types of CiA 301; 0020h to 0025h its predefined structures; devices and
+/// profiles define types from 0040h on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DataType(pub u16);
 
-/// What the values of a data type are.
+/// The kind of values of a data type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TypeKind {
     /// One bit in a PDO, one byte in an SDO.
     Boolean,
-    /// Two's complement integer of so many bits.
+    /// Two's complement integer with this number of bits.
     Signed(u8),
-    /// Integer of so many bits.
+    /// Integer with this number of bits.
     Unsigned(u8),
     /// IEEE 754 binary32.
     Real32,
@@ -34,11 +34,11 @@ pub enum TypeKind {
     TimeDifference,
     /// A block of data of any size.
     Domain,
-    /// A structure that CiA 301 defines (0020h-0025h).
+    /// A structure defined by CiA 301 (0020h-0025h).
     Structure,
-    /// Defined by the device, a profile or a manufacturer (0040h-025Fh).
+    /// Defined by the device, a profile or the vendor (0040h-025Fh).
     Defined,
-    /// No type has this index.
+    /// An index without a type.
     Reserved,
 }
 
@@ -47,10 +47,10 @@ macro_rules! static_types {
         impl DataType {
             $(#[doc = concat!("The data type ", stringify!($NAME), ".")] pub const $NAME: Self = Self($index);)*
 
-            /// The types 0001h to 001Bh that exist, in order of their indexes.
+            /// The defined types from 0001h to 001Bh, in order of their indexes.
             pub const STATIC: &'static [Self] = &[$(Self::$NAME),*];
 
-            /// The name in CiA 301; `None` for types that it does not name.
+            /// The name in CiA 301; `None` for types without one.
             pub const fn name(self) -> Option<&'static str> {
                 match self.0 {
                     $($index => Some(stringify!($NAME)),)*
@@ -64,7 +64,7 @@ macro_rules! static_types {
                 }
             }
 
-            /// The type of a name in CiA 301.
+            /// The type with this name in CiA 301.
             pub fn from_name(name: &str) -> Option<Self> {
                 let index = match name {
                     $(stringify!($NAME) => $index,)*
@@ -79,7 +79,7 @@ macro_rules! static_types {
                 Some(Self(index))
             }
 
-            /// What values of this type are.
+            /// The kind of values of this type.
             pub const fn kind(self) -> TypeKind {
                 match self.0 {
                     $($index => $kind,)*
@@ -121,7 +121,7 @@ static_types! {
 }
 
 impl DataType {
-    /// Bits of a value in a PDO; `None` where the length varies or is not known.
+    /// The number of bits of a value in a PDO; `None` if the length varies or is unknown.
     pub const fn bit_length(self) -> Option<u8> {
         match self.kind() {
             TypeKind::Boolean => Some(1),
@@ -133,7 +133,7 @@ impl DataType {
         }
     }
 
-    /// Bytes of a value in an SDO; `None` where the length varies or is not known.
+    /// The number of bytes of a value in an SDO; `None` if the length varies or is unknown.
     pub const fn byte_length(self) -> Option<u8> {
         match self.bit_length() {
             Some(bits) => Some(bits.div_ceil(8)),
@@ -141,7 +141,7 @@ impl DataType {
         }
     }
 
-    /// Whether values are whole numbers (BOOLEAN is not one).
+    /// Whether values are integers (BOOLEAN is not one).
     pub const fn is_integer(self) -> bool {
         matches!(self.kind(), TypeKind::Signed(_) | TypeKind::Unsigned(_))
     }
@@ -161,7 +161,7 @@ impl DataType {
         }
     }
 
-    /// Whether the type may stand in an RPDO mapping as a filler (CiA 301 §7.4.7.1).
+    /// Whether the type can be a dummy entry in an RPDO mapping (CiA 301 §7.4.7.1).
     pub const fn is_dummy(self) -> bool {
         matches!(self.0, 0x01..=0x07 | 0x10 | 0x12..=0x16 | 0x18..=0x1B)
     }

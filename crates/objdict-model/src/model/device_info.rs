@@ -1,4 +1,4 @@
-//! Facts about the device (CiA 306-1 §4.5).
+//! Information about the device (CiA 306-1 §4.5).
 
 use super::{DefaultBaudRate, Extra, Field, InvalidValues};
 
@@ -25,7 +25,7 @@ pub struct DeviceInfo {
     /// `OrderCode`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub order_code: Option<String>,
-    /// `BaudRate_x`: which bit rates the device supports.
+    /// `BaudRate_x`: the supported bit rates.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub baud_rates: BaudRates,
     /// `SimpleBootUpMaster`.
@@ -34,25 +34,25 @@ pub struct DeviceInfo {
     /// `SimpleBootUpSlave`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub simple_boot_up_slave: Option<bool>,
-    /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 when the mapping is fixed.
+    /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 if the mapping is fixed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub granularity: Option<u8>,
-    /// `DynamicChannelsSupported` (CiA 302-4); 0 for no.
+    /// `DynamicChannelsSupported` (CiA 302-4); 0 if not supported.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dynamic_channels_supported: Option<u8>,
     /// `GroupMessaging`: whether the device supports multiplexed PDOs.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub group_messaging: Option<bool>,
-    /// `NrOfRXPDO`: number of RPDOs, implicit ones included.
+    /// `NrOfRXPDO`: the number of RPDOs, including implicit ones.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub rpdo_count: Option<u16>,
-    /// `NrOfTXPDO`: number of TPDOs, implicit ones included.
+    /// `NrOfTXPDO`: the number of TPDOs, including implicit ones.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub tpdo_count: Option<u16>,
     /// `LSS_Supported`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub lss_supported: Option<bool>,
-    /// `CompactPDO`: bit n is set when sub-index n + 1 of the communication record of an implicit PDO exists.
+    /// `CompactPDO`: bit n is set if the communication parameter of an implicit PDO has sub-index n + 1.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub compact_pdo: Option<u8>,
     /// `CANopenSafetySupported` (CiA 306-1 annex A).
@@ -61,10 +61,10 @@ pub struct DeviceInfo {
     /// `conformanceClass` (CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub conformance_class: Option<String>,
-    /// `communicationEntityType` (CiA 311), such as `slave`; words as they are written.
+    /// `communicationEntityType` (CiA 311), such as `slave`; the words as written.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub communication_entities: Vec<Box<str>>,
-    /// `selfStartingDevice` (CiA 311): whether the device goes to operational by itself.
+    /// `selfStartingDevice` (CiA 311): whether the device enters the state operational by itself.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub self_starting: Option<bool>,
     /// `SDORequestingDevice` (CiA 311, CiA 302-5).
@@ -85,10 +85,10 @@ pub struct DeviceInfo {
     /// The bit rate of a new device (`baudRate` / `defaultValue` of CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub default_baud_rate: Option<DefaultBaudRate>,
-    /// Keys that the model does not know, the ones left over from EDS 3.0 among them.
+    /// Keys without a field in the model, including obsolete ones of EDS 3.0.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
@@ -96,7 +96,7 @@ pub struct DeviceInfo {
     pub invalid_values: InvalidValues,
 }
 
-/// What a description says of each bit rate.
+/// Whether each bit rate is supported, as far as stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -110,7 +110,7 @@ pub struct BaudRates {
     /// 50 kbit/s.
     #[cfg_attr(feature = "serde", serde(rename = "50", skip_serializing_if = "Option::is_none"))]
     pub kbit_50: Option<bool>,
-    /// 100 kbit/s, which CiA 311 has and CiA 301 has not.
+    /// 100 kbit/s, which is defined in CiA 311 but not in CiA 301.
     #[cfg_attr(feature = "serde", serde(rename = "100", skip_serializing_if = "Option::is_none"))]
     pub kbit_100: Option<bool>,
     /// 125 kbit/s.
@@ -128,12 +128,12 @@ pub struct BaudRates {
     /// 1000 kbit/s.
     #[cfg_attr(feature = "serde", serde(rename = "1000", skip_serializing_if = "Option::is_none"))]
     pub kbit_1000: Option<bool>,
-    /// Detection of the bit rate.
+    /// Automatic bit rate detection.
     #[cfg_attr(feature = "serde", serde(rename = "auto", skip_serializing_if = "Option::is_none"))]
     pub auto: Option<bool>,
 }
 
-/// Keys that EDS version 3.0 had and later versions reserve (CiA 306-1 §4.5).
+/// Keys of EDS version 3.0 that later versions reserve (CiA 306-1 §4.5).
 const RESERVED: [&str; 6] = [
     "ProductVersion",
     "ProductRevision",
@@ -144,14 +144,15 @@ const RESERVED: [&str; 6] = [
 ];
 
 impl DeviceInfo {
-    /// Whether a key is left over from EDS version 3.0: readers ignore it. Such keys are in [`extra`](Self::extra).
+    /// Whether a key is an obsolete one of EDS version 3.0, which readers ignore. Such keys are in
+    /// [`extra`](Self::extra).
     pub fn is_reserved(key: &str) -> bool {
         RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key))
     }
 }
 
 impl BaudRates {
-    /// Every bit rate of CiA 301 in kbit/s with its field and what the description says of it.
+    /// Every bit rate of CiA 301 in kbit/s, with its field and whether it is supported.
     pub fn iter(&self) -> impl Iterator<Item = (u16, Field, Option<bool>)> {
         [
             (10, Field::BaudRate10, self.kbit_10),
@@ -166,12 +167,13 @@ impl BaudRates {
         .into_iter()
     }
 
-    /// What the description says of a bit rate in kbit/s; `None` too for a rate that CiA 301 does not have.
+    /// Whether a bit rate in kbit/s is supported; `None` if not stated, or for a rate that CiA 301 does not
+    /// define.
     pub fn get(&self, kbit: u16) -> Option<bool> {
         self.iter().find(|(rate, ..)| *rate == kbit).and_then(|(.., supported)| supported)
     }
 
-    /// The bit rates in kbit/s that the device supports.
+    /// The supported bit rates in kbit/s.
     pub fn supported(&self) -> impl Iterator<Item = u16> {
         self.iter().filter(|(.., supported)| *supported == Some(true)).map(|(rate, ..)| rate)
     }

@@ -1,4 +1,4 @@
-//! What CiA 311 says of a device and an EDS has no key for: identity, indicators, module interfaces, functions.
+//! Content of CiA 311 without keys in an EDS: identity, indicators, module interfaces, functions.
 
 use super::part::{part, words};
 use super::{Date, FileInfo, Labels};
@@ -6,15 +6,15 @@ use super::{Date, FileInfo, Labels};
 part! {
     /// The headers of the two profiles of a description (`ProfileHeader`).
     pub struct ProfileHeaders {
-        /// That of the device profile.
+        /// The header of the device profile.
         pub device: Option<ProfileHeader>,
-        /// That of the communication network profile.
+        /// The header of the communication network profile.
         pub network: Option<ProfileHeader>,
-        /// What the communication network profile says of its file, where that differs from the device profile.
+        /// The file attributes of the communication network profile that differ from the device profile.
         pub network_file: Option<Box<FileInfo>>,
     }
 
-    /// What a profile says of itself (ISO 15745-1).
+    /// The identification of a profile (ISO 15745-1).
     pub struct ProfileHeader {
         /// `ProfileIdentification`.
         pub identification: Box<str>,
@@ -22,18 +22,18 @@ part! {
         pub revision: Box<str>,
         /// `ProfileName`.
         pub name: Box<str>,
-        /// `ProfileSource`: who validated it.
+        /// `ProfileSource`: the organisation that validated it.
         pub source: Box<str>,
-        /// `ProfileDate`, as it is written.
+        /// `ProfileDate`, as written.
         pub date: Option<Box<str>>,
-        /// `AdditionalInformation`: where more stands.
+        /// `AdditionalInformation`: where to find more.
         pub additional_information: Option<Box<str>>,
         /// `IASInterfaceType`.
         pub interface_types: Vec<Box<str>>,
     }
 
-    /// Who made the device and what it is called (`DeviceIdentity`), as far as [`DeviceInfo`](super::DeviceInfo) has no
-    /// field for it.
+    /// The vendor and the names of the device (`DeviceIdentity`) without those that have fields in
+    /// [`DeviceInfo`](super::DeviceInfo).
     pub struct DeviceIdentity {
         /// `vendorText`.
         pub vendor_text: Labels,
@@ -43,7 +43,8 @@ part! {
         pub product_family: Option<Box<str>>,
         /// `productText`.
         pub product_text: Labels,
-        /// `orderNumber` behind the first, which is [`DeviceInfo::order_code`](super::DeviceInfo::order_code).
+        /// Every `orderNumber` except the first, which is
+        /// [`DeviceInfo::order_code`](super::DeviceInfo::order_code).
         pub further_order_numbers: Vec<Box<str>>,
         /// `version`.
         pub versions: Vec<DeviceVersion>,
@@ -53,17 +54,17 @@ part! {
         pub specification_revision: Option<Box<str>>,
         /// `instanceName`.
         pub instance_name: Option<Box<str>>,
-        /// The elements whose attribute `readOnly` stands there, with its value.
+        /// The elements with an attribute `readOnly`, and its value.
         pub read_only: Vec<(Box<str>, bool)>,
     }
 
     /// The `identity` of the communication network profile.
     pub struct NetworkIdentity {
-        /// `vendorID`, as it is written.
+        /// `vendorID`, as written.
         pub vendor_id: Option<Box<str>>,
-        /// `productID`, as it is written.
+        /// `productID`, as written.
         pub product_id: Option<Box<str>>,
-        /// The elements that the device profile has too.
+        /// The elements that are also in the device profile.
         pub identity: DeviceIdentity,
     }
 
@@ -75,15 +76,15 @@ part! {
         pub version: Box<str>,
     }
 
-    /// What is managed about the device itself (`DeviceManager`).
+    /// The management of the device (`DeviceManager`).
     pub struct DeviceManager {
-        /// `LEDList`: its LEDs.
+        /// `LEDList`: the LEDs.
         pub leds: Vec<Led>,
         /// `combinedState`: states that several LEDs show together.
         pub combined_states: Vec<CombinedState>,
         /// `moduleManagement`: the interfaces that modules are plugged into.
         pub module_interfaces: Vec<ModuleInterface>,
-        /// `moduleManagement` of a module: what it is plugged into.
+        /// `moduleManagement` of a module: the interface it is plugged into.
         pub own_interface: Option<OwnInterface>,
     }
 
@@ -95,11 +96,11 @@ part! {
         pub kind: Option<LedType>,
         /// Names and descriptions.
         pub labels: Labels,
-        /// `LEDstate`: what it can show.
+        /// `LEDstate`: the possible states.
         pub states: Vec<LedState>,
     }
 
-    /// Something that a LED shows.
+    /// A state of a LED.
     pub struct LedState {
         /// `uniqueID`.
         pub unique_id: Box<str>,
@@ -109,9 +110,9 @@ part! {
         pub color: Option<LedColor>,
         /// `flashingPeriod` in ms.
         pub flashing_period: Option<u32>,
-        /// `impulsWidth` in percent of the period; missing means 50.
+        /// `impulsWidth` in percent of the period; 50 if missing.
         pub impulse_width: Option<u8>,
-        /// `numberOfImpulses` in a period; missing means 1.
+        /// `numberOfImpulses` in a period; 1 if missing.
         pub impulses: Option<u8>,
         /// Names and descriptions.
         pub labels: Labels,
@@ -129,11 +130,11 @@ part! {
     pub struct ModuleInterface {
         /// `uniqueID`.
         pub unique_id: Box<str>,
-        /// `maxChilds`: the largest number of modules.
+        /// `maxChilds`: the maximum number of modules.
         pub max_modules: Option<Box<str>>,
-        /// `unusedSlots`: whether slots may stay empty.
+        /// `unusedSlots`: whether slots may be empty.
         pub unused_slots: Option<bool>,
-        /// `multipleChilds`: whether a module may be there several times.
+        /// `multipleChilds`: whether a module may be plugged in several times.
         pub multiple: Option<bool>,
         /// Names and descriptions.
         pub labels: Labels,
@@ -141,19 +142,19 @@ part! {
         pub files: Vec<Box<str>>,
         /// `moduleTypeList`: the types of modules.
         pub module_types: Vec<ModuleType>,
-        /// `connectedModuleList`: what is plugged in.
+        /// `connectedModuleList`: the connected modules.
         pub connected: Vec<ConnectedModule>,
     }
 
     /// A type of module.
     pub struct ModuleType {
-        /// `uniqueID`, which EPSG 311 has and CiA 311 has not.
+        /// `uniqueID`, which EPSG 311 defines but CiA 311 does not.
         pub unique_id: Option<Box<str>>,
         /// `type`.
         pub kind: Box<str>,
     }
 
-    /// A module that is plugged in.
+    /// A connected module.
     pub struct ConnectedModule {
         /// `childIDRef`.
         pub child: Box<str>,
@@ -163,17 +164,17 @@ part! {
         pub address: Option<u32>,
     }
 
-    /// What a module is plugged into.
+    /// The interface that a module is plugged into.
     pub struct OwnInterface {
         /// `childID`.
         pub child_id: Box<str>,
         /// `type`.
         pub kind: Box<str>,
-        /// `maxCount`: how many of them may be there; missing or 0 means any number.
+        /// `maxCount`: the maximum number of such modules; unlimited if missing or 0.
         pub max_count: Option<u32>,
     }
 
-    /// How the objects of modules lie in the dictionary (`moduleManagement` of `ApplicationLayers`).
+    /// The address ranges for the objects of modules (`moduleManagement` of `ApplicationLayers`).
     pub struct ModuleObjects {
         /// `interface`.
         pub interfaces: Vec<ModuleRanges>,
@@ -181,7 +182,7 @@ part! {
         pub own: Option<OwnAddressing>,
     }
 
-    /// The ranges of indexes of one interface.
+    /// The index ranges of one interface.
     pub struct ModuleRanges {
         /// `uniqueIDRef`: the interface of the [`DeviceManager`].
         pub interface: Box<str>,
@@ -211,7 +212,7 @@ part! {
         pub sort_step: Option<Box<str>>,
     }
 
-    /// Where a module's objects lie.
+    /// The address range for the objects of a module.
     pub struct OwnAddressing {
         /// `childIDRef`.
         pub child: Box<str>,
@@ -223,15 +224,15 @@ part! {
         pub addressing: Option<Box<str>>,
     }
 
-    /// What the device does, in words (`DeviceFunction`).
+    /// The functions of the device, in words (`DeviceFunction`).
     pub struct DeviceFunction {
         /// `capabilities`: lists of characteristics.
         pub characteristics: Vec<CharacteristicsList>,
-        /// `standardComplianceList`: the standards that the device keeps.
+        /// `standardComplianceList`: the standards that the device complies with.
         pub compliance: Vec<Compliance>,
         /// `picturesList`.
         pub pictures: Vec<Picture>,
-        /// `dictionaryList`: where the texts stand that labels refer to.
+        /// `dictionaryList`: the text resources that labels refer to.
         pub dictionaries: Vec<Dictionary>,
     }
 
@@ -243,7 +244,7 @@ part! {
         pub characteristics: Vec<Characteristic>,
     }
 
-    /// Something to know about the device.
+    /// A characteristic of the device.
     pub struct Characteristic {
         /// `characteristicName`.
         pub name: Labels,
@@ -251,7 +252,7 @@ part! {
         pub contents: Vec<Labels>,
     }
 
-    /// A standard that the device keeps.
+    /// A standard that the device complies with.
     pub struct Compliance {
         /// `name`.
         pub name: Box<str>,
@@ -275,7 +276,7 @@ part! {
     pub struct Dictionary {
         /// `lang`.
         pub lang: Box<str>,
-        /// `dictID`: what labels call it.
+        /// `dictID`: the id in references of labels.
         pub id: Box<str>,
         /// `URI` of its file.
         pub uri: Box<str>,
@@ -283,7 +284,7 @@ part! {
 }
 
 words! {
-    /// The colours of a LED.
+    /// The number of colours of a LED.
     pub enum LedColors {
         /// One.
         Mono = "monocolor",
@@ -291,7 +292,7 @@ words! {
         Bi = "bicolor",
     }
 
-    /// What a LED is for.
+    /// The purpose of a LED.
     pub enum LedType {
         /// An input or output.
         Io = "IO",
@@ -301,17 +302,17 @@ words! {
         Communication = "communication",
     }
 
-    /// Whether a LED is on.
+    /// The light of a LED.
     pub enum LedOn {
-        /// It is.
+        /// On.
         On = "on",
-        /// It is not.
+        /// Off.
         Off = "off",
-        /// By turns.
+        /// Flashing.
         Flashing = "flashing",
     }
 
-    /// The colour that a LED shows.
+    /// The colour of a LED.
     pub enum LedColor {
         /// Green.
         Green = "green",
@@ -321,24 +322,24 @@ words! {
         Red = "red",
     }
 
-    /// What kind of device a description is for.
+    /// The class of a device.
     pub enum DeviceClass {
-        /// One that is as it is.
+        /// A fixed device.
         Compact = "compact",
-        /// One of modules.
+        /// A device with modules.
         Modular = "modular",
-        /// One that can be configured.
+        /// A configurable device.
         Configurable = "configurable",
     }
 }
 
-/// The bit rate that a device has when it is new.
+/// The default bit rate of a new device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DefaultBaudRate {
-    /// So many kbit/s.
+    /// A bit rate in kbit/s.
     Kbit(u16),
-    /// The device finds it out.
+    /// Automatic bit rate detection.
     Auto,
 }

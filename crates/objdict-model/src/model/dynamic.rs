@@ -2,17 +2,17 @@
 
 use super::{DataType, Extra, InvalidValues};
 
-/// The segments of the process image that network variables live in (CiA 302-4).
+/// The segments of the process image for network variables (CiA 302-4).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DynamicChannels {
     /// The segments, in the order of the file.
     pub segments: Vec<Segment>,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
@@ -37,10 +37,11 @@ pub struct Segment {
         serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
     )]
     pub range: Option<(u16, u16)>,
-    /// `PPOffsetN`: the offset in the process picture, for BOOLEAN perhaps with an address difference behind a comma.
+    /// `PPOffsetN`: the offset in the process picture, for BOOLEAN optionally followed by a comma and an
+    /// address difference.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub offset: Option<Box<str>>,
-    /// `maxNumber` (CiA 311): the largest number of objects.
+    /// `maxNumber` (CiA 311): the maximum number of objects.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub max_number: Option<u32>,
     /// `bitAlignment` (CiA 311), in bits.

@@ -1,17 +1,17 @@
-//! Entries: what a sub-index holds.
+//! Entries: the content of a sub-index.
 
 use super::{
     Access, DataType, Extra, InvalidValues, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
 };
 
-/// What a description says of one sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
+/// The description of a sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::EntryForm"))]
 pub struct Entry {
-    /// `ParameterName`; empty when missing.
+    /// `ParameterName`; empty if missing.
     pub name: Box<str>,
-    /// `ObjectType`; missing means VAR.
+    /// `ObjectType`; VAR if missing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub object_type: Option<ObjectType>,
     /// `DataType`.
@@ -20,10 +20,10 @@ pub struct Entry {
     /// `AccessType`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub access: Option<Access>,
-    /// `PDOMapping`; missing means no.
+    /// `PDOMapping`; not mappable if missing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub pdo_mapping: Option<PdoMapping>,
-    /// `DefaultValue`: the value after the defaults were restored.
+    /// `DefaultValue`: the value after restoring the defaults.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub default: Option<Value>,
     /// `LowLimit`.
@@ -32,25 +32,25 @@ pub struct Entry {
     /// `HighLimit`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub high_limit: Option<Value>,
-    /// `ObjFlags`; missing means none.
+    /// `ObjFlags`; no flags if missing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub flags: Option<ObjFlags>,
-    /// What a DCF adds.
+    /// The keys that a DCF adds.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub configured: Option<Box<Configured>>,
     /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub safety: Option<Box<SafetyMapping>>,
-    /// What the application process says of the entry (CiA 311).
+    /// The description of the entry in the application process (CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub parameter: Option<Box<Parameter>>,
-    /// What the description says to the generators of CANopenNode.
+    /// Settings for the generators of CANopenNode.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub stack: Option<Box<StackOptions>>,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
@@ -58,7 +58,7 @@ pub struct Entry {
     pub invalid_values: InvalidValues,
 }
 
-/// How a configuration tool treats an entry (CiA 306-1 §4.6.3.3).
+/// How a configuration tool must treat an entry (CiA 306-1 §4.6.3.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(transparent))]
@@ -76,21 +76,21 @@ impl ObjFlags {
     }
 }
 
-/// What a DCF says of an entry (CiA 306-1 §5.3).
+/// The configuration of an entry in a DCF (CiA 306-1 §5.3).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Configured {
-    /// `ParameterValue`: the value that the node shall have.
+    /// `ParameterValue`: the value that the node must have.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub value: Option<Value>,
     /// `Denotation`: the name in the application.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub denotation: Option<Box<str>>,
-    /// `UploadFile`: where data read from a DOMAIN go.
+    /// `UploadFile`: the destination of data read from a DOMAIN.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub upload_file: Option<Box<str>>,
-    /// `DownloadFile`: where data written to a DOMAIN come from.
+    /// `DownloadFile`: the source of data written to a DOMAIN.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub download_file: Option<Box<str>>,
     /// `ParamRefd`: the reference designator of the parameter.
@@ -98,7 +98,7 @@ pub struct Configured {
     pub reference_designator: Option<Box<str>>,
 }
 
-/// What a safety device says of an entry (CiA 306-1 annex A).
+/// The keys of an entry of a safety device (CiA 306-1 annex A).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -117,7 +117,8 @@ impl Entry {
         self.pdo_mapping.is_some_and(PdoMapping::is_mappable)
     }
 
-    /// Whether its access type and its mapping let PDOs of a direction carry it; true where it states no access type.
+    /// Whether its access type and its mapping allow PDOs of a direction to carry it; `true` without an
+    /// access type.
     pub fn fits_pdo(&self, kind: PdoKind) -> bool {
         match (kind, self.pdo_mapping) {
             (PdoKind::Rpdo, Some(PdoMapping::Tpdo)) | (PdoKind::Tpdo, Some(PdoMapping::Rpdo)) => false,
@@ -126,18 +127,18 @@ impl Entry {
         }
     }
 
-    /// The flags; none where the description has none.
+    /// The flags; no flags if missing.
     pub fn flags(&self) -> ObjFlags {
         self.flags.unwrap_or_default()
     }
 
-    /// What a DCF configures; `None` where it leaves the default.
+    /// The configured value of a DCF; `None` if it keeps the default.
     pub fn configured_value(&self) -> Option<&Value> {
         self.configured.as_ref()?.value.as_ref()
     }
 
-    /// Whether a DCF configures another value than the default, as far as that can be told: formulas are worked out for the
-    /// node `node_id`.
+    /// Whether a DCF configures a value other than the default. Formulas are evaluated for the node
+    /// `node_id`; without it they count as changed.
     pub fn is_changed(&self, node_id: Option<u8>) -> bool {
         let Some(configured) = self.configured_value() else { return false };
         let Some(default) = &self.default else { return true };
@@ -149,27 +150,27 @@ impl Entry {
         configured.is_none() || configured != default
     }
 
-    /// The value that the node has after it was configured: what the DCF says, else the default.
+    /// The value after configuration: that of the DCF, else the default.
     pub fn value(&self) -> Option<&Value> {
         self.configured_value().or(self.default.as_ref())
     }
 
-    /// What a DCF adds, for writing.
+    /// Mutable access to the configuration, which is created if missing.
     pub fn configured_mut(&mut self) -> &mut Configured {
         self.configured.get_or_insert_default()
     }
 
-    /// What the application process says, for writing.
+    /// Mutable access to the parameter, which is created if missing.
     pub fn parameter_mut(&mut self) -> &mut Parameter {
         self.parameter.get_or_insert_default()
     }
 
-    /// What the description says to CANopenNode's generators, for writing.
+    /// Mutable access to the settings for CANopenNode, which are created if missing.
     pub fn stack_mut(&mut self) -> &mut StackOptions {
         self.stack.get_or_insert_default()
     }
 
-    /// The safety facts, for writing.
+    /// Mutable access to the safety keys, which are created if missing.
     pub fn safety_mut(&mut self) -> &mut SafetyMapping {
         self.safety.get_or_insert_default()
     }

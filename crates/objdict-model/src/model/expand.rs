@@ -1,15 +1,15 @@
-//! Compactly stored entries written out.
+//! Expands compactly stored entries.
 
 use std::borrow::Cow;
 
 use super::{Device, Entry, ExtraSection, Field, InvalidValue, InvalidValues, Object};
 
 impl Object {
-    /// The object with every entry described by itself, if it is stored compactly; else itself.
+    /// The object with a description of every entry, if it is stored compactly; otherwise unchanged.
     ///
-    /// What only holds for all entries together (data type, access, default, limits) leaves the object's own section, for
-    /// it is in each entry then. Unknown keys of the sections with names and values are left out; the device keeps them
-    /// ([`Device::expanded`]).
+    /// Properties that are common to all entries (data type, access, default, limits) are removed from the
+    /// section of the object, because each entry now has them. Unknown keys of the sections with names and
+    /// values are left out; the device keeps them ([`Device::expanded`]).
     pub fn expanded(&self) -> Cow<'_, Object> {
         let Some(compact) = &self.compact else { return Cow::Borrowed(self) };
         let mut subs = self.subs.clone();
@@ -30,7 +30,7 @@ impl Object {
             }
         }
         let main = Entry {
-            // a value that somebody configured here, though it belongs to nothing, keeps its type
+            // a configured value here, although it has no entry, keeps its type
             data_type: self.main.data_type.filter(|_| self.main.configured_value().is_some()),
             access: None,
             pdo_mapping: None,
@@ -52,8 +52,8 @@ impl Object {
 }
 
 impl Device {
-    /// The device with every entry of its compactly stored objects described by itself. Keys that were unknown in the
-    /// sections of such an object are in a section of their own.
+    /// The device with a description of every entry of its compactly stored objects. Unknown keys in the
+    /// sections of such an object get their own section.
     pub fn expanded(&self) -> Cow<'_, Device> {
         if self.objects.values().all(|object| object.compact.is_none()) {
             return Cow::Borrowed(self);
@@ -71,7 +71,7 @@ impl Device {
     }
 }
 
-/// The invalid_values of values that all compactly stored entries share, and the others.
+/// The invalid values that all compactly stored entries share, and the others.
 fn split(invalid_values: &InvalidValues) -> (InvalidValues, InvalidValues) {
     let (mut shared, mut own) = (InvalidValues::default(), InvalidValues::default());
     for InvalidValue { field, text, reason } in invalid_values.iter() {

@@ -1,18 +1,18 @@
-//! The names of the model's fields.
+//! The names of the fields of the model.
 
 use std::borrow::Cow;
 use std::fmt;
 
 macro_rules! fields {
     ($($name:ident $text:literal,)*) => {
-        /// A field of a part of the model. The names are the keys of CiA 306-1, for that is what the field calls them,
-        /// whatever format a description has.
+        /// A field of a part of the model. The names are the keys of CiA 306-1, the common vocabulary, for
+        /// descriptions of all formats.
         #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Field {
             $(#[doc = concat!("`", $text, "`.")] $name,)*
             /// A numbered key: the `3` of `3=0x1018` in a list.
             Item(u32),
-            /// Any other key, such as `Dummy0005`, `Line3` or one of a manufacturer.
+            /// Any other key, such as `Dummy0005`, `Line3` or one of a vendor.
             Named(Box<str>),
         }
 
@@ -20,7 +20,7 @@ macro_rules! fields {
             /// Every field with a fixed name.
             pub const NAMED: &'static [(&'static str, Field)] = &[$(($text, Field::$name)),*];
 
-            /// The name, as CiA 306-1 spells it.
+            /// The name in the spelling of CiA 306-1.
             pub fn name(&self) -> Cow<'_, str> {
                 match self {
                     $(Self::$name => Cow::Borrowed($text),)*
@@ -112,8 +112,8 @@ fields! {
 }
 
 impl Field {
-    /// The field of a name, whatever the case of its letters. Digits make an [`Item`](Self::Item), everything that is
-    /// not a fixed name a [`Named`](Self::Named).
+    /// The field with this name, ignoring case. Digits result in an [`Item`](Self::Item), any other unknown
+    /// name in a [`Named`](Self::Named).
     pub fn from_name(name: &str) -> Self {
         let fixed = Self::NAMED.iter().find(|(text, _)| text.eq_ignore_ascii_case(name));
         match fixed {
@@ -130,7 +130,7 @@ impl Field {
     /// The number of such an item.
     pub fn item_number(name: &str) -> Option<u32> {
         let plain = name.as_bytes().first().is_some_and(|first| matches!(first, b'1'..=b'9'));
-        // the parser takes a sign in the first place only, and that is a digit
+        // the parser accepts a sign only as first character, which is a digit here
         if plain { name.parse().ok() } else { None }
     }
 }

@@ -1,10 +1,10 @@
-//! Facts about the description file (CiA 306-1 §4.4).
+//! Information about the description file (CiA 306-1 §4.4).
 
 use std::fmt;
 
 use super::{DeviceClass, Extra, InvalidValues};
 
-/// Who made the description, when, and of which version.
+/// The author, date and version of the description.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -18,7 +18,7 @@ pub struct FileInfo {
     /// `FileRevision`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub file_revision: Option<u8>,
-    /// `EDSVersion`, such as `4.0`; missing means 3.0.
+    /// `EDSVersion`, such as `4.0`; 3.0 if missing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eds_version: Option<String>,
     /// `Description`.
@@ -42,7 +42,7 @@ pub struct FileInfo {
     /// `ModifiedBy`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub modified_by: Option<String>,
-    /// `LastEDS` of a DCF: the EDS that it was made from.
+    /// `LastEDS` of a DCF: the EDS it was created from.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub last_eds: Option<String>,
     /// `supportedLanguages` (CiA 311): language tags.
@@ -51,10 +51,10 @@ pub struct FileInfo {
     /// `deviceClass` (CiA 311).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub device_class: Option<DeviceClass>,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
@@ -74,13 +74,13 @@ pub struct Date {
 }
 
 impl Date {
-    /// A day; `None` when the calendar does not have it.
+    /// A day; `None` if the calendar does not have it.
     pub fn new(year: u16, month: u8, day: u8) -> Option<Self> {
         let date = Self { year, month, day };
         ((1..=12).contains(&month) && (1..=date.days_of_month()).contains(&day)).then_some(date)
     }
 
-    /// Days that its month has.
+    /// The number of days of the month.
     const fn days_of_month(self) -> u8 {
         let year = self.year;
         let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
@@ -91,7 +91,7 @@ impl Date {
         }
     }
 
-    /// The day so many days after 1970-01-01; `None` beyond the year 9999.
+    /// The day that is this number of days after 1970-01-01; `None` beyond the year 9999.
     pub fn after_1970(days: u64) -> Option<Self> {
         let mut rest = u32::try_from(days).ok()?;
         let mut first = Self { year: 1970, month: 1, day: 1 };
@@ -110,7 +110,7 @@ impl Date {
         }
     }
 
-    /// A date of ISO 8601 such as `2024-03-04`.
+    /// Parses a date of ISO 8601 such as `2024-03-04`.
     pub fn from_iso(text: &str) -> Option<Self> {
         let mut parts = text.splitn(3, '-');
         let (year, month, day) = (parts.next()?, parts.next()?, parts.next()?);
@@ -118,21 +118,21 @@ impl Date {
         if is_year { Self::new(year.parse().ok()?, two_digits(month)?, two_digits(day)?) } else { None }
     }
 
-    /// As in ISO 8601: `2024-03-04`.
+    /// Formats the date as in ISO 8601: `2024-03-04`.
     pub fn to_iso(self) -> String {
         let Self { year, month, day } = self;
         format!("{year:04}-{month:02}-{day:02}")
     }
 }
 
-/// As in an EDS: `mm-dd-yyyy`.
+/// The format of an EDS: `mm-dd-yyyy`.
 impl fmt::Display for Date {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:02}-{:02}-{:04}", self.month, self.day, self.year)
     }
 }
 
-/// A time of day. An EDS states it to the minute, CiA 311 to the second and further.
+/// A time of day: to the minute in an EDS, to fractions of a second in CiA 311.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ClockTime {
     /// Hour, 0 to 23.
@@ -141,20 +141,21 @@ pub struct ClockTime {
     pub minute: u8,
     /// Second, 0 to 59.
     pub second: u8,
-    /// Part of the second in ns.
+    /// Fraction of the second in ns.
     pub nanosecond: u32,
-    /// How far the clock is before Coordinated Universal Time, in minutes; `None` where nobody says it.
+    /// The offset from Coordinated Universal Time in minutes, positive east of Greenwich; `None` if not
+    /// stated.
     pub utc_offset: Option<i16>,
 }
 
 impl ClockTime {
-    /// A time to the minute; `None` when a day does not have it.
+    /// A time to the minute; `None` if out of range.
     pub fn new(hour: u8, minute: u8) -> Option<Self> {
         let time = Self { hour, minute, second: 0, nanosecond: 0, utc_offset: None };
         (hour < 24 && minute < 60).then_some(time)
     }
 
-    /// A time of ISO 8601 such as `14:40`, `14:40:59` or `14:40:59.25+01:00`.
+    /// Parses a time of ISO 8601 such as `14:40`, `14:40:59` or `14:40:59.25+01:00`.
     pub fn from_iso(text: &str) -> Option<Self> {
         let (clock, utc_offset) = match text.find(['Z', '+', '-']) {
             Some(at) => (&text[..at], Some(utc_offset(&text[at..])?)),
@@ -170,8 +171,8 @@ impl ClockTime {
         Some(Self { utc_offset, ..time })
     }
 
-    /// As in ISO 8601: `14:40:59.25+01:00`, with the parts that say something. `seconds` are always written where a
-    /// format demands them.
+    /// Formats the time as in ISO 8601: `14:40:59.25+01:00`, without parts that are not needed. With
+    /// `seconds`, the seconds are always written, for formats that require them.
     pub fn to_iso(self, seconds: bool) -> String {
         let Self { hour, minute, second, nanosecond, utc_offset } = self;
         let mut text = format!("{hour:02}:{minute:02}");
@@ -193,7 +194,7 @@ impl ClockTime {
     }
 }
 
-/// The minutes of `Z`, `+01:00` or `-03:30`; ISO 8601 has offsets up to 14 hours.
+/// The minutes of `Z`, `+01:00` or `-03:30`; ISO 8601 allows offsets up to 14 hours.
 fn utc_offset(text: &str) -> Option<i16> {
     if text == "Z" {
         return Some(0);
@@ -204,7 +205,7 @@ fn utc_offset(text: &str) -> Option<i16> {
     (minutes < 60 && offset <= 14 * 60).then_some(if text.starts_with('-') { -offset } else { offset })
 }
 
-/// The digits behind the point of a second; more than nine only where they are zeros.
+/// The digits after the decimal point of a second; further digits than nine must be zeros.
 fn nanoseconds(digits: &str) -> Option<u32> {
     let kept = digits.trim_end_matches('0');
     let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) && kept.len() <= 9;
@@ -216,7 +217,7 @@ fn two_digits(text: &str) -> Option<u8> {
     if is_number { text.parse().ok() } else { None }
 }
 
-/// As in an EDS: `hh:mmAM` or `hh:mmPM`, twelve hours.
+/// The format of an EDS: `hh:mmAM` or `hh:mmPM`, 12-hour clock.
 impl fmt::Display for ClockTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let hour = match self.hour % 12 {

@@ -1,7 +1,7 @@
-//! The JSON of entries and of what contains one: all fields side by side, and none that is not known.
+//! The JSON of entries and of types that contain one: all fields side by side, and unknown names are errors.
 //!
-//! serde can write a field flat but, reading it back, forgets where the text stands and passes over unknown names. So
-//! what is read has a form of its own with the same names.
+//! serde can write a flattened field but, reading it back, loses positions in the text and ignores unknown
+//! names. Therefore reading uses separate types with the same names.
 
 use serde::{Deserialize, Serialize};
 
@@ -36,7 +36,7 @@ macro_rules! form {
         }
 
         impl $Form {
-            /// The entry, when its values are of its data type.
+            /// The entry, if its values are valid for its data type.
             fn take_entry(&mut self) -> Result<Entry, Unfit> {
                 let form = std::mem::take(self);
                 $(self.$own = form.$own;)*
@@ -79,7 +79,7 @@ form!(ExtensionForm {
     obj_extend: Option<u8>;
 });
 
-/// A section that the model does not know.
+/// A section without a place in the model.
 #[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SectionForm {
@@ -100,13 +100,13 @@ impl From<ExtraSection> for SectionForm {
     }
 }
 
-/// Why fields do not go together.
+/// Why fields are inconsistent.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Unfit {
-    /// A value that is none of its entry's data type.
+    /// A value that is not valid for the data type of its entry.
     #[error("{field}: `{value}` is not a valid {data_type}")]
     Value { field: &'static str, value: Value, data_type: DataType },
-    /// A name, value or denotation of an entry that is not there.
+    /// A name, value or denotation of a missing entry.
     #[error("{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly")]
     Sub { field: &'static str, sub: u8, count: u8 },
 }

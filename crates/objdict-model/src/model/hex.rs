@@ -2,16 +2,16 @@
 
 use std::fmt::Write;
 
-/// Two upper-case hex digits a byte.
+/// Prints two upper-case hex digits per byte.
 pub fn print(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(2 * bytes.len());
     for byte in bytes {
-        let _ = write!(text, "{byte:02X}"); // a String takes every text
+        let _ = write!(text, "{byte:02X}"); // writing to a String never fails
     }
     text
 }
 
-/// The bytes of a text of hex digits, two a byte.
+/// Parses hex digits, two per byte.
 pub fn parse(text: &str) -> Option<Box<[u8]>> {
     let digit = |byte: u8| char::from(byte).to_digit(16);
     let pairs = text.as_bytes().chunks(2);

@@ -2,10 +2,10 @@
 
 use super::{Device, Value};
 
-/// What 1018h says of the device; `None` where it says nothing or no number.
+/// The content of 1018h; `None` for a value that is missing or not a number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
-    /// Sub-index 1: the vendor-ID, which CiA assigns.
+    /// Sub-index 1: the vendor-ID assigned by CiA.
     pub vendor_id: Option<u32>,
     /// Sub-index 2.
     pub product_code: Option<u32>,
@@ -16,17 +16,17 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// Index of the identity object.
+    /// The index of the identity object.
     pub const INDEX: u16 = 0x1018;
 
-    /// Major and minor revision: a new major one behaves differently on the network.
+    /// Major and minor revision: a new major revision changes the behaviour on the network.
     pub fn revision(&self) -> Option<(u16, u16)> {
         self.revision_number.map(|number| ((number >> 16) as u16, number as u16))
     }
 }
 
 impl Device {
-    /// The identity of the device: what 1018h holds after it was configured.
+    /// The identity of the device: 1018h after configuration.
     pub fn identity(&self) -> Identity {
         let object = self.object(Identity::INDEX);
         let number = |sub| {
@@ -41,7 +41,7 @@ impl Device {
         }
     }
 
-    /// The value that a sub-index has after it was configured.
+    /// The value of a sub-index after configuration.
     pub fn value(&self, index: u16, sub: u8) -> Option<std::borrow::Cow<'_, Value>> {
         self.object(index)?.value(sub)
     }

@@ -1,11 +1,12 @@
 //! PDOs that a description implies without describing their objects (CiA 306-1 §4.6.3.4.1, `CompactPDO`).
 //!
-//! The standard says how many there are, which sub-indexes their communication records have, and which default COB-IDs
-//! the first four of a direction have; transmission type and mapping it leaves open. For the rest this follows
-//! lely-core, so that both have the same dictionary: the COB-ID of PDO 5 and above is 80000000h, what the standard
-//! leaves open has no default, the communication record can be written but for sub-index 0, the mapping has 64 entries
-//! that can all be written. A DCF implies the same objects as its EDS: the standard's word that PDOs without values
-//! are disabled is for the tool that downloads it.
+//! The standard defines the number of implicit PDOs, the sub-indexes of their communication parameters, and
+//! the default COB-IDs of the first four of each direction; it leaves transmission type and mapping open.
+//! Everything else follows lely-core, so that both create the same dictionary: the COB-ID of PDO 5 and above
+//! is 80000000h, values that the standard leaves open have no default, the communication parameter is
+//! writable except for sub-index 0, and the mapping has 64 writable entries. A DCF implies the same objects
+//! as its EDS: the statement of the standard that PDOs without values are disabled addresses the tool that
+//! downloads the DCF.
 
 use std::borrow::Cow;
 
@@ -14,8 +15,8 @@ use super::{
 };
 
 impl Device {
-    /// Direction and number of the PDOs that `CompactPDO` implies: as many as `NrOfRXPDO` and `NrOfTXPDO` say beyond
-    /// the described ones, in the lowest free numbers.
+    /// Direction and number of the PDOs that `CompactPDO` implies: as many as `NrOfRXPDO` and `NrOfTXPDO`
+    /// have beyond the described ones, with the lowest free numbers.
     pub fn implicit_pdos(&self) -> Vec<(PdoKind, u16)> {
         let Some(info) = self.device_info.as_ref().filter(|info| info.compact_pdo.unwrap_or(0) != 0) else {
             return Vec::new();
@@ -34,7 +35,7 @@ impl Device {
         implicit
     }
 
-    /// The device with the objects of the PDOs that `CompactPDO` implies; itself where it implies none.
+    /// The device with the objects of the PDOs that `CompactPDO` implies; unchanged if it implies none.
     pub fn with_implicit_pdos(&self) -> Cow<'_, Device> {
         let implicit = self.implicit_pdos();
         if implicit.is_empty() {
@@ -59,7 +60,7 @@ impl Device {
     }
 }
 
-/// The communication record of an implied PDO: a sub-index for each bit of `CompactPDO`.
+/// The communication parameter of an implicit PDO: one sub-index for each bit of `CompactPDO`.
 fn communication(kind: PdoKind, number: u16, mask: u8) -> Object {
     let cob_id = match kind.predefined_can_id(number) {
         Some(base) => predefined::per_node(base),
@@ -114,7 +115,7 @@ mod tests {
     use super::*;
     use crate::model::DeviceInfo;
 
-    /// The example of the standard: five RPDOs, of which 1402h and 1403h are described.
+    /// The example of the standard: five RPDOs, two of which are described: 1402h and 1403h.
     fn example() -> Device {
         let info = DeviceInfo {
             rpdo_count: Some(5),

@@ -1,4 +1,4 @@
-//! Texts for people, in several languages (CiA 311, `g_labels`).
+//! Texts for users, in several languages (CiA 311, `g_labels`).
 
 /// The names and descriptions of a part of the profile, in the order of the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct Labels(pub Vec<Label>);
 
-/// A name or description, or where it stands.
+/// A name or description, or a reference to one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case", deny_unknown_fields))]
@@ -22,10 +22,10 @@ pub enum Label {
     Description {
         /// The language.
         lang: Box<str>,
-        /// The text; it may have several lines.
+        /// The text; may have several lines.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "super::is_default"))]
         text: Box<str>,
-        /// `URI`: where more about it stands.
+        /// `URI`: where to find more.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         uri: Option<Box<str>>,
     },
@@ -44,18 +44,18 @@ pub struct TextRef {
     pub dictionary: Box<str>,
     /// `textID`: the text in it.
     pub text_id: Box<str>,
-    /// What stands inside the element: mostly a URI, mostly nothing.
+    /// The content of the element: usually empty, or a URI.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub uri: Box<str>,
 }
 
 impl Labels {
-    /// Whether there are none.
+    /// Whether there are no labels.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// One name.
+    /// A single name.
     pub fn name(lang: &str, text: &str) -> Self {
         Self(vec![Label::Name { lang: lang.into(), text: text.into() }])
     }
@@ -76,12 +76,13 @@ impl Labels {
         })
     }
 
-    /// The name in a language: in exactly it, else in a variety of it (`en-us` for `en`), else in English, else the first.
+    /// The name in a language: in this language, else in a variant of it (`en-us` for `en`), else in
+    /// English, else the first.
     pub fn name_in(&self, lang: &str) -> Option<&str> {
         best(self.names(), lang)
     }
 
-    /// The description in a language, chosen like [`name_in`](Self::name_in).
+    /// The description in a language, selected like [`name_in`](Self::name_in).
     pub fn description_in(&self, lang: &str) -> Option<&str> {
         best(self.descriptions(), lang)
     }
@@ -98,7 +99,7 @@ fn best<'a>(texts: impl Iterator<Item = (&'a str, &'a str)>, lang: &str) -> Opti
             () => 0,
         }
     };
-    // `max_by_key` would take the last of equals
+    // `max_by_key` would return the last of several equal texts
     texts
         .reduce(|best, next| if closeness(next.0) > closeness(best.0) { next } else { best })
         .map(|(_, text)| text)

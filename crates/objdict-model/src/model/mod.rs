@@ -1,9 +1,10 @@
-//! The one typed dictionary. It knows no files, no spans and no text formats; every stage after reading takes a
-//! [`Device`].
+//! The typed object dictionary. The model is independent of files, spans and text formats; every stage after
+//! reading takes a [`Device`].
 //!
-//! Names mirror the field's: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an entry
-//! has a *data type*, an *access* type and *values*. Where a description says something that is no value of its field,
-//! the typed field stays empty and the text is among the [`InvalidValues`]; what the model does not know is in [`Extra`].
+//! Names follow CANopen: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an
+//! entry has a *data type*, an *access* type and *values*. If a text of a description is not valid in its
+//! field, the typed field is empty and the text is in the [`InvalidValues`]; keys without a field are in
+//! [`Extra`].
 
 mod access;
 mod address;
@@ -46,8 +47,8 @@ mod stack;
 mod unparsed;
 mod value;
 
-/// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC, in which objdict keeps what a format
-/// has no place for.
+/// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC, in which objdict
+/// stores what the format does not support.
 pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
 
 pub use access::{Access, PdoMapping};

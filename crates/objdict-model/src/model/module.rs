@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use super::{Entry, Extra, InvalidValues, Object};
 
-/// The modules that a bus coupler supports and those that are plugged in.
+/// The supported and the connected modules of a bus coupler.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Modules {
-    /// `NrOfEntries` of `SupportedModules`, as the description states it.
+    /// `NrOfEntries` of `SupportedModules`, as stated.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub declared: Option<u16>,
     /// The modules by number, counted from 1.
@@ -21,18 +21,18 @@ pub struct Modules {
     /// `ConnectedModules` of a DCF: the numbers of the modules in their physical order.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub connected: Option<Vec<u16>>,
-    /// Texts of `SupportedModules` and `ConnectedModules` that are no values of their fields.
+    /// Texts of `SupportedModules` and `ConnectedModules` that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
     )]
     pub invalid_values: InvalidValues,
-    /// Keys of `SupportedModules` and `ConnectedModules` that the model does not know.
+    /// Keys of `SupportedModules` and `ConnectedModules` without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
 
-/// A module and what it adds to the coupler's dictionary.
+/// A module and the objects and sub-indexes it adds to the dictionary of the coupler.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -52,7 +52,7 @@ pub struct Module {
     /// The lines of `MxComments`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub comments: Vec<String>,
-    /// `MxFixedObjects`: the list of objects that exist once when such a module is plugged in.
+    /// `MxFixedObjects`: the list of objects that exist once if such a module is plugged in.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub fixed_list: Vec<u16>,
     /// `MxFixedxxxx`: the description of those objects.
@@ -61,19 +61,19 @@ pub struct Module {
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
     pub fixed: BTreeMap<u16, Object>,
-    /// `MxSubExtends`: the list of objects that get new sub-indexes from each such module.
+    /// `MxSubExtends`: the list of objects to which each such module adds sub-indexes.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub extension_list: Vec<u16>,
-    /// `MxSubExtxxxx`: what the new sub-indexes are.
+    /// `MxSubExtxxxx`: the description of the new sub-indexes.
     #[cfg_attr(
         feature = "serde",
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
     pub extensions: BTreeMap<u16, Extension>,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
@@ -86,24 +86,25 @@ pub struct Module {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::ExtensionForm"))]
 pub struct Extension {
-    /// What each new sub-index holds.
+    /// The content of each new sub-index.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub entry: Entry,
     /// `Count`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub count: Option<ExtensionCount>,
-    /// `ObjExtend`: the highest sub-index after which the next index goes on; 0 or missing for none.
+    /// `ObjExtend`: the maximum sub-index, after which the next index is used; none if 0 or missing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub obj_extend: Option<u8>,
 }
 
-/// How many sub-indexes a module adds (`Count`).
+/// The number of sub-indexes that a module adds (`Count`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ExtensionCount {
-    /// `n`: so many new sub-indexes.
+    /// `n`: this number of new sub-indexes.
     Subs(u8),
-    /// `0;b`: modules share a sub-index, each takes so many bits of it; a new one begins when the last is full.
+    /// `0;b`: modules share a sub-index, each using `b` bits; a new sub-index starts if the last one is
+    /// full.
     SharedBits(u8),
 }

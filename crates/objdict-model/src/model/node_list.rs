@@ -1,4 +1,4 @@
-//! Node lists: which nodes a network has, and which configuration each of them (CiA 306-3).
+//! Node lists: the nodes of a network and their configurations (CiA 306-3).
 
 use super::Extra;
 
@@ -22,25 +22,25 @@ pub struct Network {
     /// `NetRefd`: the reference designator of the network.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub reference_designator: Option<String>,
-    /// `Nodes`: the number of nodes, as the file states it.
+    /// `Nodes`: the number of nodes, as stated.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub stated_count: Option<u8>,
     /// `EDSBaseName`: the folder of the descriptions.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eds_folder: Option<String>,
-    /// The nodes that the file speaks of, in ascending order of their node-IDs.
+    /// The nodes in the file, in ascending order of their node-IDs.
     pub nodes: Vec<NetworkNode>,
-    /// Keys that the standard does not have; manufacturers may add theirs.
+    /// Keys that the standard does not define; vendors may add their own.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
 
-/// One node of a network, or the place of one that is not there.
+/// A node of a network, present or not.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct NetworkNode {
-    /// Node-ID, 1 to 127.
+    /// The node-ID, 1 to 127.
     pub id: u8,
     /// `NodeXPresent`: whether the node is in the network.
     pub present: bool,
@@ -50,13 +50,13 @@ pub struct NetworkNode {
     /// `NodeXRefd`: the reference designator of the node.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub reference_designator: Option<String>,
-    /// `NodeXDCFName`: the file with the node's configuration, seen from the folder of the node list.
+    /// `NodeXDCFName`: the file with the configuration of the node, relative to the folder of the node list.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub dcf: Option<String>,
 }
 
 impl Network {
-    /// Number of nodes that are in the network.
+    /// The number of nodes that are present in the network.
     pub fn present(&self) -> usize {
         self.nodes.iter().filter(|node| node.present).count()
     }

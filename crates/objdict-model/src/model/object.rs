@@ -1,4 +1,4 @@
-//! Objects: what an index holds.
+//! Objects: the content of an index.
 
 use std::borrow::Cow;
 
@@ -6,29 +6,30 @@ use super::{Access, DataType, Entry, Extra, InvalidValues, ObjectType, PdoMappin
 
 /// An object of the dictionary.
 ///
-/// The value of a VAR or DOMAIN is described by [`main`](Self::main); an ARRAY, RECORD or DEFSTRUCT describes its
-/// entries in [`subs`](Self::subs), or, stored compactly, in [`compact`](Self::compact). [`Object::entries`] shows all
-/// of them alike.
+/// [`main`](Self::main) describes the value of a VAR or DOMAIN; an ARRAY, RECORD or DEFSTRUCT describes its
+/// entries in [`subs`](Self::subs) or, stored compactly, in [`compact`](Self::compact). [`Object::entries`]
+/// returns all of them in the same way.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::ObjectForm"))]
 pub struct Object {
-    /// Whether only sub-indexes are described and the object itself is not: a defect of the description.
+    /// Whether only sub-indexes are described but not the object itself, which is a defect of the
+    /// description.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
     pub orphan: bool,
-    /// What stands in the object's own section; of an ARRAY or RECORD mostly just name and object type.
+    /// The section of the object; for an ARRAY or RECORD usually just name and object type.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub main: Entry,
-    /// `SubNumber`: the number of described sub-indexes, FFh not counted, as the description states it.
+    /// `SubNumber`: the number of described sub-indexes without FFh, as stated.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub sub_number: Option<u8>,
-    /// `CompactSubObj` and what goes with it; `None` where it is missing or 0.
+    /// Compact storage with `CompactSubObj`; `None` if the key is missing or 0.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub compact: Option<Box<Compact>>,
     /// The described entries.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Subs::is_empty"))]
     pub subs: Subs,
-    /// `ObjectLinks`: indexes that belong to this object, for the eyes of a tool (CiA 306-1 §4.6.4).
+    /// `ObjectLinks`: indexes that a tool can show together with this object (CiA 306-1 §4.6.4).
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub links: Vec<u16>,
 }
@@ -43,22 +44,22 @@ impl Subs {
         self.0.is_empty()
     }
 
-    /// Number of described entries.
+    /// The number of described entries.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// The entry of a sub-index.
+    /// The entry at a sub-index.
     pub fn get(&self, sub: u8) -> Option<&Entry> {
         self.position(sub).ok().map(|at| &self.0[at].1)
     }
 
-    /// The entry of a sub-index, for writing.
+    /// Mutable access to the entry at a sub-index.
     pub fn get_mut(&mut self, sub: u8) -> Option<&mut Entry> {
         self.position(sub).ok().map(|at| &mut self.0[at].1)
     }
 
-    /// Puts an entry; returns the one that was there.
+    /// Inserts an entry; returns the previous one.
     pub fn insert(&mut self, sub: u8, entry: Entry) -> Option<Entry> {
         match self.position(sub) {
             Ok(at) => Some(std::mem::replace(&mut self.0[at].1, entry)),
@@ -69,7 +70,7 @@ impl Subs {
         }
     }
 
-    /// The entry of a sub-index, for writing, which is made where it is not there.
+    /// Mutable access to the entry at a sub-index, which is created if missing.
     pub fn get_or_insert(&mut self, sub: u8) -> &mut Entry {
         let at = self.position(sub).unwrap_or_else(|at| {
             self.0.insert(at, (sub, Entry::default()));
@@ -78,7 +79,7 @@ impl Subs {
         &mut self.0[at].1
     }
 
-    /// Takes an entry away.
+    /// Removes an entry.
     pub fn remove(&mut self, sub: u8) -> Option<Entry> {
         self.position(sub).ok().map(|at| self.0.remove(at).1)
     }
@@ -88,14 +89,14 @@ impl Subs {
         self.0.iter().map(|(sub, entry)| (*sub, entry))
     }
 
-    /// Sub-indexes and entries in ascending order, for writing.
+    /// Sub-indexes and mutable entries in ascending order.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = (u8, &mut Entry)> {
         self.0.iter_mut().map(|(sub, entry)| (*sub, entry))
     }
 
     fn position(&self, sub: u8) -> Result<usize, usize> {
         match self.0.last() {
-            // descriptions list sub-indexes in order, so most inserts go to the end
+            // descriptions list sub-indexes in order, so most inserts are at the end
             Some((last, _)) if *last < sub => Err(self.0.len()),
             _ => self.0.binary_search_by_key(&sub, |(sub, _)| *sub),
         }
@@ -112,8 +113,8 @@ impl FromIterator<(u8, Entry)> for Subs {
     }
 }
 
-/// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` are alike but for
-/// names and values.
+/// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` differ only
+/// in names and values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -121,7 +122,7 @@ pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]
     pub count: u8,
-    /// Names of single entries; the others are called like the object with their number behind it.
+    /// Names of single entries; other entries have the name of the object with their number appended.
     #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub names: Vec<(u8, Box<str>)>,
     /// Configured values of single entries (DCF).
@@ -130,13 +131,13 @@ pub struct Compact {
     /// Denotations of single entries (DCF).
     #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
     pub denotations: Vec<(u8, Box<str>)>,
-    /// Texts that are no values of their fields.
+    /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
     )]
     pub invalid_values: InvalidValues,
-    /// Keys that the model does not know.
+    /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
@@ -146,17 +147,17 @@ fn of_sub<T>(list: &[(u8, T)], sub: u8) -> Option<&T> {
 }
 
 impl Object {
-    /// The object type; VAR where the description has none.
+    /// The object type; VAR if missing.
     pub fn object_type(&self) -> ObjectType {
         self.main.object_type.unwrap_or(ObjectType::Var)
     }
 
-    /// `ParameterName`; empty when missing.
+    /// `ParameterName`; empty if missing.
     pub fn name(&self) -> &str {
         &self.main.name
     }
 
-    /// The entry of a sub-index, whether it is described, stored compactly, or the value of a VAR (sub-index 0).
+    /// The entry at a sub-index: described, stored compactly, or the value of a VAR (sub-index 0).
     pub fn entry(&self, sub: u8) -> Option<Cow<'_, Entry>> {
         if let Some(entry) = self.subs.get(sub) {
             return Some(Cow::Borrowed(entry));
@@ -167,8 +168,8 @@ impl Object {
         (sub == 0 && !self.orphan && !self.object_type().has_subs()).then_some(Cow::Borrowed(&self.main))
     }
 
-    /// The value that a sub-index has after it was configured: [`Entry::value`] of [`Object::entry`], without making an
-    /// entry of a compactly stored one.
+    /// The value of a sub-index after configuration: [`Entry::value`] of [`Object::entry`], without creating
+    /// an entry for a compactly stored one.
     pub fn value(&self, sub: u8) -> Option<Cow<'_, Value>> {
         if let Some(entry) = self.subs.get(sub) {
             return entry.value().map(Cow::Borrowed);
@@ -184,7 +185,7 @@ impl Object {
         if single { self.main.value().map(Cow::Borrowed) } else { None }
     }
 
-    /// Whether there is a sub-index, described or stored compactly.
+    /// Whether the object has a sub-index, described or stored compactly.
     pub fn has(&self, sub: u8) -> bool {
         self.subs.get(sub).is_some()
             || match &self.compact {
@@ -193,7 +194,7 @@ impl Object {
             }
     }
 
-    /// All entries that the device has, in ascending order of their sub-indexes.
+    /// All entries of the object, in ascending order of their sub-indexes.
     pub fn entries(&self) -> impl Iterator<Item = (u8, Cow<'_, Entry>)> {
         let compact = self.compact.as_ref().map(|compact| compact.count);
         let implied = compact
@@ -205,7 +206,7 @@ impl Object {
         merge_by_sub(implied, self.stated().map(|(sub, entry)| (sub, Cow::Borrowed(entry))))
     }
 
-    /// The entries that stand in the description as they are: all of [`Object::entries`] but those that are stored
+    /// The entries that are described individually: [`Object::entries`] without those that are stored
     /// compactly.
     pub fn stated(&self) -> impl Iterator<Item = (u8, &Entry)> {
         let is_single = self.compact.is_none()
@@ -215,8 +216,8 @@ impl Object {
         is_single.then_some((0, &self.main)).into_iter().chain(self.subs.iter())
     }
 
-    /// What the description states: the object's own section, where it has one, then each described sub-index. A rule
-    /// about the text of single fields looks at these; compact entries have no text of their own.
+    /// The sections of the object: its own, if it has one, then each described sub-index. Rules about the
+    /// text of single fields check these; compact entries have no own text.
     pub fn described(&self) -> impl Iterator<Item = (Option<u8>, &Entry)> {
         (!self.orphan)
             .then_some((None, &self.main))
@@ -224,7 +225,7 @@ impl Object {
             .chain(self.subs.iter().map(|(sub, entry)| (Some(sub), entry)))
     }
 
-    /// The highest sub-index there is, FFh not counted.
+    /// The highest sub-index, without FFh.
     pub fn highest_sub(&self) -> Option<u8> {
         let described = self.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub != 0xFF).max();
         let compact = self.compact.as_ref().map(|compact| compact.count);
@@ -277,7 +278,7 @@ fn compact_count(count: u8) -> Entry {
     }
 }
 
-/// Two ascending sequences as one.
+/// Merges two ascending sequences.
 fn merge_by_sub<'a>(
     left: impl Iterator<Item = (u8, Cow<'a, Entry>)>,
     right: impl Iterator<Item = (u8, Cow<'a, Entry>)>,

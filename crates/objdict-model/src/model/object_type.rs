@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What kind of object an index holds.
+/// The object type of an index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "UPPERCASE"))]
@@ -25,7 +25,7 @@ pub enum ObjectType {
 }
 
 impl ObjectType {
-    /// The object type of an object code.
+    /// The object type with this object code.
     pub const fn from_code(code: u8) -> Option<Self> {
         Some(match code {
             0 => Self::Null,
@@ -44,7 +44,7 @@ impl ObjectType {
         self as u8
     }
 
-    /// Whether values lie in sub-indexes (ARRAY, RECORD, DEFSTRUCT).
+    /// Whether the values are in sub-indexes (ARRAY, RECORD, DEFSTRUCT).
     pub const fn has_subs(self) -> bool {
         matches!(self, Self::Array | Self::Record | Self::DefStruct)
     }

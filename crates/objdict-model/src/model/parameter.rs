@@ -1,33 +1,35 @@
-//! Parameters of the application process: what an entry means to people and applications (CiA 311 §6.4.5).
+//! Parameters of the application process: the meaning of entries for users and applications (CiA 311
+//! §6.4.5).
 
 use super::part::{part, words};
 use super::{DataTypeRef, Labels};
 
 part! {
-    /// A parameter. Most describe one entry of the dictionary and then belong to that [`Entry`](super::Entry); what the
-    /// entry says itself (data type, access, values, limits, denotation) stands there and is empty here.
+    /// A parameter. Most parameters describe one entry of the dictionary and belong to that
+    /// [`Entry`](super::Entry); fields that the entry has itself (data type, access, values, limits,
+    /// denotation) are empty here.
     pub struct Parameter {
-        /// `uniqueID`: what groups, conditions and objects call it.
+        /// `uniqueID`: the id in references of groups, conditions and objects.
         pub unique_id: Box<str>,
         /// Names and descriptions.
         pub labels: Labels,
-        /// The data type; `None` where the entry has it.
+        /// The data type; `None` if the entry has it.
         pub data_type: Option<DataTypeRef>,
         /// `access`.
         pub access: Option<ParameterAccess>,
-        /// `accessList`: further access rights, as the manufacturer names them.
+        /// `accessList`: further access rights, with names of the vendor.
         pub access_list: Option<Box<str>>,
         /// `support`.
         pub support: Option<Support>,
-        /// `persistent`: whether the value outlives the supply; missing means no.
+        /// `persistent`: whether the value survives power-off; no if missing.
         pub persistent: Option<bool>,
-        /// `offset` of the engineering value, which is (value + offset) * multiplier; missing means 0.
+        /// `offset` of the engineering value, which is (value + offset) * multiplier; 0 if missing.
         pub offset: Option<Box<str>>,
-        /// `multiplier` of the engineering value; missing means 1.
+        /// `multiplier` of the engineering value; 1 if missing.
         pub multiplier: Option<Box<str>>,
-        /// `templateIDRef`: the parameter template with everything that is not said here.
+        /// `templateIDRef`: the parameter template with the remaining properties.
         pub template: Option<Box<str>>,
-        /// `conditionalSupport`: the parameters that decide whether this one is supported.
+        /// `conditionalSupport`: the parameters on which the support of this one depends.
         pub conditional_support: Vec<Box<str>>,
         /// `denotation`: names in the application.
         pub denotation: Labels,
@@ -35,31 +37,31 @@ part! {
         pub actual_value: Option<ScaledValue>,
         /// `defaultValue`.
         pub default_value: Option<ScaledValue>,
-        /// `substituteValue`: what holds while the device has no valid value.
+        /// `substituteValue`: the value to use if the device has no valid value.
         pub substitute_value: Option<ScaledValue>,
-        /// `allowedValues`; missing means every value of the type.
+        /// `allowedValues`; every value of the type if missing.
         pub allowed_values: Option<AllowedValues>,
         /// `unit`.
         pub unit: Option<Unit>,
-        /// `property`: what the manufacturer or a tool adds.
+        /// `property`: additions of the vendor or a tool.
         pub properties: Vec<Property>,
     }
 
-    /// A value with its own scaling (`ag_value`) and perhaps with names.
+    /// A value with its own scaling (`ag_value`) and optional names.
     pub struct ScaledValue {
-        /// `value`, as it is written: what it means depends on the data type of the parameter.
+        /// `value`, as written: its meaning depends on the data type of the parameter.
         pub value: Box<str>,
         /// `offset`.
         pub offset: Option<Box<str>>,
         /// `multiplier`.
         pub multiplier: Option<Box<str>>,
-        /// What the value means: names and descriptions.
+        /// The meaning of the value: names and descriptions.
         pub labels: Labels,
     }
 
-    /// The values that a parameter may have: single ones and ranges.
+    /// The allowed values of a parameter: single values and ranges.
     pub struct AllowedValues {
-        /// `templateIDRef`: the template with more of them.
+        /// `templateIDRef`: the template with further values.
         pub template: Option<Box<str>>,
         /// `value`: single values.
         pub values: Vec<ScaledValue>,
@@ -67,27 +69,27 @@ part! {
         pub ranges: Vec<ValueRange>,
     }
 
-    /// A range of values, both ends in it.
+    /// A range of values, including both ends.
     pub struct ValueRange {
         /// `minValue`.
         pub min: ScaledValue,
         /// `maxValue`.
         pub max: ScaledValue,
-        /// `step`: the distance of neighbouring values.
+        /// `step`: the distance between neighbouring values.
         pub step: Option<ScaledValue>,
     }
 
     /// The unit of the engineering value.
     pub struct Unit {
-        /// `multiplier`: by what the value is multiplied to get the base unit.
+        /// `multiplier`: the factor to convert the value to the base unit.
         pub multiplier: Box<str>,
         /// `unitURI`.
         pub uri: Option<Box<str>>,
-        /// Its symbol or name, such as `mm`.
+        /// The symbol or name of the unit, such as `mm`.
         pub labels: Labels,
     }
 
-    /// A name with a value, which the standard gives no meaning.
+    /// A name with a value, without a meaning in the standard.
     pub struct Property {
         /// `name`.
         pub name: Box<str>,
@@ -103,19 +105,19 @@ part! {
         pub kind_of_access: Option<Box<str>>,
         /// Names and descriptions.
         pub labels: Labels,
-        /// Groups in it.
+        /// The nested groups.
         pub groups: Vec<ParameterGroup>,
         /// `parameterRef`: the ids of its parameters.
         pub parameters: Vec<Box<str>>,
     }
 
-    /// What parameters have in common (`parameterTemplate`): a parameter without names.
+    /// Common properties of parameters (`parameterTemplate`): a parameter without names.
     pub struct ParameterTemplate {
-        /// What each of them says.
+        /// The common properties.
         pub parameter: Parameter,
     }
 
-    /// Allowed values that several parameters have (`allowedValuesTemplate`).
+    /// Common allowed values of parameters (`allowedValuesTemplate`).
     pub struct AllowedValuesTemplate {
         /// `uniqueID`.
         pub unique_id: Box<str>,
@@ -125,7 +127,7 @@ part! {
 }
 
 words! {
-    /// How applications may use a parameter.
+    /// The access of applications to a parameter.
     pub enum ParameterAccess {
         /// The value never changes.
         Const = "const",
@@ -139,7 +141,7 @@ words! {
         ReadWriteInput = "readWriteInput",
         /// Read and write; a process output, so `rww`.
         ReadWriteOutput = "readWriteOutput",
-        /// Not over the network.
+        /// No access over the network.
         NoAccess = "noAccess",
     }
 
@@ -147,15 +149,16 @@ words! {
     pub enum Support {
         /// Always.
         Mandatory = "mandatory",
-        /// As the manufacturer likes.
+        /// At the choice of the vendor.
         Optional = "optional",
-        /// When the parameters of `conditionalSupport` are supported.
+        /// If the parameters of `conditionalSupport` are supported.
         Conditional = "conditional",
     }
 }
 
 impl Parameter {
-    /// The id that a parameter without one is given, after its index or sub-index: `UID_OBJ_1018`, `UID_SUB_101801`.
+    /// The generated id of a parameter without one, from its index or sub-index: `UID_OBJ_1018`,
+    /// `UID_SUB_101801`.
     pub fn usual_id(index: u16, sub: Option<u8>) -> String {
         match sub {
             Some(sub) => format!("UID_SUB_{index:04X}{sub:02X}"),
@@ -163,13 +166,13 @@ impl Parameter {
         }
     }
 
-    /// Whether it has the id that it would be given, or none, which is the same.
+    /// Whether the parameter has the generated id, or none, which is equivalent.
     pub fn has_usual_id(&self, index: u16, sub: Option<u8>) -> bool {
         let is_number = |digits: &str, number: u32| {
             let is_hex = digits.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'A'..=b'F'));
             is_hex && u32::from_str_radix(digits, 16) == Ok(number)
         };
-        // as `usual_id`, without making a text for each
+        // like `usual_id`, without allocating a text
         let usual = match sub {
             None => self.unique_id.strip_prefix("UID_OBJ_").filter(|digits| digits.len() == 4),
             Some(_) => self.unique_id.strip_prefix("UID_SUB_").filter(|digits| digits.len() == 6),
@@ -178,7 +181,7 @@ impl Parameter {
         self.unique_id.is_empty() || usual.is_some_and(|digits| is_number(digits, number))
     }
 
-    /// Whether it says nothing but that the entry exists.
+    /// Whether the parameter has no content beyond the existence of the entry.
     pub fn is_implied(&self, index: u16, sub: Option<u8>) -> bool {
         self.has_usual_id(index, sub)
             && *self == Self { unique_id: self.unique_id.clone(), ..Self::default() }

@@ -1,7 +1,7 @@
-//! How the plain parts of the model are declared.
+//! Macros that declare the plain parts of the model.
 
-/// Declares a part of the model that is nothing but its fields. In JSON a field that says nothing is left out, and a
-/// name that is not known is an error.
+/// Declares a part of the model that consists only of fields. In JSON, empty fields are omitted and unknown
+/// names are errors.
 macro_rules! part {
     ($($(#[$about:meta])* pub struct $Name:ident { $($(#[$of_field:meta])* pub $field:ident: $Type:ty,)* })+) => {$(
         $(#[$about])*
@@ -15,7 +15,7 @@ macro_rules! part {
 }
 pub(super) use part;
 
-/// Declares a set of words that a field may have, spelled as in the file.
+/// Declares the words that a field can have, spelled as in the file.
 macro_rules! words {
     ($($(#[$about:meta])* pub enum $Name:ident { $($(#[$of_word:meta])* $Word:ident = $text:literal,)+ })+) => {$(
         $(#[$about])*
@@ -29,14 +29,14 @@ macro_rules! words {
             /// Every word.
             pub const ALL: &'static [Self] = &[$(Self::$Word),+];
 
-            /// The word as CiA 311 spells it.
+            /// The word in the spelling of CiA 311.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Word => $text,)+
                 }
             }
 
-            /// What a word stands for. Words are spelled exactly so.
+            /// The variant for a word, which is case-sensitive.
             pub fn from_name(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|word| word.name() == name)
             }

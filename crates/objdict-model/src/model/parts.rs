@@ -1,9 +1,9 @@
-//! Walks over every part of a device that keeps texts of its own.
+//! Walks over all parts of a device that store texts.
 
 use super::{Device, Entry, Extra, Field, InvalidValues, ModulePart, Object, Part};
 
 impl Device {
-    /// Every part that has invalid_values, with them.
+    /// Every part with invalid values.
     pub fn invalid_values(&self) -> Vec<(Part, &InvalidValues)> {
         let mut found = Vec::new();
         self.visit_parts(&mut |part, invalid_values, _| {
@@ -14,8 +14,7 @@ impl Device {
         found
     }
 
-    /// Every part of which the description has keys that the model does not know, with them. Sections that are unknown
-    /// as a whole are in [`Device::extra`].
+    /// Every part with keys that have no field in the model. Unknown sections are in [`Device::extra`].
     pub fn extras(&self) -> Vec<(Part, &Extra)> {
         let mut found = Vec::new();
         self.visit_parts(&mut |part, _, extra| {
@@ -68,7 +67,7 @@ impl Device {
         }
     }
 
-    /// The data type of the entry at a part, for telling why a text does not fit.
+    /// The data type of the entry at a part, to explain why a text is not valid.
     pub fn data_type_of(&self, part: &Part, field: &Field) -> Option<super::DataType> {
         let is_value =
             matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue);

@@ -1,11 +1,11 @@
-//! PDOs: a communication record and a mapping, read together (CiA 301 §7.5.2.35 to §7.5.2.38).
+//! PDOs: the communication parameter and the mapping parameter together (CiA 301 §7.5.2.35 to §7.5.2.38).
 
 use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{CobId, Device, Object, Value};
 
-/// Direction of a PDO, seen from the device.
+/// The direction of a PDO, from the view of the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum PdoKind {
     /// The device receives it.
@@ -15,13 +15,13 @@ pub enum PdoKind {
 }
 
 impl PdoKind {
-    /// Both kinds.
+    /// Both directions.
     pub const ALL: [Self; 2] = [Self::Rpdo, Self::Tpdo];
 
-    /// PDOs of a kind are numbered from 1 to this.
+    /// The maximum number of PDOs of a direction.
     pub const MAX: u16 = 512;
 
-    /// Index of the communication record of PDO 1.
+    /// The index of the communication parameter of PDO 1.
     const fn first_communication(self) -> u16 {
         match self {
             Self::Rpdo => 0x1400,
@@ -29,7 +29,7 @@ impl PdoKind {
         }
     }
 
-    /// Index of the communication record of a PDO; `None` when the number is not one of 1 to 512.
+    /// The index of the communication parameter of a PDO; `None` if the number is not 1 to 512.
     pub const fn communication_index(self, number: u16) -> Option<u16> {
         if number == 0 || number > Self::MAX {
             return None;
@@ -37,7 +37,7 @@ impl PdoKind {
         Some(self.first_communication() + number - 1)
     }
 
-    /// Index of the mapping of a PDO; `None` when the number is not one of 1 to 512.
+    /// The index of the mapping parameter of a PDO; `None` if the number is not 1 to 512.
     pub const fn mapping_index(self, number: u16) -> Option<u16> {
         match self.communication_index(number) {
             Some(index) => Some(index + 0x200),
@@ -45,7 +45,7 @@ impl PdoKind {
         }
     }
 
-    /// The PDO whose communication record has this index.
+    /// The PDO of the communication parameter at this index.
     pub const fn of_communication(index: u16) -> Option<(Self, u16)> {
         match index {
             0x1400..=0x15FF => Some((Self::Rpdo, index - 0x1400 + 1)),
@@ -54,7 +54,7 @@ impl PdoKind {
         }
     }
 
-    /// The PDO whose mapping has this index.
+    /// The PDO of the mapping parameter at this index.
     pub const fn of_mapping(index: u16) -> Option<(Self, u16)> {
         match index {
             0x1600..=0x17FF | 0x1A00..=0x1BFF => Self::of_communication(index - 0x200),
@@ -62,8 +62,8 @@ impl PdoKind {
         }
     }
 
-    /// The CAN-ID of PDO 1 to 4 in the predefined connection set, less the node-ID (CiA 301 §7.3.5); `None` for the
-    /// others, which have none.
+    /// The CAN-ID of PDO 1 to 4 in the predefined connection set, minus the node-ID (CiA 301 §7.3.5); `None`
+    /// for other PDOs, which have none.
     pub const fn predefined_can_id(self, number: u16) -> Option<u16> {
         if number == 0 || number > 4 {
             return None;
@@ -89,7 +89,7 @@ impl fmt::Display for PdoKind {
     }
 }
 
-/// What a mapping entry names: an entry of the dictionary and the bits that it takes.
+/// The content of a mapping entry: an entry of the dictionary and its number of bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MappedObject {
     /// Index.
@@ -101,7 +101,7 @@ pub struct MappedObject {
 }
 
 impl MappedObject {
-    /// The object that the number of a mapping entry names.
+    /// The object of the number in a mapping entry.
     pub const fn from_number(number: u32) -> Self {
         let [bits, sub, low, high] = number.to_le_bytes();
         Self { index: u16::from_le_bytes([low, high]), sub, bits }
@@ -113,18 +113,18 @@ impl MappedObject {
         u32::from_le_bytes([self.bits, self.sub, low, high])
     }
 
-    /// Whether the number is 0: nothing is mapped.
+    /// Whether the number is 0, so that nothing is mapped.
     pub const fn is_unused(self) -> bool {
         self.to_number() == 0
     }
 
-    /// Whether a data type is named: a filler of an RPDO (CiA 301 §7.4.7.1).
+    /// Whether a data type is mapped: a dummy entry of an RPDO (CiA 301 §7.4.7.1).
     pub const fn is_dummy(self) -> bool {
         self.index > 0 && self.index < 0x20
     }
 }
 
-/// As the field writes it: `6041h:00, 16 bits`.
+/// The usual notation: `6041h:00, 16 bits`.
 impl fmt::Display for MappedObject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = if self.bits == 1 { "bit" } else { "bits" };
@@ -132,26 +132,26 @@ impl fmt::Display for MappedObject {
     }
 }
 
-/// A sub-index 1 to 64 of a mapping that the description has.
+/// A described sub-index 1 to 64 of a mapping parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MappingSlot {
-    /// Sub-index of the mapping.
+    /// The sub-index of the mapping parameter.
     pub sub: u8,
-    /// What is mapped; `None` where the description gives no number.
+    /// The mapped object; `None` without a number.
     pub object: Option<MappedObject>,
 }
 
-/// A PDO: what its two objects hold after the device was configured ([`Entry::value`](super::Entry::value)). A field is
-/// `None` where the description has no sub-index for it, no value, or one that does not fit.
+/// A PDO: the values of its two objects after configuration ([`Entry::value`](super::Entry::value)). A field
+/// is `None` if the description has no such sub-index, no value, or a value that is not valid.
 #[derive(Clone, Debug)]
 pub struct Pdo<'a> {
     /// Direction.
     pub kind: PdoKind,
     /// Number, 1 to 512.
     pub number: u16,
-    /// The communication record.
+    /// The communication parameter.
     pub communication: Option<&'a Object>,
-    /// The mapping.
+    /// The mapping parameter.
     pub mapping: Option<&'a Object>,
     /// COB-ID, sub-index 1.
     pub cob_id: Option<CobId>,
@@ -163,9 +163,9 @@ pub struct Pdo<'a> {
     pub event_timer: Option<u16>,
     /// SYNC start value, sub-index 6.
     pub sync_start_value: Option<u8>,
-    /// Number of mapped objects, sub-index 0 of the mapping.
+    /// The number of mapped objects, sub-index 0 of the mapping parameter.
     pub mapped_count: Option<u8>,
-    /// Sub-indexes 1 to 64 of the mapping that there are.
+    /// The described sub-indexes 1 to 64 of the mapping parameter.
     pub slots: Vec<MappingSlot>,
 }
 
@@ -189,22 +189,22 @@ impl<'a> Pdo<'a> {
         }
     }
 
-    /// Index of the communication record.
+    /// The index of the communication parameter.
     pub fn communication_index(&self) -> u16 {
         self.kind.communication_index(self.number).unwrap_or(self.kind.first_communication())
     }
 
-    /// Index of the mapping.
+    /// The index of the mapping parameter.
     pub fn mapping_index(&self) -> u16 {
         self.communication_index() + 0x200
     }
 
-    /// Whether the PDO exists on the network: bit 31 of its COB-ID is clear. `None` when the COB-ID is not known.
+    /// Whether the PDO is valid: bit 31 of its COB-ID is clear. `None` if the COB-ID is unknown.
     pub fn is_valid(&self) -> Option<bool> {
         self.cob_id.map(CobId::is_valid)
     }
 
-    /// Whether a SYNC triggers it: types 0 to 240, of a TPDO also 252.
+    /// Whether SYNC triggers the PDO: transmission types 0 to 240, for a TPDO also 252.
     pub fn is_synchronous(&self) -> bool {
         match self.transmission_type {
             Some(0..=240) => true,
@@ -213,28 +213,29 @@ impl<'a> Pdo<'a> {
         }
     }
 
-    /// Whether an event triggers it: types 254 and 255.
+    /// Whether an event triggers the PDO: transmission types 254 and 255.
     pub fn is_event_driven(&self) -> bool {
         matches!(self.transmission_type, Some(254 | 255))
     }
 
-    /// Whether it is a multiplexed PDO, which names its object in each frame (CiA 301 §7.5.2.36).
+    /// Whether the PDO is a multiplexed PDO, whose frames contain the index of the object (CiA 301
+    /// §7.5.2.36).
     pub fn is_multiplexed(&self) -> bool {
         matches!(self.mapped_count, Some(0xFE | 0xFF))
     }
 
-    /// The slots in use, in the order of the frame: those up to the number of mapped objects.
+    /// The slots in use, in the order of the frame: up to the number of mapped objects.
     pub fn used_slots(&self) -> impl Iterator<Item = MappingSlot> + '_ {
         let count = self.mapped_count.filter(|&count| count <= 64).unwrap_or(0);
         self.slots.iter().copied().take_while(move |slot| slot.sub <= count)
     }
 
-    /// What the PDO carries, in the order of the frame.
+    /// The mapped objects, in the order of the frame.
     pub fn mapped(&self) -> impl Iterator<Item = MappedObject> + '_ {
         self.used_slots().filter_map(|slot| slot.object).filter(|object| !object.is_unused())
     }
 
-    /// Number of bits that it carries.
+    /// The total number of mapped bits.
     pub fn bit_length(&self) -> u32 {
         self.mapped().map(|object| u32::from(object.bits)).sum()
     }
@@ -261,27 +262,27 @@ fn slots(mapping: &Object) -> Vec<MappingSlot> {
 }
 
 impl Device {
-    /// The PDOs that the description has objects for: first RPDOs, then TPDOs, by number. Those that `CompactPDO`
-    /// implies are not among them; see [`Device::with_implicit_pdos`].
+    /// The PDOs with described objects: first RPDOs, then TPDOs, by number. PDOs that `CompactPDO` implies
+    /// are not included; see [`Device::with_implicit_pdos`].
     pub fn pdos(&self) -> impl Iterator<Item = Pdo<'_>> {
         PdoKind::ALL.into_iter().flat_map(move |kind| {
             self.pdo_numbers(kind).into_iter().map(move |number| Pdo::new(self, kind, number))
         })
     }
 
-    /// The PDO of a number, when the description has an object for it.
+    /// The PDO with this number, if the description has an object for it.
     pub fn pdo(&self, kind: PdoKind, number: u16) -> Option<Pdo<'_>> {
         let described = |index: Option<u16>| index.is_some_and(|index| self.objects.contains_key(&index));
         let exists = described(kind.communication_index(number)) || described(kind.mapping_index(number));
         exists.then(|| Pdo::new(self, kind, number))
     }
 
-    /// How many PDOs of a kind [`pdos`](Self::pdos) has.
+    /// The number of PDOs of a direction in [`pdos`](Self::pdos).
     pub fn pdo_count(&self, kind: PdoKind) -> usize {
         self.pdo_numbers(kind).len()
     }
 
-    /// Numbers of the PDOs that have a communication record or a mapping.
+    /// The numbers of the PDOs with a communication parameter or a mapping parameter.
     pub(super) fn pdo_numbers(&self, kind: PdoKind) -> BTreeSet<u16> {
         let first = kind.first_communication();
         let from = |first: u16| {

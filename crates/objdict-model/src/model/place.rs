@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Device, Entry, Field};
 
-/// Where in a device description something stands, whatever its format: a part and, mostly, a field of it.
+/// A place in a device description, independent of its format: a part and usually a field of it.
 ///
 /// ```
 /// use objdict_model::model::{Field, Place};
@@ -23,15 +23,15 @@ pub struct Place {
 pub enum Part {
     /// The description as a whole.
     Device,
-    /// Facts about the file.
+    /// Information about the file.
     FileInfo,
-    /// Facts about the device.
+    /// Information about the device.
     DeviceInfo,
-    /// Which data types may be dummies in a PDO.
+    /// The data types that can be dummy entries in a PDO.
     DummyUsage,
-    /// Comments to the device.
+    /// Comments on the device.
     Comments,
-    /// What a DCF says of the node (`DeviceComissioning`).
+    /// The node of a DCF (`DeviceComissioning`).
     Commissioning,
     /// A list of objects.
     List(ObjectList),
@@ -39,17 +39,17 @@ pub enum Part {
     Object(u16),
     /// A sub-index of an object.
     Entry(u16, u8),
-    /// The names of a compact object's sub-indexes.
+    /// The names of the sub-indexes of a compact object.
     CompactNames(u16),
-    /// The values of a compact object's sub-indexes.
+    /// The values of the sub-indexes of a compact object.
     CompactValues(u16),
-    /// The denotations of a compact object's sub-indexes.
+    /// The denotations of the sub-indexes of a compact object.
     CompactDenotations(u16),
     /// The links of an object.
     Links(u16),
-    /// The modules that can be plugged in.
+    /// The supported modules.
     SupportedModules,
-    /// The modules that are plugged in.
+    /// The connected modules.
     ConnectedModules,
     /// A part of the module with this number.
     Module(u16, ModulePart),
@@ -61,23 +61,23 @@ pub enum Part {
     Tool(u16),
     /// The headers of the profiles (CiA 311).
     Headers,
-    /// Who made the device (CiA 311).
+    /// The identity of the device (CiA 311).
     Identity,
     /// The identity in the communication network profile (CiA 311).
     NetworkIdentity,
     /// Indicators and module interfaces (CiA 311).
     Manager,
-    /// What the device does, in words (CiA 311).
+    /// The functions of the device, in words (CiA 311).
     Functions,
-    /// The application process, but for the parameters of entries (CiA 311).
+    /// The application process, without the parameters of entries (CiA 311).
     Application,
-    /// How the objects of modules lie in the dictionary (CiA 311).
+    /// The address ranges for the objects of modules (CiA 311).
     ModuleObjects,
-    /// A section that the model does not know.
+    /// A section without a place in the model.
     Section(Box<str>),
 }
 
-/// One of the three lists that name a device's objects (CiA 306-1 §4.6.3.1).
+/// One of the three object lists of a device (CiA 306-1 §4.6.3.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -90,7 +90,7 @@ pub enum ObjectList {
     Manufacturer,
 }
 
-/// A part of a module's description (CiA 306-1 §6.3).
+/// A part of the description of a module (CiA 306-1 §6.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ModulePart {
     /// `MxModuleInfo`.
@@ -160,7 +160,7 @@ impl Place {
         Self::of(Part::Entry(index, sub))
     }
 
-    /// This part's field.
+    /// A field of this part.
     #[must_use]
     pub fn field(self, field: Field) -> Self {
         Self { field: Some(field), ..self }
@@ -168,7 +168,8 @@ impl Place {
 }
 
 impl Device {
-    /// Where the value of a sub-index stands: what a DCF configures, else the default ([`Object::value`](super::Object::value)).
+    /// The place of the value of a sub-index: the configured value of a DCF, else the default
+    /// ([`Object::value`](super::Object::value)).
     pub fn value_place(&self, index: u16, sub: u8) -> Place {
         let Some(object) = self.object(index) else { return Place::object(index) };
         let field = |entry: &Entry| match entry.configured_value() {

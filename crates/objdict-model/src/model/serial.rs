@@ -1,5 +1,5 @@
-//! How the model is spelled in JSON where JSON has no word of its own: indexes and sub-indexes in hex, bytes as hex
-//! digits, REAL numbers bit by bit, maps whose keys must not repeat.
+//! The JSON representation of values that JSON has no type for: indexes and sub-indexes in hex, bytes as hex
+//! digits, REAL numbers with exact bits, maps with unique keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -8,14 +8,14 @@ use std::marker::PhantomData;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Whether a value is nothing special and need not be written.
+/// Whether a value is the default and can be omitted.
 pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-/// A number of a fixed count of hex digits behind `0x`.
+/// A number with a fixed count of hex digits after `0x`.
 pub trait Hex: Copy + Ord {
-    /// What errors call it.
+    /// The name in error messages.
     const WHAT: &'static str;
     fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
     fn from_digits(digits: &str) -> Option<Self>;
@@ -50,7 +50,7 @@ impl Hex for u8 {
 pub(crate) struct HexText<T>(pub(crate) T);
 
 impl<T: Hex> HexText<T> {
-    /// The number of a text such as `0x1018`.
+    /// Parses a text such as `0x1018`.
     pub(crate) fn parse(text: &str) -> Option<T> {
         let digits = text.strip_prefix("0x")?;
         if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) { T::from_digits(digits) } else { None }
@@ -92,11 +92,11 @@ pub mod hex_number {
     }
 }
 
-/// A list of indexes, perhaps missing, or the two ends of a range.
+/// A list of indexes, optional or not, or the two ends of a range.
 pub(crate) mod index_list {
     use super::{Deserialize, Deserializer, HexText, Serializer};
 
-    /// What is a list of indexes.
+    /// Types that are a list of indexes in JSON.
     pub(crate) trait List: Sized {
         fn indexes(&self) -> Option<impl Iterator<Item = u16>>;
         fn from_indexes(indexes: Option<Vec<u16>>) -> Result<Self, &'static str>;
@@ -152,11 +152,11 @@ pub(crate) mod index_list {
     }
 }
 
-/// Objects by index: keys such as `0x1018`, none of them twice.
+/// Objects by index: unique keys such as `0x1018`.
 pub(crate) mod index_keys {
     use super::{BTreeMap, Deserialize, Deserializer, HexText, Serialize, Serializer};
 
-    /// Writes an object with keys of four upper-case hex digits behind `0x`.
+    /// Writes an object with keys of four upper-case hex digits after `0x`.
     pub(crate) fn serialize<T: Serialize, S: Serializer>(
         map: &BTreeMap<u16, T>,
         serializer: S,
@@ -173,14 +173,14 @@ pub(crate) mod index_keys {
     }
 }
 
-/// Maps without repeated keys: the second value would silently win.
+/// Maps with unique keys: otherwise the second value would silently win.
 pub(crate) mod unique_keys {
     use super::{
         BTreeMap, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer, Visitor,
         fmt,
     };
 
-    /// Writes a map as it is.
+    /// Writes a map unchanged.
     pub(crate) fn serialize<K: Serialize, T: Serialize, S: Serializer>(
         map: &BTreeMap<K, T>,
         serializer: S,
@@ -220,14 +220,14 @@ pub(crate) mod unique_keys {
     }
 }
 
-/// Items of single sub-indexes in the order of the file: keys such as `0x0A`, none of them twice.
+/// Items of single sub-indexes in the order of the file: unique keys such as `0x0A`.
 pub(crate) mod sub_list {
     use super::{
         BTreeSet, Deserialize, Deserializer, Error, HexText, MapAccess, PhantomData, Serialize, Serializer,
         Visitor, fmt,
     };
 
-    /// Writes an object with keys of two upper-case hex digits behind `0x`.
+    /// Writes an object with keys of two upper-case hex digits after `0x`.
     pub(crate) fn serialize<T: Serialize, S: Serializer>(
         list: &[(u8, T)],
         serializer: S,
@@ -265,7 +265,7 @@ pub(crate) mod sub_list {
     }
 }
 
-/// REAL numbers: the shortest decimal text that reads back to the same bits, and the bits where they are not finite.
+/// REAL numbers: the shortest decimal text with the same bits, or the bits themselves if not finite.
 pub(crate) mod real_text {
     use std::fmt::Debug;
     use std::str::FromStr;
@@ -283,7 +283,7 @@ pub(crate) mod real_text {
         T::from_text(&text).ok_or_else(|| D::Error::custom(format!("`{text}` is not a REAL number")))
     }
 
-    /// A REAL type that goes through text without a change of its bits.
+    /// A REAL type whose conversion to text and back preserves the bits.
     pub(crate) trait Real: Debug + FromStr + Copy {
         fn to_text(self) -> String;
         fn from_text(text: &str) -> Option<Self>;
@@ -299,7 +299,7 @@ pub(crate) mod real_text {
                 fn from_text(text: &str) -> Option<Self> {
                     match text.strip_prefix("0x") {
                         Some(hex) => <$bits>::from_str_radix(hex, 16).ok().map(Self::from_bits),
-                        // what is too large for the type would become infinite
+                        // a number too large for the type would become infinite
                         None => text.parse().ok().filter(|value: &$type| value.is_finite()),
                     }
                 }
@@ -316,7 +316,7 @@ pub mod hex_text {
     use super::super::hex;
     use super::{Deserialize, Deserializer, Error, Serializer};
 
-    /// Writes two upper-case digits a byte.
+    /// Writes two upper-case digits per byte.
     pub fn serialize<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&hex::print(bytes))
     }

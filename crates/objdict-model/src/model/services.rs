@@ -1,9 +1,9 @@
-//! The services of CiA 301 beside PDOs, as the communication objects configure them (§7.5.2).
+//! The services of CiA 301 except PDOs, as configured by the communication objects (§7.5.2).
 
 use super::{CobId, Device, predefined};
 
-/// What the dictionary says of the services of a device after it was configured ([`Entry::value`](super::Entry::value)). A
-/// field is `None` where the description has no such entry, no value of it, or one that does not fit.
+/// The services of a device after configuration ([`Entry::value`](super::Entry::value)). A field is `None`
+/// if the description has no such entry, no value, or a value that is not valid.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Services {
     /// COB-ID of SYNC, 1005h. Bit 30: the device produces it.
@@ -22,7 +22,7 @@ pub struct Services {
     pub emcy_inhibit_time: Option<u16>,
     /// Producer heartbeat time in milliseconds, 1017h; 0: the device sends no heartbeat.
     pub heartbeat_time: Option<u16>,
-    /// The nodes whose heartbeat the device waits for, 1016h, by sub-index; entries that are not in use are not among them.
+    /// The nodes whose heartbeat the device monitors, 1016h, by sub-index; without unused entries.
     pub heartbeat_consumers: Vec<HeartbeatConsumer>,
     /// SDO servers, 1200h to 127Fh, by number.
     pub sdo_servers: Vec<SdoChannel>,
@@ -37,12 +37,12 @@ pub struct HeartbeatConsumer {
     pub sub: u8,
     /// The node that sends the heartbeat, 1 to 127.
     pub node_id: u8,
-    /// The longest time between two heartbeats in milliseconds, not 0.
+    /// The maximum time between two heartbeats in milliseconds, not 0.
     pub time: u16,
 }
 
 impl HeartbeatConsumer {
-    /// What the number of a sub-index says; `None` where it is not in use.
+    /// The content of a sub-index; `None` if it is unused.
     pub const fn from_number(sub: u8, number: u32) -> Option<Self> {
         let [low, high, node_id, _] = number.to_le_bytes();
         let time = u16::from_le_bytes([low, high]);
@@ -53,18 +53,18 @@ impl HeartbeatConsumer {
     }
 }
 
-/// An SDO channel (CiA 301 §7.5.2.33, §7.5.2.34). Bit 31 of a COB-ID: the channel does not exist.
+/// An SDO channel (CiA 301 §7.5.2.33, §7.5.2.34). Bit 31 of a COB-ID: the channel is not valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SdoChannel {
     /// Number, 1 to 128.
     pub number: u16,
-    /// Index of its parameter.
+    /// The index of its parameter.
     pub index: u16,
-    /// COB-ID from client to server, sub-index 1. Of the first server it is 600h plus the node-ID where nothing is said.
+    /// COB-ID from client to server, sub-index 1. The default of the first server is 600h plus the node-ID.
     pub request: Option<CobId>,
-    /// COB-ID from server to client, sub-index 2. Of the first server it is 580h plus the node-ID where nothing is said.
+    /// COB-ID from server to client, sub-index 2. The default of the first server is 580h plus the node-ID.
     pub response: Option<CobId>,
-    /// Node-ID of the other side, sub-index 3.
+    /// The node-ID of the other side, sub-index 3.
     pub node_id: Option<u8>,
 }
 
@@ -103,7 +103,7 @@ impl Device {
         consumers.collect()
     }
 
-    /// The channels whose parameters lie from an index on, 128 at most.
+    /// The channels whose parameters start at an index, at most 128.
     fn sdo_channels(&self, first: u16) -> Vec<SdoChannel> {
         let channel = |&index: &u16| {
             let implied = |base| (index == 0x1200).then_some(predefined::per_node(base));

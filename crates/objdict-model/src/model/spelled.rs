@@ -1,4 +1,4 @@
-//! The parts of the model that JSON has as one text, or as a map or list of their own.
+//! The parts of the model that are a single text, or a special map or list, in JSON.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::serial::{HexText, unique_keys};
 use super::{ClockTime, DataType, Date, Entry, Extra, Field, InvalidValue, InvalidValues, Subs};
 
-/// Keys such as `0x0A`: a text, for JSON has no other keys.
+/// Keys such as `0x0A`, as texts because JSON has no other keys.
 impl Serialize for Subs {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.iter().map(|(sub, entry)| (HexText(sub), entry)))
@@ -32,7 +32,7 @@ impl<'de> Deserialize<'de> for Field {
     }
 }
 
-/// The name, or, where it has none, the index as `0x0060`.
+/// The name or, without one, the index as `0x0060`.
 impl Serialize for DataType {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.name() {
@@ -74,7 +74,7 @@ impl<'de> Deserialize<'de> for InvalidValues {
     }
 }
 
-/// In JSON as in ISO 8601: `2024-03-04`.
+/// The format of ISO 8601: `2024-03-04`.
 impl Serialize for Date {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.to_iso())
@@ -89,7 +89,7 @@ impl<'de> Deserialize<'de> for Date {
     }
 }
 
-/// In JSON as in ISO 8601: `14:40`.
+/// The format of ISO 8601: `14:40`.
 impl Serialize for ClockTime {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.to_iso(false))
@@ -104,7 +104,7 @@ impl<'de> Deserialize<'de> for ClockTime {
     }
 }
 
-/// How many entries an object has that are stored compactly.
+/// The number of entries of a compactly stored object.
 pub(super) mod compact_count {
     use super::{Deserialize, Deserializer, Error};
 

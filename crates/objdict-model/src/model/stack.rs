@@ -1,9 +1,9 @@
-//! What description files say to the generators of CANopenNode.
+//! Settings for the generators of CANopenNode in description files.
 
 use super::part::{part, words};
 
 part! {
-    /// How a device stack shall store and treat an object or entry: `CO_` properties of an XDD, or comments such as
+    /// How a stack must store and treat an object or entry: `CO_` properties of an XDD, or comments such as
     /// `;StorageLocation=RAM` of an EDS, as CANopenEditor writes them.
     pub struct StackOptions {
         /// `CO_storageGroup`, `StorageLocation`: the group of variables that are stored together, such as `RAM` or
@@ -11,11 +11,11 @@ part! {
         pub storage_group: Option<Box<str>>,
         /// `CO_countLabel`: the macro that counts objects of this kind, such as `TPDO`.
         pub count_label: Option<Box<str>>,
-        /// `CO_disabled`: the object is described and not generated.
+        /// `CO_disabled`: whether the object is described but not generated.
         pub disabled: Option<bool>,
         /// `CO_accessSRDO`: which SRDOs may carry the entry.
         pub srdo_access: Option<SrdoAccess>,
-        /// `CO_stringLengthMin`: the room of a string in characters, where the default is shorter.
+        /// `CO_stringLengthMin`: the minimum capacity of a string in characters, if the default is shorter.
         pub min_string_length: Option<u32>,
         /// `CO_flagsPDO`: whether a change of the value triggers its TPDO.
         pub detects_change: Option<bool>,
@@ -29,9 +29,9 @@ words! {
     pub enum SrdoAccess {
         /// None.
         No = "no",
-        /// Those that the device sends.
+        /// SRDOs that the device sends.
         Tx = "tx",
-        /// Those that it receives.
+        /// SRDOs that the device receives.
         Rx = "rx",
         /// Both.
         Trx = "trx",
@@ -39,7 +39,8 @@ words! {
 }
 
 impl StackOptions {
-    /// Takes a setting by the name of its property. `false` when it is none, or the value is none of it, or it is set already.
+    /// Takes a setting by the name of its property. `false` for an unknown name, an invalid value, or a
+    /// setting that is already set.
     pub fn set(&mut self, name: &str, value: &str) -> bool {
         fn once<T>(field: &mut Option<T>, value: Option<T>) -> bool {
             let takes = field.is_none() && value.is_some();
@@ -65,7 +66,7 @@ impl StackOptions {
         }
     }
 
-    /// The settings by the names of their properties.
+    /// The settings, by the names of their properties.
     pub fn settings(&self) -> impl Iterator<Item = (&'static str, String)> {
         let text = |text: &Option<Box<str>>| text.as_deref().map(str::to_owned);
         let flag = |flag: Option<bool>| flag.map(|flag| flag.to_string());

@@ -1,10 +1,11 @@
-//! What a description says and the model has no field for, so that nothing is lost.
+//! Content of a description without a field in the model, kept so that nothing is lost.
 
 use super::Field;
 
-/// Keys and values that the model does not know, in the order of the file.
+/// Unknown keys and values, in the order of the file.
 ///
-/// One text holds them all (a line each), so that a file full of unknown keys takes no more memory than its text.
+/// One text holds them all (one line each), so that a file full of unknown keys needs no more memory than
+/// its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[allow(
     clippy::box_collection,
@@ -13,17 +14,17 @@ use super::Field;
 pub struct Extra(Option<Box<String>>);
 
 impl Extra {
-    /// Whether there are none.
+    /// Whether there are no keys.
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    /// Adds a key with its value. No line of an INI file gives a key with `=` or a line feed, or a value with a line
-    /// feed; from elsewhere they become blanks.
+    /// Adds a key with its value. `=` and line feeds in a key and line feeds in a value become blanks; they
+    /// cannot come from a line of an INI file.
     pub fn push(&mut self, key: &str, value: &str) {
         let text = self.0.get_or_insert_default();
         let length = key.len() + value.len() + 2;
-        // most parts have one such key, if any; only more of them need room to grow
+        // most parts have at most one such key; only further ones need room to grow
         if text.is_empty() {
             text.reserve_exact(length);
         } else {
@@ -40,7 +41,7 @@ impl Extra {
         entries(self.text())
     }
 
-    /// The value of a key, whatever the case of its letters.
+    /// The value of a key, ignoring case.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, value)| value)
     }
@@ -62,18 +63,18 @@ impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
     }
 }
 
-/// A section that the model does not know. Name and keys are one text, for a file may have a million such sections.
+/// An unknown section. Name and keys are one text, because a file may have a million such sections.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "super::flat::SectionForm", into = "super::flat::SectionForm"))]
 pub struct ExtraSection {
     text: Box<str>,
-    /// The length of the name, with which the text starts.
+    /// The length of the name at the start of the text.
     name: usize,
 }
 
 impl ExtraSection {
-    /// A section of a name without brackets.
+    /// A section with a name without brackets.
     pub fn new(name: &str, entries: &Extra) -> Self {
         Self { text: [name, entries.text()].concat().into(), name: name.len() }
     }
@@ -83,62 +84,62 @@ impl ExtraSection {
         &self.text[..self.name]
     }
 
-    /// Its keys with their values.
+    /// The keys with their values.
     pub fn entries(&self) -> impl Iterator<Item = (&str, &str)> {
         entries(&self.text[self.name..])
     }
 }
 
-/// Why a text is no value of its field.
+/// Why a text is not valid in its field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Reason {
     /// Not a number in any spelling.
     NotANumber,
-    /// A number with a leading zero, so octal, with a digit 8 or 9.
+    /// A number with a leading zero, thus octal, with a digit 8 or 9.
     NotOctal,
     /// A number outside the range of its type or field.
     OutOfRange {
-        /// The smallest number that fits.
+        /// The minimum.
         low: i64,
-        /// The largest number that fits.
+        /// The maximum.
         high: u64,
     },
-    /// Not a REAL number, or one that is too large for the type.
+    /// Not a REAL number, or one out of the range of the type.
     NotReal,
     /// Not pairs of hex digits.
     NotHexBytes,
     /// Not a TIME_OF_DAY or TIME_DIFFERENCE.
     NotATime,
-    /// `$NODEID` with something else than `+` and a number.
+    /// `$NODEID` followed by something other than `+` and a number.
     NotAFormula,
-    /// A formula where the type is no integer.
+    /// A formula for a type that is not an integer.
     FormulaForType,
-    /// None of the words that the field knows.
+    /// Not one of the words of the field.
     UnknownWord,
     /// Not a date `mm-dd-yyyy`.
     NotADate,
     /// Not a time `hh:mmAM`.
     NotAClockTime,
-    /// Not of the form that the field asks for.
+    /// Not in the form that the field requires.
     Malformed,
 }
 
-/// A text that stands in a known field and is no value of it.
+/// A text in a known field that is not valid there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InvalidValue {
     /// The field.
     pub field: Field,
-    /// The text as it was written.
+    /// The text as written.
     pub text: Box<str>,
-    /// What is wrong with it.
+    /// Why the text is not valid.
     pub reason: Reason,
 }
 
-/// The invalid_values of one part of the model. The typed fields hold no value for them.
+/// The invalid values of one part of the model. The typed fields have no value for them.
 #[derive(Clone, Debug, Default, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[allow(
@@ -148,7 +149,7 @@ pub struct InvalidValue {
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct InvalidValues(Option<Box<Vec<InvalidValue>>>);
 
-/// In whatever order they stand.
+/// Accepts any order.
 impl FromIterator<InvalidValue> for InvalidValues {
     fn from_iter<I: IntoIterator<Item = InvalidValue>>(invalid_values: I) -> Self {
         let invalid_values: Vec<InvalidValue> = invalid_values.into_iter().collect();
@@ -164,22 +165,22 @@ impl PartialEq for InvalidValues {
 }
 
 impl InvalidValues {
-    /// Whether there are none.
+    /// Whether there are no invalid values.
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    /// Adds one.
+    /// Adds an invalid value.
     pub fn push(&mut self, field: Field, text: &str, reason: Reason) {
         let invalid_values = self.0.get_or_insert_default();
-        // most parts have one, if any; a vector would make room for four
+        // most parts have at most one; a vector would reserve room for four
         if invalid_values.is_empty() {
             invalid_values.reserve_exact(1);
         }
         invalid_values.push(InvalidValue { field, text: text.into(), reason });
     }
 
-    /// Keeps those that `keep` says so of.
+    /// Keeps the invalid values for which `keep` returns `true`.
     pub fn retain(&mut self, keep: impl FnMut(&InvalidValue) -> bool) {
         if let Some(invalid_values) = &mut self.0 {
             invalid_values.retain(keep);
@@ -187,7 +188,7 @@ impl InvalidValues {
         self.0.take_if(|invalid_values| invalid_values.is_empty());
     }
 
-    /// All of them, in the order of the file.
+    /// All invalid values, in the order of the file.
     pub fn iter(&self) -> std::slice::Iter<'_, InvalidValue> {
         self.0.as_ref().map_or(&[][..], |invalid_values| invalid_values.as_slice()).iter()
     }

@@ -4,10 +4,10 @@ use std::fmt;
 
 use super::{DataType, TypeKind};
 
-/// A value of an entry: a default, a limit, or what a DCF configures.
+/// A value of an entry: a default, a limit, or the configured value of a DCF.
 ///
-/// The variant follows from the entry's data type. A text that is no value of its type is not here but among the
-/// [`InvalidValues`](super::InvalidValues) of the entry.
+/// The variant follows from the data type of the entry. A text that is not valid for the type is in the
+/// [`InvalidValues`](super::InvalidValues) of the entry instead.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -31,7 +31,7 @@ pub enum Value {
     /// The node-ID plus this number (CiA 306-1 §4.3: `$NODEID+n`), for integer types.
     #[cfg_attr(feature = "serde", serde(rename = "node_id_plus"))]
     NodeId(u64),
-    /// A text whose data type is not a static one, kept as it was written.
+    /// A text with a non-static data type, as written.
     Raw(Box<str>),
 }
 
@@ -40,7 +40,7 @@ pub enum Value {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Time {
-    /// Whole days; of TIME_OF_DAY since 1984-01-01.
+    /// Whole days; for TIME_OF_DAY since 1984-01-01.
     pub days: u16,
     /// Milliseconds after midnight, 28 bits.
     pub milliseconds: u32,
@@ -54,14 +54,14 @@ impl Time {
         [a, b, c, d, e, f]
     }
 
-    /// The time of six bytes on the wire; the four void bits are dropped.
+    /// The time from six bytes on the wire; the four void bits are dropped.
     pub fn from_bytes([a, b, c, d, e, f]: [u8; 6]) -> Self {
         Self { days: u16::from_le_bytes([e, f]), milliseconds: u32::from_le_bytes([a, b, c, d & 0x0F]) }
     }
 }
 
 impl Value {
-    /// The whole number that this is; `None` for formulas, REAL and everything that is no number.
+    /// The value as an integer; `None` for formulas, REAL and values that are not numbers.
     pub fn as_integer(&self) -> Option<i128> {
         match *self {
             Self::Boolean(value) => Some(i128::from(value)),
@@ -71,7 +71,7 @@ impl Value {
         }
     }
 
-    /// The number that this is, REAL included.
+    /// The value as a number, including REAL.
     pub fn as_real(&self) -> Option<f64> {
         match *self {
             Self::Real32(value) => Some(f64::from(value)),
@@ -80,7 +80,7 @@ impl Value {
         }
     }
 
-    /// The whole number that this is on the node `node_id`: formulas are evaluated.
+    /// The value as an integer on the node `node_id`, with formulas evaluated.
     pub fn integer_for(&self, node_id: u8) -> Option<i128> {
         match *self {
             Self::NodeId(offset) => Some(i128::from(offset) + i128::from(node_id)),
@@ -88,8 +88,8 @@ impl Value {
         }
     }
 
-    /// This value on the node `node_id`: a formula becomes a number, anything else stays. `None` when the number does
-    /// not fit `data_type`.
+    /// The value on the node `node_id`: a formula becomes a number, any other value is unchanged. `None` if
+    /// the number does not fit `data_type`.
     pub fn resolve(&self, data_type: DataType, node_id: u8) -> Option<Value> {
         match self {
             Self::NodeId(_) => Self::from_integer(self.integer_for(node_id)?, data_type),
@@ -97,7 +97,7 @@ impl Value {
         }
     }
 
-    /// The value of an integer type or BOOLEAN with this number; `None` when it does not fit.
+    /// The value of an integer type or BOOLEAN with this number; `None` if it is out of range.
     pub fn from_integer(number: i128, data_type: DataType) -> Option<Value> {
         let (low, high) = data_type.integer_range()?;
         if number < low || number > high {
@@ -111,7 +111,7 @@ impl Value {
         }
     }
 
-    /// Whether this is a value of `data_type`. Of a type that is no static one, or that is not known, every value may be.
+    /// Whether this is a value of `data_type`. Any value is accepted for a non-static or unknown type.
     pub fn is_of(&self, data_type: Option<DataType>) -> bool {
         let Some(data_type) = data_type else { return true };
         match (self, data_type.kind()) {
@@ -130,7 +130,8 @@ impl Value {
 
     /// The value as an SDO transfers it: little-endian, text without terminator, UNICODE_STRING as UTF-16.
     ///
-    /// `None` for a formula (see [`Value::resolve`]), for [`Value::Raw`], and when the value is not one of `data_type`.
+    /// `None` for a formula (see [`Value::resolve`]), for [`Value::Raw`], and if the value is not one of
+    /// `data_type`.
     pub fn to_bytes(&self, data_type: DataType) -> Option<Vec<u8>> {
         match (self, data_type.kind()) {
             (Self::Boolean(value), TypeKind::Boolean) => Some(vec![u8::from(*value)]),
@@ -154,7 +155,7 @@ impl Value {
         }
     }
 
-    /// The value of `data_type` that these bytes of an SDO transfer stand for; `None` when they are not of its length.
+    /// The value of `data_type` in the bytes of an SDO transfer; `None` if they do not have its length.
     pub fn from_bytes(bytes: &[u8], data_type: DataType) -> Option<Value> {
         if data_type.byte_length().is_some_and(|length| usize::from(length) != bytes.len()) {
             return None;
@@ -191,7 +192,8 @@ impl Value {
     }
 }
 
-/// Bit by bit for REAL: a NaN equals itself, and 0.0 is not -0.0. So a value that was written and read back is equal.
+/// Compares REAL bit by bit: a NaN equals itself, and 0.0 does not equal -0.0. So a value that is written
+/// and read back is equal.
 impl PartialEq for Value {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -211,7 +213,7 @@ impl PartialEq for Value {
 
 impl Eq for Value {}
 
-/// For people and messages: numbers in decimal, bytes in hex, `$NODEID+0x180`.
+/// For users and messages: numbers in decimal, bytes in hex, `$NODEID+0x180`.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

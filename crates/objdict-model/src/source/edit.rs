@@ -1,15 +1,15 @@
-//! Edits of a source by spans: everything else is unchanged, byte for byte.
+//! Edits of a source by spans: the rest of the text stays unchanged, byte for byte.
 
 use super::{SourceFile, Span, Unencodable};
 
-/// Changes of one source, in any order. Editors of formats know where to make them.
+/// Changes of one source, in any order. The editors of the formats determine their places.
 #[derive(Clone, Debug)]
 pub struct Edits<'a> {
     source: &'a SourceFile,
     changes: Vec<SpanEdit>,
 }
 
-/// A span and its replacement; changes at one offset keep the order in which they were made.
+/// A span and its replacement; changes at the same offset keep their order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct SpanEdit {
     span: Span,
@@ -23,7 +23,7 @@ pub enum EditError {
     /// Two edits touch the same bytes.
     #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
     Overlap(Span),
-    /// The bytes of the file are not those of its text, so an edited text cannot be written.
+    /// The bytes of the file cannot be restored from its text, so an edited text cannot be written.
     #[error("`{0}` is not valid in its encoding and cannot be edited; save the file as UTF-8 first")]
     ReadOnly(String),
     /// A new key, value or section name contains a line end.
@@ -41,7 +41,7 @@ pub enum EditError {
 }
 
 impl<'a> Edits<'a> {
-    /// No changes yet.
+    /// No changes.
     pub fn new(source: &'a SourceFile) -> Self {
         Self { source, changes: Vec::new() }
     }

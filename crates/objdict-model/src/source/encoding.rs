@@ -1,7 +1,8 @@
-//! Text encodings of description files: detected, remembered, restored.
+//! Text encodings of description files: detected on reading and used again for writing.
 //!
-//! CiA 306-1 §4.2 demands ISO 646 (seven bits). Real files also come in UTF-8, with and without byte order mark, in
-//! Windows-1252, in UTF-16 and in the code page 850 of DOS; the last one cannot be distinguished from Windows-1252 by its bytes.
+//! CiA 306-1 §4.2 requires ISO 646 (seven bits). Real files also use UTF-8, with and without byte order
+//! mark, Windows-1252, UTF-16 and the code page 850 of DOS; the bytes of the last one cannot be
+//! distinguished from Windows-1252.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,18 +10,18 @@ use std::str::FromStr;
 /// The character encoding of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
-    /// UTF-8 without byte order mark; every ISO 646 file is one.
+    /// UTF-8 without byte order mark; includes every ISO 646 file.
     #[default]
     Utf8,
-    /// UTF-8 behind the byte order mark EF BB BF.
+    /// UTF-8 after the byte order mark EF BB BF.
     Utf8Bom,
     /// Windows-1252, the usual superset of Latin-1. All 256 bytes are characters.
     Windows1252,
     /// Code page 850 (DOS, Western Europe); only on request.
     Cp850,
-    /// UTF-16, low byte first, behind the byte order mark FF FE.
+    /// UTF-16, low byte first, after the byte order mark FF FE.
     Utf16Le,
-    /// UTF-16, high byte first, behind the byte order mark FE FF.
+    /// UTF-16, high byte first, after the byte order mark FE FF.
     Utf16Be,
 }
 
@@ -64,10 +65,10 @@ impl Encoding {
         }
     }
 
-    /// The bytes of `text` in this encoding, with the byte order mark where it has one.
+    /// The bytes of `text` in this encoding, including its byte order mark.
     ///
     /// # Errors
-    /// The first character that the encoding does not have.
+    /// The first character that the encoding lacks.
     pub fn encode(self, text: &str) -> Result<Vec<u8>, Unencodable> {
         match self {
             Self::Utf8 => Ok(text.as_bytes().to_vec()),
@@ -127,17 +128,17 @@ pub struct UnknownEncoding {
     name: String,
 }
 
-/// A character that an [`Encoding`] does not have.
+/// A character that an [`Encoding`] lacks.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the encoding {encoding} has no character `{character}`")]
 pub struct Unencodable {
     /// The character.
     pub character: char,
-    /// The encoding asked for.
+    /// The requested encoding.
     pub encoding: Encoding,
 }
 
-/// Most of a text is ISO 646, which is taken in runs.
+/// Most of a text is ISO 646, which is copied in runs.
 fn decode_bytes(bytes: &[u8], char_of: fn(u8) -> char) -> String {
     let mut text = String::with_capacity(bytes.len());
     for run in bytes.chunk_by(|one, next| one.is_ascii() == next.is_ascii()) {
@@ -152,7 +153,7 @@ fn decode_bytes(bytes: &[u8], char_of: fn(u8) -> char) -> String {
 fn decode_utf16(bytes: &[u8], bom: &[u8], from_bytes: fn([u8; 2]) -> u16) -> String {
     let (units, rest) = bytes.strip_prefix(bom).unwrap_or(bytes).as_chunks();
     let mut units: Vec<u16> = units.iter().map(|&unit| from_bytes(unit)).collect();
-    // half a unit at the end is one character that is none, together with the half of a pair before it
+    // an odd byte at the end becomes one U+FFFD, together with an unpaired surrogate before it
     if !rest.is_empty() && !matches!(units.last(), Some(0xD800..=0xDBFF)) {
         units.push(0xDC00);
     }
@@ -165,7 +166,7 @@ fn encode_utf16(text: &str, bom: &[u8], to_bytes: fn(u16) -> [u8; 2]) -> Vec<u8>
     bytes
 }
 
-/// Where Windows-1252 differs from Latin-1: the bytes from 80h; those that it leaves open are control characters.
+/// The bytes from 80h on, where Windows-1252 differs from Latin-1; undefined ones are control characters.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8D}', 'Ž', '\u{8F}', '\u{90}',
     '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9D}', 'ž', 'Ÿ',

@@ -1,4 +1,4 @@
-//! The files referenced by a description: only from its folder.
+//! Reads the files that a description references, only from its folder.
 
 use std::fs;
 use std::io;
@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::HARD_LIMIT;
 
-/// A folder whose files a description may reference, and other allowed folders.
+/// A folder whose files a description may reference, and further allowed folders.
 #[derive(Clone, Debug)]
 pub struct Folder {
     folder: PathBuf,
@@ -22,13 +22,13 @@ pub enum FolderError {
     Io {
         /// The file.
         path: String,
-        /// The error of the system.
+        /// The error of the operating system.
         error: io::Error,
     },
-    /// The name leads out of the folder.
+    /// The name points outside the folder.
     #[error("`{name}` is not in the folder of the description")]
     Outside {
-        /// The name, as the description has it.
+        /// The name, as in the description.
         name: String,
     },
     /// The file is larger than the hard limit.
@@ -42,7 +42,7 @@ pub enum FolderError {
 }
 
 impl FolderError {
-    /// What to do about it; options are those of the command line.
+    /// How to fix the error; options are those of the command line.
     pub fn help(&self) -> Option<&'static str> {
         match self {
             Self::Outside { .. } => {
@@ -64,18 +64,18 @@ impl Folder {
         Self::new(file.parent().unwrap_or(Path::new("")))
     }
 
-    /// Files below `folder` may be named too.
+    /// Also allows files below `folder`.
     #[must_use]
     pub fn allow(mut self, folder: impl Into<PathBuf>) -> Self {
         self.allowed.push(or_current(folder.into()));
         self
     }
 
-    /// The bytes of the file of a name, seen from the folder; where links lead counts, not what they are called. A name in
-    /// the spelling of Windows is understood.
+    /// The bytes of a file by its name relative to the folder. Links are resolved before the check. Names
+    /// with the separators of Windows are accepted.
     ///
     /// # Errors
-    /// When the file cannot be read, is outside of what is allowed, or larger than 1 GiB.
+    /// When the file cannot be read, is outside the allowed folders, or is larger than 1 GiB.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
         let path = self.path_of(name);
         let failed = |error| FolderError::Io { path: path.display().to_string(), error };
@@ -105,7 +105,7 @@ impl Folder {
         if plain.exists() || !name.contains('\\') { plain } else { self.folder.join(name.replace('\\', "/")) }
     }
 
-    /// Whether the name alone stays in the folder, or an allowed folder is there that it may lead to.
+    /// Whether the name alone stays in the folder, or can lead to an allowed folder.
     fn may_lead_to(&self, path: &Path) -> bool {
         let own = path.strip_prefix(&self.folder).ok();
         let stays = own.is_some_and(|own| {

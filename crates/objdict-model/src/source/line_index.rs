@@ -1,4 +1,4 @@
-//! Offsets to lines and columns.
+//! From offsets to lines and columns.
 
 use super::Span;
 
@@ -14,12 +14,13 @@ pub struct LineColumn {
 /// The lines of a text. LF, CR LF and a lone CR end a line.
 #[derive(Clone, Debug)]
 pub struct LineIndex {
-    /// How many lines end before each block of the text, and in all of it. To count in a block takes no longer than to search
-    /// a table of all lines, which would take time and memory to make.
+    /// The number of lines that end before each block of the text, and in the whole text. Counting within a
+    /// block is as fast as searching a table of all lines, which would need time and memory to build.
     ended: Vec<u32>,
 }
 
-/// Bytes of a block, so few that it has hardly more than two or three lines; fewer than a byte can count.
+/// The size of a block in bytes: small enough for two or three lines at most, and for a count that fits into
+/// a byte.
 const BLOCK: usize = 64;
 
 impl LineIndex {
@@ -36,7 +37,8 @@ impl LineIndex {
         Self { ended }
     }
 
-    /// The line, counted from 0, that holds the byte at `offset`; an offset beyond the text counts as its end.
+    /// The line, counted from 0, that contains the byte at `offset`; an offset beyond the text counts as its
+    /// end.
     pub fn line_of(&self, text: &str, offset: u32) -> usize {
         let offset = (offset as usize).min(text.len());
         let block = offset / BLOCK;
@@ -53,20 +55,22 @@ impl LineIndex {
         LineColumn { line: line as u32 + 1, column: column as u32 + 1 }
     }
 
-    /// The span of a line, counted from 0, with its line end; empty at the end for a line that is not there.
+    /// The span of a line, counted from 0, with its line end; empty at the end of the text for a missing
+    /// line.
     pub fn line_span(&self, text: &str, line: usize) -> Span {
         Span::new(self.line_start(text, line) as u32, self.line_start(text, line + 1) as u32)
     }
 
-    /// Number of lines; a text that ends with a line end has an empty last line.
+    /// The number of lines; a text that ends with a line end has an empty last line.
     pub fn line_count(&self) -> usize {
         self.ended.last().map_or(0, |ended| *ended as usize) + 1
     }
 
-    /// Where a line starts; the end of the text for one that is not there. Looks at one block, however long the line is.
+    /// The start of a line; the end of the text for a missing line. Scans one block, regardless of the
+    /// length of the line.
     fn line_start(&self, text: &str, line: usize) -> usize {
         let bytes = text.as_bytes();
-        // the block in which the line before ends
+        // the block in which the previous line ends
         let block = self.ended.partition_point(|ended| (*ended as usize) < line).saturating_sub(1);
         let before = self.ended.get(block).map_or(0, |ended| *ended as usize);
         let mut start = if line == 0 { 0 } else { (block * BLOCK).min(bytes.len()) };
@@ -77,7 +81,7 @@ impl LineIndex {
     }
 }
 
-/// How many lines end in `start..end`: at each LF, and at each CR that no LF follows.
+/// The number of lines that end in `start..end`: at each LF, and at each CR without a following LF.
 fn line_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     let here = bytes.get(start..end).unwrap_or_default();
     let behind = bytes.get(start + 1..).unwrap_or_default();
@@ -90,7 +94,7 @@ fn line_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     u32::from(lf) + u32::from(cr) - followed
 }
 
-/// Where the next line starts behind `at`.
+/// The start of the next line after `at`.
 fn next_line(bytes: &[u8], at: usize) -> usize {
     let rest = bytes.get(at..).unwrap_or_default();
     match memchr::memchr2(b'\n', b'\r', rest) {

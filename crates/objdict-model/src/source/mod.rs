@@ -1,4 +1,4 @@
-//! Bytes in, text and positions out: the first stage of the pipeline.
+//! From bytes to text and positions: the first stage of the pipeline.
 
 mod edit;
 mod encoding;
@@ -28,12 +28,12 @@ pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;
 /// The hard size limit: decoding may triple the size, and a [`Span`] has four-byte offsets.
 const HARD_LIMIT: u64 = 1 << 30;
 
-/// How a file is opened.
+/// The options for opening a file.
 #[derive(Clone, Debug)]
 pub struct SourceOptions {
     /// The encoding of the file; `None` detects it.
     pub encoding: Option<Encoding>,
-    /// The largest size in bytes that is read. More than 1 GiB is never read.
+    /// The maximum size in bytes. More than 1 GiB is never read.
     pub max_size: u64,
 }
 
@@ -52,10 +52,10 @@ pub enum SourceError {
     Io {
         /// The file.
         path: String,
-        /// The error of the system.
+        /// The error of the operating system.
         error: io::Error,
     },
-    /// It is a directory.
+    /// The path is a directory.
     #[error("`{path}` is a directory")]
     Directory {
         /// The directory.
@@ -73,10 +73,10 @@ pub enum SourceError {
     },
 }
 
-/// The bytes of the file at `path`, not more than `limit` and never more than 1 GiB.
+/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB.
 ///
 /// # Errors
-/// When the system cannot read it, or it is larger.
+/// When the system cannot read the file, or it is larger.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     let name = path.display().to_string();
     let unreadable = |error| match path.is_dir() {
@@ -97,10 +97,10 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     })
 }
 
-/// The rest of a stream behind the `bytes` that are there, not more than `limit`; `name` is what errors call it.
+/// Reads the rest of a stream after `bytes`, at most `limit`; `name` is its name in errors.
 ///
 /// # Errors
-/// As [`read`].
+/// Like [`read`].
 pub fn read_stream(
     stream: impl Read,
     name: &str,
@@ -114,13 +114,13 @@ pub fn read_stream(
     if size > limit { Err(SourceError::TooLarge { path: name.to_owned(), size, limit }) } else { Ok(bytes) }
 }
 
-/// A file's text with its name, its encoding and its line table.
+/// The text of a file with its name, its encoding and its line table.
 #[derive(Debug)]
 pub struct SourceFile {
     name: String,
     text: String,
     encoding: Encoding,
-    /// The bytes of a file that `encoding` would not restore from `text`.
+    /// The bytes of a file that cannot be restored from `text` and `encoding`.
     original: Option<Vec<u8>>,
     lines: OnceLock<LineIndex>,
 }
@@ -129,12 +129,12 @@ impl SourceFile {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// When the system cannot read it or it is larger than `options.max_size`.
+    /// When the system cannot read the file, or it is larger than `options.max_size`.
     pub fn open(path: &Path, options: &SourceOptions) -> Result<Self, SourceError> {
         Self::from_bytes(path.display().to_string(), read(path, options.max_size)?, options)
     }
 
-    /// A source of the given bytes; `name` is what reports call it.
+    /// A source of the given bytes; `name` is its name in reports.
     ///
     /// # Errors
     /// When there are more bytes than `options.max_size`.
@@ -191,17 +191,18 @@ impl SourceFile {
         &self.text
     }
 
-    /// The encoding, found or asked for.
+    /// The encoding, detected or requested.
     pub fn encoding(&self) -> Encoding {
         self.encoding
     }
 
-    /// Whether the text cannot be written back: decoding lost something, so only the bytes as they came are safe.
+    /// Whether the text cannot be written back because decoding lost something, so that only the original
+    /// bytes are safe.
     pub fn is_read_only(&self) -> bool {
         self.original.is_some()
     }
 
-    /// The bytes of the file, exactly as they came.
+    /// The original bytes of the file.
     pub fn to_bytes(&self) -> Vec<u8> {
         match &self.original {
             Some(bytes) => bytes.clone(),
@@ -209,7 +210,7 @@ impl SourceFile {
         }
     }
 
-    /// The bytes of an edited `text` in this file's encoding.
+    /// The bytes of an edited `text` in the encoding of the file.
     ///
     /// # Errors
     /// When the text has a character that the encoding lacks.
@@ -217,12 +218,12 @@ impl SourceFile {
         self.encoding.encode(text)
     }
 
-    /// The line table, made when it is first asked for.
+    /// The line table, created on first use.
     pub fn lines(&self) -> &LineIndex {
         self.lines.get_or_init(|| LineIndex::new(&self.text))
     }
 
-    /// Line and column of a byte offset.
+    /// The line and column of a byte offset.
     pub fn line_column(&self, offset: u32) -> LineColumn {
         self.lines().line_column(&self.text, offset)
     }
@@ -234,7 +235,7 @@ mod tests {
 
     #[test]
     fn bytes_that_decoding_damages_are_kept() {
-        // an odd number of bytes behind a UTF-16 mark
+        // an odd number of bytes after a UTF-16 mark
         let bytes = b"\xFF\xFE[\0A".to_vec();
         let source = SourceFile::from_bytes("x", bytes.clone(), &SourceOptions::default()).unwrap();
         assert!(source.is_read_only());

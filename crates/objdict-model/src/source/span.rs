@@ -2,7 +2,7 @@
 
 /// A half-open byte range `start..end` of the decoded text of a [`SourceFile`](super::SourceFile).
 ///
-/// Four-byte offsets: no source is larger than 4 GiB, and the line records of a large file stay small.
+/// Offsets have four bytes: no source is larger than 4 GiB, and the line records of a large file stay small.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Span {
@@ -18,12 +18,12 @@ impl Span {
         Self { start, end }
     }
 
-    /// The span of no bytes at `offset`.
+    /// The empty span at `offset`.
     pub const fn empty(offset: u32) -> Self {
         Self { start: offset, end: offset }
     }
 
-    /// Number of bytes.
+    /// The number of bytes.
     pub const fn len(self) -> u32 {
         self.end - self.start
     }
@@ -33,7 +33,7 @@ impl Span {
         self.start == self.end
     }
 
-    /// The bytes of `text` in this span; empty where the span is not one of `text`.
+    /// The text of this span in `text`; empty if the span is not within `text`.
     #[inline]
     pub fn of(self, text: &str) -> &str {
         text.get(self.start as usize..self.end as usize).unwrap_or_default()

@@ -1,22 +1,22 @@
-//! Words whose bits are parts.
+//! Words that consist of bit fields.
 
 use super::{Enumeration, Meanings, enumeration::name_in, number};
 use crate::model::{DataType, DataTypeRef, SimpleType, TypeDefinition, TypeShape, VarDeclaration};
 
-/// A word that a struct divides into parts.
+/// A word that a struct divides into bit fields.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BitStruct<'a> {
     /// The struct.
     pub definition: &'a TypeDefinition,
     /// The data type of the word: INTEGERn or UNSIGNEDn.
     pub data_type: DataType,
-    /// The parts, in the order of the description; they may overlap.
+    /// The bit fields, in the order of the description; they may overlap.
     pub fields: Vec<BitField<'a>>,
-    /// What is no part: lower case, offending text in backticks, no full stop.
+    /// Members that are not bit fields: lower case, offending text in backticks, no full stop.
     pub defects: Vec<String>,
 }
 
-/// A part of a word.
+/// A bit field of a word.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BitField<'a> {
     /// The name of the member.
@@ -27,17 +27,17 @@ pub struct BitField<'a> {
     pub bits: u8,
     /// Whether the highest bit is a sign.
     pub is_signed: bool,
-    /// What its values are called, where the description says so.
+    /// The names of its values, if the description defines them.
     pub values: Option<Enumeration<'a>>,
 }
 
 impl BitField<'_> {
-    /// The bits of the word that it has.
+    /// The bits of the field in the word.
     pub const fn mask(&self) -> u64 {
         (u64::MAX >> (64 - self.bits)) << self.first
     }
 
-    /// The shortest type of 8, 16, 32 or 64 bits that holds its values; BOOLEAN for one bit.
+    /// The smallest type of 8, 16, 32 or 64 bits for its values; BOOLEAN for one bit.
     pub fn data_type(&self) -> DataType {
         holding(self.bits, self.is_signed)
     }
@@ -50,7 +50,7 @@ struct Form {
 }
 
 impl<'a> BitStruct<'a> {
-    /// The parts of a word. A member that states no first bit follows the one before.
+    /// The bit fields of a word. A member without a first bit follows the previous one.
     pub(super) fn new(
         meanings: &Meanings<'a>,
         definition: &'a TypeDefinition,
@@ -71,7 +71,7 @@ impl<'a> BitStruct<'a> {
             next = first.zip(form.as_ref().ok()).map(|(first, form)| first + form.bits);
             match (first, form) {
                 (Some(first), Ok(form)) if first + form.bits <= length => {
-                    found.fields.push(meanings.field(member, name, first as u8, &form)); // both below 64
+                    found.fields.push(meanings.field(member, name, first as u8, &form)); // both are less than 64
                 }
                 (Some(first), Ok(Form { bits, .. })) => found.defects.push(format!(
                     "the member `{name}` ends at bit {}, a value of {data_type} at bit {}",
@@ -92,7 +92,7 @@ impl<'a> BitStruct<'a> {
 
 impl<'a> Meanings<'a> {
     fn field(&self, member: &'a VarDeclaration, name: &'a str, first: u8, form: &Form) -> BitField<'a> {
-        let bits = form.bits as u8; // at most 64, for it ends within the word
+        let bits = form.bits as u8; // at most 64, because the field ends within the word
         let definition = member.data_type.as_ref().and_then(|reference| self.definition(reference));
         let data_type = holding(bits, form.is_signed);
         let values = match definition.map(|definition| (definition, &definition.shape)) {
@@ -113,7 +113,7 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// How many bits a member has.
+    /// The number of bits of a member.
     fn form(&self, member: &VarDeclaration) -> Result<Form, String> {
         let simple = match member.data_type.as_ref() {
             Some(DataTypeRef::Simple(simple)) => Some(*simple),
@@ -149,7 +149,7 @@ impl<'a> Meanings<'a> {
         Ok(Form { bits: bits * size, is_signed: of_type })
     }
 
-    /// The simple type behind a reference: that of an enumeration, or what a type is another name of.
+    /// The simple type behind a reference, through enumerations and aliases.
     fn simple(&self, reference: &DataTypeRef) -> Option<SimpleType> {
         let mut reference = reference;
         for _ in 0..super::MAX_DERIVATIONS {
@@ -159,7 +159,7 @@ impl<'a> Meanings<'a> {
                 DataTypeRef::Variables(_) => return None,
             };
             match &self.types.get(&**id)?.shape {
-                // bits, as many as the member says
+                // the member defines the number of bits
                 TypeShape::Enum { base, .. } => return Some(base.unwrap_or(SimpleType::Bitstring)),
                 TypeShape::Derived { base, .. } => reference = base.as_ref()?,
                 TypeShape::Array { .. } | TypeShape::Struct { .. } => return None,
@@ -170,7 +170,7 @@ impl<'a> Meanings<'a> {
 }
 
 impl Enumeration<'_> {
-    /// Without the values that so many bits do not hold.
+    /// Removes the values that do not fit into this number of bits.
     fn within(mut self, bits: u8) -> Self {
         let is_signed = matches!(self.data_type.kind(), crate::model::TypeKind::Signed(_));
         let (low, high) =
@@ -187,7 +187,7 @@ impl Enumeration<'_> {
     }
 }
 
-/// The shortest type of 8, 16, 32 or 64 bits that holds a part; BOOLEAN for one bit.
+/// The smallest type of 8, 16, 32 or 64 bits for a bit field; BOOLEAN for one bit.
 fn holding(bits: u8, is_signed: bool) -> DataType {
     match (bits, is_signed) {
         (..=1, _) => DataType::BOOLEAN,

@@ -1,32 +1,32 @@
-//! Values with names.
+//! Named values.
 
 use super::number;
 use crate::model::{AllowedValues, DataType, EnumValue, Labels, TypeDefinition, TypeKind};
 
-/// The values that have names.
+/// The named values of an entry.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Enumeration<'a> {
-    /// The type that says so; `None` where it is the allowed values of the entry.
+    /// The type that defines them; `None` if they are the allowed values of the entry.
     pub definition: Option<&'a TypeDefinition>,
-    /// The data type that holds the values: BOOLEAN, INTEGERn or UNSIGNEDn.
+    /// The data type of the values: BOOLEAN, INTEGERn or UNSIGNEDn.
     pub data_type: DataType,
-    /// The values, in the order of the description; numbers may be there twice.
+    /// The values, in the order of the description; numbers may be repeated.
     pub values: Vec<NamedValue<'a>>,
-    /// What is no value: lower case, offending text in backticks, no full stop.
+    /// Texts that are not valid values: lower case, offending text in backticks, no full stop.
     pub defects: Vec<String>,
 }
 
 /// A value with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NamedValue<'a> {
-    /// The name, in the language that was asked for where there is one; empty where it has none.
+    /// The name, in the requested language if available; empty without one.
     pub name: &'a str,
-    /// The value, which the data type holds.
+    /// The value, within the range of the data type.
     pub number: i128,
 }
 
 impl<'a> Enumeration<'a> {
-    /// The values of a type. One that states none is one more than the value before.
+    /// The values of a type. A value without a number is one more than the previous one.
     pub(super) fn of_type(
         definition: &'a TypeDefinition,
         values: &'a [EnumValue],
@@ -44,7 +44,7 @@ impl<'a> Enumeration<'a> {
         found
     }
 
-    /// The single values that an entry may have, when one of them has a name.
+    /// The single allowed values of an entry, if one of them has a name.
     pub(super) fn of_allowed(
         allowed: &'a AllowedValues,
         data_type: DataType,
@@ -93,7 +93,7 @@ fn is_hex(stated: Option<&str>) -> bool {
     stated.is_some_and(|text| text.trim_ascii().starts_with("0x") || text.trim_ascii().starts_with("0X"))
 }
 
-/// The name that labels give.
+/// The name from labels.
 pub(super) fn name_in<'a>(labels: &'a Labels, language: &str) -> &'a str {
     labels.name_in(language).unwrap_or_default().trim_ascii()
 }

@@ -1,4 +1,5 @@
-//! What the values of entries mean, as the application process says it (CiA 311 §6.4): names of values, and parts of a word.
+//! The meaning of values of entries according to the application process (CiA 311 §6.4): named values and
+//! bit fields.
 
 mod bit_struct;
 mod enumeration;
@@ -13,15 +14,15 @@ use super::{
     TypeDefinition, TypeShape, VarDeclaration,
 };
 
-/// So many types may be defined by each other; more is a circle.
+/// The maximum depth of derived types; a deeper chain is a cycle.
 const MAX_DERIVATIONS: usize = 16;
 
-/// What the values of an entry mean.
+/// The meaning of the values of an entry.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meaning<'a> {
-    /// Its values have names.
+    /// The values have names.
     Enumeration(Enumeration<'a>),
-    /// Its bits are parts.
+    /// The bits form fields.
     BitStruct(BitStruct<'a>),
 }
 
@@ -33,11 +34,11 @@ pub struct Meanings<'a> {
     types: HashMap<&'a str, &'a TypeDefinition>,
     templates: HashMap<&'a str, &'a Parameter>,
     allowed: HashMap<&'a str, &'a AllowedValues>,
-    /// What entries refer to that is not theirs alone: parameters, members of structs, variables of functions.
+    /// Shared targets of entries: parameters, members of structs, variables of functions.
     shared: HashMap<&'a str, Described<'a>>,
 }
 
-/// What is said of the values of something.
+/// The type and the allowed values of an item.
 #[derive(Clone, Copy, Debug, Default)]
 struct Described<'a> {
     data_type: Option<&'a DataTypeRef>,
@@ -45,12 +46,14 @@ struct Described<'a> {
 }
 
 impl Device {
-    /// What the values of its entries mean, ready to be asked for; names are in English where they are in several languages.
+    /// The meanings of the values of its entries, prepared for lookup; names in several languages are in
+    /// English.
     pub fn meanings(&self) -> Meanings<'_> {
         self.meanings_in("en")
     }
 
-    /// What the values of its entries mean, with names in a language; see [`Labels::name_in`](super::Labels::name_in).
+    /// The meanings of the values of its entries, with names in a language; see
+    /// [`Labels::name_in`](super::Labels::name_in).
     pub fn meanings_in<'a>(&'a self, language: &'a str) -> Meanings<'a> {
         Meanings::new(self, language)
     }
@@ -70,7 +73,7 @@ impl<'a> Meanings<'a> {
         found
     }
 
-    /// Of two equal ids the first counts.
+    /// Adds an application process. Of two equal ids, the first counts.
     fn add(&mut self, process: &'a ApplicationProcess) {
         for definition in &process.data_types {
             self.types.entry(&definition.unique_id).or_insert(definition);
@@ -96,7 +99,7 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// What the values of an entry mean; `None` where nothing in the description says so.
+    /// The meaning of the values of an entry; `None` if the description does not define it.
     pub fn of(&self, index: u16, sub: u8) -> Option<Meaning<'a>> {
         let object = self.device.object(index)?;
         let entry = match object.subs.get(sub) {
@@ -122,7 +125,7 @@ impl<'a> Meanings<'a> {
         })
     }
 
-    /// What the values of a type mean, in an entry of this data type.
+    /// The meaning of the values of a type, in an entry of this data type.
     fn of_type(&self, definition: Option<&'a TypeDefinition>, data_type: DataType) -> Option<Meaning<'a>> {
         let definition = definition?;
         match &definition.shape {
@@ -136,12 +139,12 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// The template that says what a parameter does not say itself.
+    /// The template of a parameter, for what the parameter does not define.
     pub fn template_of(&self, parameter: &Parameter) -> Option<&'a Parameter> {
         self.templates.get(parameter.template.as_deref()?).copied()
     }
 
-    /// The definition behind a reference, which is no other name of a type.
+    /// The definition behind a reference, with aliases resolved.
     fn definition(&self, reference: &DataTypeRef) -> Option<&'a TypeDefinition> {
         let mut id = match reference {
             DataTypeRef::Defined(id) => &**id,
@@ -166,7 +169,7 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// What a parameter says, else its template.
+    /// The properties of a parameter, or else of its template.
     fn of_parameter(&self, parameter: &'a Parameter) -> Described<'a> {
         let template = self.template_of(parameter).unwrap_or(parameter);
         Described {
@@ -175,7 +178,7 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// The allowed values, those of the template where there is nothing else.
+    /// The allowed values, or those of their template if they only refer to it.
     fn values(&self, allowed: &'a AllowedValues) -> &'a AllowedValues {
         let is_reference = allowed.values.is_empty() && allowed.ranges.is_empty();
         let template = allowed.template.as_deref().filter(|_| is_reference);
@@ -189,7 +192,7 @@ impl<'a> Described<'a> {
     }
 }
 
-/// A whole number as descriptions write it: decimal with or without a sign, or `0x` and hex digits.
+/// Parses an integer as descriptions write it: decimal with or without a sign, or `0x` and hex digits.
 fn number(text: &str) -> Option<i128> {
     let text = text.trim_ascii();
     let (sign, digits) = match text.strip_prefix('-') {
