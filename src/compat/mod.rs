@@ -4,12 +4,15 @@
 //! ([`Options::tools`](crate::lint::Options::tools)), each finding that affects one of them names it, and has at least the
 //! severity of the effect. Findings of the group `portability` are reported for affected tools only.
 
+mod canchkeds;
 mod reactions;
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use crate::format::Description;
 use crate::lint::PORTABILITY;
+use crate::model::DeviceKind;
 
+pub use canchkeds::MESSAGES;
 pub use reactions::REACTIONS;
 
 /// The reaction of tools to a finding of a rule.
@@ -45,13 +48,18 @@ pub enum Effect {
     Wrong,
     /// The tool ignores the content, or drops it when writing the file.
     Dropped,
+    /// The tool reports an error.
+    Failed,
+    /// The tool reports a warning.
+    Warned,
 }
 
 impl Effect {
     /// The lowest severity of a finding with this effect.
     pub const fn severity(self) -> Severity {
         match self {
-            Self::Refused | Self::Wrong => Severity::Warning,
+            Self::Failed => Severity::Error,
+            Self::Refused | Self::Wrong | Self::Warned => Severity::Warning,
             Self::Dropped => Severity::Note,
         }
     }
@@ -62,6 +70,8 @@ impl Effect {
             Self::Refused => "refused",
             Self::Wrong => "wrong",
             Self::Dropped => "dropped",
+            Self::Failed => "error",
+            Self::Warned => "warning",
         }
     }
 }
@@ -69,8 +79,11 @@ impl Effect {
 /// Adds the reactions of the selected tools to the findings; removes findings of the group `portability` that affect none
 /// of them.
 pub(crate) fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {
+    // CANchkEDS does not check configurations
+    let is_type = description.device().kind == DeviceKind::Type;
     findings.filter_map(|finding| {
-        let reactions = REACTIONS.iter().filter(|reaction| reaction.rule == finding.rule.id);
+        let messages = MESSAGES.iter().filter(|_| is_type);
+        let reactions = REACTIONS.iter().chain(messages).filter(|reaction| reaction.rule == finding.rule.id);
         let of_these = |reaction: &&Reaction| {
             reaction.tools.iter().any(|tool| tools.contains(tool))
                 && reaction.when.is_none_or(|when| (when.holds)(description, &finding))

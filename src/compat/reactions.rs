@@ -106,7 +106,8 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and usually the file")
         .when("outside [FileInfo], except 00", is_read_number),
     row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused")
+        .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
@@ -301,13 +302,13 @@ pub static REACTIONS: &[Reaction] = &[
 ];
 
 /// The text of the place of a finding.
-fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
+pub(super) fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     let span = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
     span.of(description.source().text())
 }
 
 /// The name of the section that contains the place of a finding; empty before the first section.
-fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
+pub(super) fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     if is_at_header(description, finding) {
         return shown(description, finding);
     }
@@ -317,7 +318,7 @@ fn section_of<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str
 }
 
 /// Whether the place of a finding is the name in the header of a section: what is missing there has no place of its own.
-fn is_at_header(description: &Description, finding: &Diagnostic) -> bool {
+pub(super) fn is_at_header(description: &Description, finding: &Diagnostic) -> bool {
     before(description, finding).trim_end().ends_with('[')
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use objdict::compat::{Effect, REACTIONS};
+use objdict::compat::{Effect, MESSAGES, REACTIONS};
 use objdict::diagnostic::{Findings, Severity, Tool};
 use objdict::format;
 use objdict::lint::Options;
@@ -31,17 +31,20 @@ fn fixtures() -> Vec<PathBuf> {
 
 #[test]
 fn the_table_is_of_rules_that_exist_and_has_all_rules_about_tools() {
-    let causes: BTreeSet<&str> = REACTIONS.iter().map(|reaction| reaction.rule).collect();
+    let all = || REACTIONS.iter().chain(MESSAGES);
+    let causes: BTreeSet<&str> = all().map(|reaction| reaction.rule).collect();
     for cause in &causes {
         assert!(registry::rule(cause).is_some(), "there is no rule `{cause}`");
     }
     for rule in registry::rules().iter().filter(|rule| rule.group() == "portability") {
-        let worst = REACTIONS.iter().filter(|reaction| reaction.rule == rule.id);
+        let worst = all().filter(|reaction| reaction.rule == rule.id);
         let worst = worst.map(|reaction| reaction.effect.severity()).max();
         assert_eq!(worst, Some(rule.severity), "{}", rule.id);
     }
-    assert!(REACTIONS.is_sorted_by_key(|reaction| reaction.rule), "the table is in the order of the rules");
-    assert!(REACTIONS.iter().all(|reaction| !reaction.tools.is_empty() && !reaction.what.is_empty()));
+    for table in [REACTIONS, MESSAGES] {
+        assert!(table.is_sorted_by_key(|reaction| reaction.rule), "the table is in the order of the rules");
+    }
+    assert!(all().all(|reaction| !reaction.tools.is_empty() && !reaction.what.is_empty()));
 }
 
 #[test]
@@ -110,5 +113,22 @@ fn an_xdd_is_none_of_their_texts() {
     let readers = Tool::ALL.into_iter().filter(|tool| *tool != Tool::CanOpenNode).collect::<Vec<_>>();
     for path in support::files("xdd", &["xdd"]) {
         assert!(check(&path, &readers).is_empty(), "{}", path.display());
+    }
+}
+
+#[test]
+fn a_vendor_sees_the_severity_that_canchkeds_has() {
+    let path = support::fixtures().join("rules/cia301/gap-in-mapping/bad.eds");
+    assert!(check(&path, &[]).iter().all(|finding| finding.severity == Severity::Note));
+    for finding in &check(&path, &[Tool::CanChkEds]) {
+        assert_eq!(finding.severity, Severity::Error);
+        assert!(finding.help.as_ref().unwrap().shown().ends_with("; canchkeds: error E11"));
+    }
+}
+
+#[test]
+fn canchkeds_does_not_check_configurations() {
+    for path in support::files("dcf", &["dcf"]) {
+        assert!(check(&path, &[Tool::CanChkEds]).is_empty(), "{}", path.display());
     }
 }

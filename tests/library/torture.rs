@@ -42,7 +42,10 @@ const VERDICTS: &[(&str, &[Verdict])] = &[
     ("26_no_accesstype_var", &[(134, "error", "cia306/missing-key")]),
     ("27_baudrate100", &[(24, "note", "cia306/unknown-key")]),
     ("28_real32_dec", &[]),
-    ("29_objectlinks_modules", &[(51, "warning", "cia301/missing-module-list")]),
+    (
+        "29_objectlinks_modules",
+        &[(51, "warning", "cia301/missing-module-list"), (54, "warning", "cia306/module-without-objects")],
+    ),
     ("30_comments_preserved", &[]),
     ("31_time_of_day", &[]),
     ("32_missing_1018", &[(51, "error", "cia301/missing-mandatory-object")]),

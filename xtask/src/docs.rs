@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use objdict::compat::REACTIONS;
+use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
 use objdict::registry;
 
@@ -76,6 +76,9 @@ fn address(rule: &str) -> String {
 /// The text above the table of docs/portability.md.
 const PORTABILITY: &str = include_str!("portability.md");
 
+/// The text between the tables of docs/portability.md.
+const CANCHKEDS: &str = include_str!("canchkeds.md");
+
 /// The text above the tables of docs/rules/README.md.
 const INDEX: &str = include_str!("rules.md");
 
@@ -103,6 +106,18 @@ fn portability_page() -> String {
             tools.join(", "),
             reaction.effect.name(),
             reaction.what
+        );
+    }
+    page.push_str(CANCHKEDS);
+    for message in MESSAGES {
+        let summary = registry::rule(message.rule).map_or("", |rule| rule.summary);
+        let when = message.when.map_or(String::new(), |when| format!(" ({})", when.text));
+        let _ = writeln!(
+            page,
+            "| [`{}`]({}) | {summary}{when} | {} |",
+            message.rule,
+            address(message.rule),
+            message.what
         );
     }
     page

@@ -139,7 +139,7 @@ text_rule! {
 text_rule! {
     LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe;
     summary: "the keys of a list are not consecutive",
-    checks: "Whether the keys of a list are decimal numbers from 1 without gaps.",
+    checks: "Whether the keys of a list are decimal numbers from 1 without gaps, and those of comments `Line1` and so on; the latter is a warning.",
     why: "Tools that count from 1 stop at the gap.",
     example: "`1=0x1000`, `2=0x1001`, `4=0x1018`",
     remedy: "Renumber the entries.",

@@ -117,7 +117,8 @@ pub(crate) fn objects(device: &Device) -> impl Iterator<Item = (u16, &Object)> {
     device.objects.iter().map(|(&index, object)| (index, object)).filter(|(_, object)| !is_disabled(object))
 }
 
-fn is_disabled(object: &Object) -> bool {
+/// Whether an object is marked as described and not generated (`CO_disabled`).
+pub fn is_disabled(object: &Object) -> bool {
     object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true))
 }
 

@@ -17,12 +17,20 @@ pub enum Tool {
     Codesys,
     /// CANopenNode 4, whose object dictionary is generated from the description.
     CanOpenNode,
+    /// CANchkEDS of Vector, which checks EDS files before certification.
+    CanChkEds,
 }
 
 impl Tool {
     /// All tools.
-    pub const ALL: [Self; 5] =
-        [Self::DcfTools, Self::CanOpenEditor, Self::PythonCanopen, Self::Codesys, Self::CanOpenNode];
+    pub const ALL: [Self; 6] = [
+        Self::DcfTools,
+        Self::CanOpenEditor,
+        Self::PythonCanopen,
+        Self::Codesys,
+        Self::CanOpenNode,
+        Self::CanChkEds,
+    ];
 
     /// The name on the command line and in the configuration.
     pub const fn name(self) -> &'static str {
@@ -32,6 +40,7 @@ impl Tool {
             Self::PythonCanopen => "python-canopen",
             Self::Codesys => "codesys",
             Self::CanOpenNode => "canopennode",
+            Self::CanChkEds => "canchkeds",
         }
     }
 

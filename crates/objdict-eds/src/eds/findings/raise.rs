@@ -176,7 +176,7 @@ pub(in crate::eds) fn wrong_count(
 }
 
 /// Reports keys of a list that are not consecutive from 1; `item` is the first wrong one.
-pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: u32, fix: Fix) -> Diagnostic {
+pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: &str, fix: Fix) -> Diagnostic {
     let message = say!("the key is `{}`, but should be `{}`", item.name, expected);
     Diagnostic::new(&LIST_NUMBERING, item.name_at, message)
         .help("number the entries 1, 2, 3 … in decimal, without leading zeros")

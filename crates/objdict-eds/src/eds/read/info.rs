@@ -1,6 +1,8 @@
 //! The sections about the file, the device and the node.
 
 use super::{Item, Items, Reader};
+use crate::diagnostic::{Fix, MAX_FIX_LINES, Severity};
+use crate::eds::findings;
 use crate::ini;
 use crate::model::{
     ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, InvalidValues,
@@ -135,20 +137,34 @@ fn dummy_type(key: &str) -> Option<DataType> {
 
 /// The lines of a comment section, by number.
 pub(super) fn comment_lines(items: &mut Items<'_>, extra: &mut Extra) -> Vec<String> {
-    let mut lines: Vec<(u32, String)> = Vec::new();
+    let mut lines: Vec<(u32, Item<'_>)> = Vec::new();
     let mut count = None;
     items.each(|items, item| {
         let number =
             item.name.get(..4).filter(|word| word.eq_ignore_ascii_case("Line")).map(|_| &item.name[4..]);
         match (item.field(), number.and_then(|number| number.parse().ok())) {
             (Some(Field::Lines), _) => count = Some(*item),
-            (_, Some(number)) => lines.push((number, item.value.to_owned())),
+            (_, Some(number)) => lines.push((number, *item)),
             _ => items.unknown(item, extra),
         }
     });
     super::lists::check_count(items, count, "Lines", lines.len());
     lines.sort_by_key(|(number, _)| *number);
-    lines.into_iter().map(|(_, line)| line).collect()
+    check_numbers(&lines, items);
+    lines.into_iter().map(|(_, item)| item.value.to_owned()).collect()
+}
+
+/// Reports lines that are not numbered from 1 without gaps.
+fn check_numbers(lines: &[(u32, Item<'_>)], items: &mut Items<'_>) {
+    let numbered = || (1..).zip(lines).filter(|(expected, (number, _))| expected != number);
+    let Some((expected, (_, item))) = numbered().next().filter(|_| lines.len() <= MAX_FIX_LINES) else {
+        return;
+    };
+    let fix = numbered().fold(Fix::safe("number the lines 1, 2, 3 …"), |fix, (number, (_, item))| {
+        fix.replace(item.name_at, format!("Line{number}"))
+    });
+    let finding = findings::list_numbering(item, &format!("Line{expected}"), fix);
+    items.findings.push(finding.severity(Severity::Warning));
 }
 
 /// `mm-dd-yyyy`.

@@ -86,7 +86,7 @@ pub(super) fn numbered<'a, T>(
         list.extend(read(items, item, extra));
     });
     if let Some((item, expected, fix)) = wrong {
-        items.findings.push(findings::list_numbering(&item, expected, fix));
+        items.findings.push(findings::list_numbering(&item, &expected.to_string(), fix));
     }
     check_count(items, count, &counter.name(), entries);
     list

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Argument, Diagnostic, Findings, Text, counted, say};
-use crate::model::{DataType, Device, Place};
+use crate::model::{DataType, Device, Object, Place};
 use crate::rule;
 
 rule! {
@@ -13,7 +13,9 @@ rule! {
 }
 
 fn check(device: &Device, findings: &mut Findings) {
-    let mut types = device.objects.range(0x0001..=0x0025);
+    // links alone describe no object
+    let is_described = |(_, object): &(&u16, &Object)| !object.orphan || !object.subs.is_empty();
+    let mut types = device.objects.range(0x0001..=0x0025).filter(is_described);
     let Some((&index, _)) = types.next() else { return };
     let name = DataType(index).name().unwrap_or("reserved");
     let others = types.count();

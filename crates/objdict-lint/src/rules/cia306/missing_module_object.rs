@@ -1,13 +1,13 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diagnostic::{Diagnostic, Findings, Text, say};
-use crate::model::{Device, DeviceKind, Field, Part, Place};
+use crate::diagnostic::{Diagnostic, Findings, Text, counted, say, sub_index};
+use crate::model::{Device, DeviceKind, ExtensionCount, Field, Modules, Object, Part, Place};
 use crate::{rule, stated};
 
 rule! {
     "cia306/missing-module-object", Warning, Device(check);
     summary: "the DCF does not describe the objects of a connected module",
-    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`.",
+    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`: each sub-index of a fixed object, and at least as many elements of an extended object as the modules add to it.",
     why: "The DCF describes the complete station including its modules. Objects of modules that are not described are not configured.",
     example: "`1=2` in `[ConnectedModules]` and `1=0x6423` in `[M2FixedObjects]` without `[6423]`",
     remedy: "Describe the objects as defined by the modules.",
@@ -16,6 +16,7 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(modules) = device.modules.as_ref().filter(|_| device.kind == DeviceKind::Node) else { return };
+    check_sub_indexes(device, modules, findings);
     let mut seen = BTreeSet::new();
     for (at, &number) in modules.connected.iter().flatten().enumerate() {
         let Some(module) = modules.supported.get(&number).filter(|_| seen.insert(number)) else { continue };
@@ -32,4 +33,56 @@ fn check(device: &Device, findings: &mut Findings) {
         let finding = Diagnostic::new(&RULE.info, place, message);
         findings.push(finding.help("describe the objects as defined by the modules"));
     }
+}
+
+/// Reports described objects that lack sub-indexes of the connected modules, each once.
+fn check_sub_indexes(device: &Device, modules: &Modules, findings: &mut Findings) {
+    let connected = modules.connected.iter().flatten().filter_map(|number| modules.supported.get(number));
+    let mut added: BTreeMap<u16, usize> = BTreeMap::new();
+    let mut fixed: BTreeMap<u16, &Object> = BTreeMap::new();
+    for module in connected {
+        for (&index, extension) in &module.extensions {
+            // bits and what goes on in the next object are not counted
+            if let (Some(ExtensionCount::Subs(count)), None | Some(0)) =
+                (extension.count, extension.obj_extend)
+            {
+                *added.entry(index).or_default() += usize::from(count);
+            }
+        }
+        fixed.extend(module.fixed.iter().map(|(&index, object)| (index, object)));
+    }
+    for (index, object) in fixed {
+        let Some(described) = described(device, index) else { continue };
+        let lacks = |sub: &u8| described.entry(*sub).is_none();
+        if let Some(sub) = object.subs.iter().map(|(sub, _)| sub).find(lacks) {
+            let message = say!(
+                "a connected module defines sub-index {} of {:04X}h, missing in the {DCF}",
+                sub_index(sub),
+                index
+            );
+            findings.push(report(index, message));
+        }
+    }
+    for (index, added) in added {
+        let Some(described) = described(device, index) else { continue };
+        let elements = described.entries().filter(|(sub, _)| (1..0xFF).contains(sub)).count();
+        if elements < added {
+            let message = say!(
+                "the connected modules add {} to {:04X}h, but the object has {}",
+                counted(added, "element", "elements"),
+                index,
+                elements
+            );
+            findings.push(report(index, message));
+        }
+    }
+}
+
+fn described(device: &Device, index: u16) -> Option<&Object> {
+    device.object(index).filter(|object| !object.orphan && object.object_type().has_subs())
+}
+
+fn report(index: u16, message: Text) -> Diagnostic {
+    Diagnostic::new(&RULE.info, Place::object(index), message)
+        .help("describe the sub-indexes as defined by the modules")
 }
