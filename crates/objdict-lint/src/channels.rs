@@ -61,8 +61,8 @@ impl ChannelKind {
     }
 }
 
-/// The PDOs of an EDS with a default mapping in the profile: none if bit 23 of the device type marks the mapping as
-/// manufacturer-specific, and none for a module of several logical devices.
+/// The PDOs of an EDS with a default mapping in the profile: none if bit 23 of the device type marks the
+/// mapping as manufacturer-specific, and none for a module of several logical devices.
 pub(crate) fn default_pdos<'a>(
     facts: &'a Facts<'a>,
     applied: &Applied<'_>,

@@ -1,5 +1,5 @@
-//! An axis of a drive according to CiA 402, for the rules of that group: the objects of one logical device, by the
-//! indexes of the document.
+//! An axis of a drive according to CiA 402, for the rules of that group: the objects of one logical device,
+//! by the indexes of the document.
 
 use super::Facts;
 use super::demands::{Applied, is_there};

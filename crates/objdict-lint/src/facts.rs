@@ -96,8 +96,8 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The configured number of a sub-index; a formula is evaluated for the first node-ID that the description applies
-    /// to.
+    /// The configured number of a sub-index; a formula is evaluated for the first node-ID that the
+    /// description applies to.
     pub(crate) fn number(&self, index: u16, sub: u8) -> Option<i128> {
         self.device.value(index, sub)?.integer_for(*self.node_ids().start())
     }
@@ -211,7 +211,8 @@ impl<'a> PdoFacts<'a> {
         self.pdo.cob_id.map(|cob_id| CobIdUse { index, sub: 1, service, cob_id })
     }
 
-    /// Whether all mapped objects are described and have the length of the mapping, so that their sum is meaningful.
+    /// Whether all mapped objects are described and have the length of the mapping, so that their sum is
+    /// meaningful.
     pub(crate) fn lengths_are_right(&self) -> bool {
         self.mapped.iter().all(|mapped| mapped.wrong_length().is_none() && !mapped.target.is_missing())
     }
@@ -224,7 +225,8 @@ impl Mapped<'_> {
         entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)
     }
 
-    /// The data type of the object if it has no fixed length. A string that has the length of the mapping can be mapped.
+    /// The data type of the object if it has no fixed length. A string that has the length of the mapping
+    /// can be mapped.
     pub(crate) fn variable_type(&self) -> Option<DataType> {
         let Target::Entry(entry) = &self.target else { return None };
         let data_type = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()))?;

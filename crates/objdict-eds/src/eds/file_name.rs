@@ -14,7 +14,8 @@ text_rule! {
     source: "CiA 306-1 §4.4",
 }
 
-/// Compares `FileName` with the name under which the file was opened. Names without a known extension are ignored.
+/// Compares `FileName` with the name under which the file was opened. Names without a known extension are
+/// ignored.
 pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
     let Some(stated) = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()) else { return };
     let (actual, stated) = (base_name(opened_as), base_name(stated));

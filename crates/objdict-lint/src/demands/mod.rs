@@ -51,7 +51,8 @@ pub(crate) struct Expected<'a> {
     pub facts: EntryFacts<'a>,
 }
 
-/// The documents that apply to a device: those for all devices, that of its device type, and those of the options.
+/// The documents that apply to a device: those for all devices, that of its device type, and those of the
+/// options.
 pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Applied<'a>> {
     let mut applied = Vec::new();
     let number = profile::number_of(device, 0);
@@ -104,8 +105,8 @@ impl Applied<'_> {
 }
 
 impl<'a> Against<'a> {
-    /// The described entries that the document defines; the shared attributes of a compactly stored object count as one
-    /// entry. There are none if the structure of the object differs from the document.
+    /// The described entries that the document defines; the shared attributes of a compactly stored object
+    /// count as one entry. There are none if the structure of the object differs from the document.
     pub(crate) fn entries(self) -> impl Iterator<Item = Expected<'a>> {
         let object = self.object;
         let has_header = object.object_type().has_subs() && object.compact.is_none();
@@ -117,8 +118,8 @@ impl<'a> Against<'a> {
         })
     }
 
-    /// Whether the object has the structure of its definition: sub-indexes or a single value. Rules about object types
-    /// report the difference.
+    /// Whether the object has the structure of its definition: sub-indexes or a single value. Rules about
+    /// object types report the difference.
     pub(crate) fn has_its_shape(&self) -> bool {
         let (object, facts) = (self.object, self.facts);
         let is_alike =

@@ -1,5 +1,5 @@
-//! The rules about the model, one file each: a new rule is a file and a line here. A rule that only adds a page to a shared
-//! check is a row in `demands.rs` of its group.
+//! The rules about the model, one file each: a new rule is a file and a line here. A rule that only adds a
+//! page to a shared check is a row in `demands.rs` of its group.
 
 use crate::Rule;
 

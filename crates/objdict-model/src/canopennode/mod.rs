@@ -1,8 +1,9 @@
 //! The requirements of CANopenNode 4 on an object dictionary, checked before compilation and startup.
 //!
-//! The stack derives its services from an object dictionary that is compiled in: it counts the objects of each service,
-//! accesses those of a range consecutively from the first, and reads entries with a fixed length. One function finds unmet
-//! requirements for both the rules of the group `portability` and the generator of the target `canopennode`.
+//! The stack derives its services from an object dictionary that is compiled in: it counts the objects of
+//! each service, accesses those of a range consecutively from the first, and reads entries with a fixed
+//! length. One function finds unmet requirements for both the rules of the group `portability` and the
+//! generator of the target `canopennode`.
 
 mod labels;
 
@@ -84,7 +85,8 @@ const RANGES: [(&str, u16); 8] = [
 /// The maximum number of elements of 1016h.
 const MOST_CONSUMERS: usize = 127;
 
-/// Entries that the stack reads: first and last index, sub-index, length in bytes, and whether the entry is optional.
+/// Entries that the stack reads: first and last index, sub-index, length in bytes, and whether the entry is
+/// optional.
 const ENTRIES: &[(u16, u16, u8, u8, bool)] = &[
     (0x1001, 0x1001, 0, 1, false),
     (0x1005, 0x1005, 0, 4, false),

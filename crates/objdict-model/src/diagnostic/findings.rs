@@ -31,7 +31,8 @@ impl Findings {
         }
     }
 
-    /// Adds a finding of `rule`, or only counts it without creating it if the rule already has [`MAX_PER_RULE`].
+    /// Adds a finding of `rule`, or only counts it without creating it if the rule already has
+    /// [`MAX_PER_RULE`].
     pub fn push_with(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
         if self.is_full(rule) {
             let seen = self.seen.entry(rule.id).or_default();

@@ -49,7 +49,8 @@ pub enum Change {
     Remove(Place),
     /// Adds a part with its fields.
     Add(Part, Vec<(Field, String)>),
-    /// Sets the members of an object list, numbered from 1, with their count; replaces the list or adds a new one.
+    /// Sets the members of an object list, numbered from 1, with their count; replaces the list or adds a
+    /// new one.
     List(ObjectList, Vec<u16>),
     /// Writes the text in another encoding that has all its characters.
     Encode(Encoding),

@@ -1,7 +1,7 @@
 //! Findings as plain data: a rule, a severity, a message, places or spans, a help and a fix.
 //!
-//! Rules use [`Place`]s of the model; the reader of the file maps a place to a [`Span`] of the text, and only for
-//! reported findings. Rendering is up to the reports.
+//! Rules use [`Place`]s of the model; the reader of the file maps a place to a [`Span`] of the text, and
+//! only for reported findings. Rendering is up to the reports.
 
 mod findings;
 mod fix;

@@ -23,7 +23,8 @@ pub static RULES: &[&RuleInfo] = &[
 /// The rule about quotes, which also applies to names.
 pub static QUOTED: &RuleInfo = &QUOTED_STRING;
 
-/// Reports the spelling of `text`, whose key and value are at `name_at` and `at` in a line; `value` is the parsed value.
+/// Reports the spelling of `text`, whose key and value are at `name_at` and `at` in a line; `value` is the
+/// parsed value.
 pub fn spelling_in_line(
     text: &str,
     (name_at, at): (Span, Span),

@@ -38,7 +38,7 @@ impl Device {
         }
     }
 
-    /// The values in `other` of entries that `self` has, if they are configured differently there.
+    /// The configured values of `other` that differ from `self`, for entries that both have.
     pub fn reconfigured(&self, other: &Self) -> Vec<Assignment> {
         let mut values = Vec::new();
         for (&index, object) in &other.objects {

@@ -205,7 +205,7 @@ fn utc_offset(text: &str) -> Option<i16> {
     (minutes < 60 && offset <= 14 * 60).then_some(if text.starts_with('-') { -offset } else { offset })
 }
 
-/// The digits after the decimal point of a second; further digits than nine must be zeros.
+/// The digits after the decimal point of a second; digits beyond the ninth must be zeros.
 fn nanoseconds(digits: &str) -> Option<u32> {
     let kept = digits.trim_end_matches('0');
     let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) && kept.len() <= 9;

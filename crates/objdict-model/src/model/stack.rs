@@ -6,8 +6,8 @@ part! {
     /// How a stack must store and treat an object or entry: `CO_` properties of an XDD, or comments such as
     /// `;StorageLocation=RAM` of an EDS, as CANopenEditor writes them.
     pub struct StackOptions {
-        /// `CO_storageGroup`, `StorageLocation`: the group of variables that are stored together, such as `RAM` or
-        /// `PERSIST_COMM`.
+        /// `CO_storageGroup`, `StorageLocation`: the group of variables that are stored together, such as
+        /// `RAM` or `PERSIST_COMM`.
         pub storage_group: Option<Box<str>>,
         /// `CO_countLabel`: the macro that counts objects of this kind, such as `TPDO`.
         pub count_label: Option<Box<str>>,

@@ -19,8 +19,7 @@ pub struct LineIndex {
     ended: Vec<u32>,
 }
 
-/// The size of a block in bytes: small enough for two or three lines at most, and for a count that fits into
-/// a byte.
+/// The size of a block in bytes: a block rarely has more than three lines, and their number fits into a byte.
 const BLOCK: usize = 64;
 
 impl LineIndex {

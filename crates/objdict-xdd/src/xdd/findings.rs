@@ -37,8 +37,8 @@ pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     groups.into_iter().flatten().copied()
 }
 
-/// Checks each container of a document against CiA 311; a project file has several. A file without a container is not an
-/// XDD and is not checked.
+/// Checks each container of a document against CiA 311; a project file has several. A file without a
+/// container is not an XDD and is not checked.
 pub fn check(tree: &Tree, findings: &mut Findings) {
     for container in containers(tree).into_iter().filter(|container| container.tag() == CONTAINER.name) {
         check_container(container, findings);

@@ -285,8 +285,8 @@ impl LineCheck<'_> {
     }
 }
 
-/// Moves text after a section header to a comment above it. Text that does not look like a comment may have another
-/// purpose.
+/// Moves text after a section header to a comment above it. Text that does not look like a comment may have
+/// another purpose.
 fn comment_above(span: Span, text: &str) -> Fix {
     let title = "put the text in a separate comment line";
     let is_comment = text.starts_with([';', '#']) || text.starts_with("//");

@@ -12,7 +12,8 @@ rule! {
     source: "CiA 306-1 §4.5, §4.6.3.4.1",
 }
 
-/// The PDOs of one direction: their name, the field of their number, and the range of their communication records.
+/// The PDOs of one direction: their name, the field of their number, and the range of their communication
+/// records.
 struct Pdos {
     name: &'static str,
     field: Field,

@@ -1,4 +1,5 @@
-//! The communication network profile: the object dictionary, the bit rates and the network management (CiA 311 annex A).
+//! The communication network profile: the object dictionary, the bit rates and the network management (CiA
+//! 311 annex A).
 
 use super::device::{
     BUILD_DATE, DEVICE_FAMILY, INSTANCE_NAME, PRODUCT_FAMILY, PRODUCT_ID, PRODUCT_TEXT,

@@ -64,7 +64,8 @@ impl Writer<'_> {
         Some(identity)
     }
 
-    /// The application processes; the first one has the parameters of the entries and the types of their objects.
+    /// The application processes; the first one has the parameters of the entries and the types of their
+    /// objects.
     fn application(&self, out: &mut XddWriter) {
         let mut processes = self.device.application.iter();
         let mut first = processes.next().cloned().unwrap_or_default();
