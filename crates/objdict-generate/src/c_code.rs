@@ -1,4 +1,4 @@
-//! Numbers, bytes and texts as C writes them: what all targets in C share.
+//! Numbers, bytes and texts in C syntax, shared by all C targets.
 
 use std::fmt::Write;
 
@@ -6,10 +6,10 @@ use super::Options;
 use super::names::words;
 use crate::model::{DataType, TypeKind};
 
-/// Longer texts are written as bytes: C99 compilers need not take longer literals (§5.2.4.1).
+/// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
 const LONGEST_LITERAL: usize = 500;
 
-/// The beginning of the names of files: the prefix, else what the description's file is called, as a word of C.
+/// The stem of file names: the prefix, else the file name of the description as a C identifier.
 pub(crate) fn file_stem(options: &Options) -> String {
     match &options.prefix {
         Some(prefix) => prefix.to_ascii_lowercase(),
@@ -19,7 +19,7 @@ pub(crate) fn file_stem(options: &Options) -> String {
     }
 }
 
-/// The C type that holds a number of this data type without loss and without a byte more; `None` where C has none.
+/// The C type of exactly this data type's size and range; `None` if C has none.
 pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {
     Some(match data_type.kind() {
         TypeKind::Boolean | TypeKind::Unsigned(8) => "uint8_t",
@@ -36,10 +36,10 @@ pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {
     })
 }
 
-/// A number of a type that has an [`exact_type`], as an initializer of it; `None` for a REAL that is not finite.
+/// A number of a type with an [`exact_type`] as an initializer; `None` for a REAL that is not finite.
 pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
     Some(match data_type.kind() {
-        TypeKind::Signed(bits) => signed(word as i64, bits), // the same bits: sign-extended
+        TypeKind::Signed(bits) => signed(word as i64, bits), // same bits: sign-extended
         TypeKind::Unsigned(64) => format!("UINT64_C({word:#X})"),
         TypeKind::Unsigned(17..) => format!("0x{word:08X}u"),
         TypeKind::Real32 => {
@@ -54,7 +54,7 @@ pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
     })
 }
 
-/// A signed number; the least one has no literal.
+/// A signed number; the lowest one cannot be written as a literal.
 fn signed(number: i64, bits: u8) -> String {
     match (number, bits) {
         (i64::MIN, _) => "INT64_C(-9223372036854775807) - 1".to_owned(),
@@ -69,9 +69,9 @@ pub(crate) fn little_endian(word: u64, size: usize) -> Vec<u8> {
     word.to_le_bytes().into_iter().take(size).collect()
 }
 
-/// The initializer of an array of bytes.
+/// An initializer for an array of bytes.
 pub(crate) fn bytes(bytes: &[u8]) -> String {
-    let used = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1); // C fills the rest with zeros
+    let used = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1); // C zero-fills the rest
     if used == 0 {
         return "{0}".to_owned();
     }
@@ -82,12 +82,12 @@ pub(crate) fn bytes(bytes: &[u8]) -> String {
             _ if number % 16 == 0 => ",\n    ",
             _ => ", ",
         };
-        let _ = write!(text, "{separator}0x{byte:02X}"); // a String takes every text
+        let _ = write!(text, "{separator}0x{byte:02X}"); // writing to a String cannot fail
     }
     text + "}"
 }
 
-/// A string literal; `None` for a text that is too long or has bytes that a literal had better not have.
+/// A string literal; `None` for texts that are too long or contain bytes unsuitable for a literal.
 pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
     if bytes.len() > LONGEST_LITERAL {
         return None;
@@ -102,7 +102,7 @@ pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
             b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]), // `?`: no trigraphs
             b' '..=b'~' => text.push(char::from(byte)),
             _ => {
-                let _ = write!(text, "\\{byte:03o}"); // a String takes every text
+                let _ = write!(text, "\\{byte:03o}"); // writing to a String cannot fail
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What the dictionary says of identity and services by default, decoded: constants that the targets `rust` and `c` share.
+//! Default values of identity and services, decoded: constants shared by the targets `rust` and `c`.
 
 use super::Note;
 use super::table::Table;
@@ -9,9 +9,9 @@ use crate::model::{CobId, Device, Identity, Place, SdoChannel, Services, predefi
 pub(crate) struct Constant {
     /// In lower case: `emcy_cob_id`.
     pub(crate) name: String,
-    /// Where it comes from: `1014h`.
+    /// Its source: `1014h`.
     pub(crate) source: String,
-    /// What it is: a sentence without its full stop, which has no text of the description in it.
+    /// Its meaning: a sentence without full stop and without texts of the description.
     pub(crate) meaning: String,
     pub(crate) value: ConstantValue,
 }
@@ -19,23 +19,23 @@ pub(crate) struct Constant {
 /// The value of a constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum ConstantValue {
-    /// A function of the node-ID: the number of a COB-ID.
+    /// A function of the node-ID that returns the COB-ID.
     CobId(CobId),
-    /// A function of the node-ID: the CAN-ID in it.
+    /// A function of the node-ID that returns the CAN-ID.
     CanId(CobId),
     Flag(bool),
-    /// A number of 32 bits that people know in hexadecimal.
+    /// A 32-bit number usually written in hexadecimal.
     Code(u32),
-    /// A number of so many bits: 8, 16 or 32.
+    /// A number and its width: 8, 16 or 32 bits.
     Number(u32, u8),
     /// Node-IDs and times in milliseconds.
     Consumers(Vec<(u8, u16)>),
 }
 
-/// A flag of a COB-ID: its name, what the device does when it is true, and where it stands.
+/// A flag of a COB-ID: its name, its meaning if set, and how to read it.
 type Flag = (&'static str, &'static str, fn(CobId) -> bool);
 
-/// The constants of a device, only of entries that the table has. What cannot be decoded is noted.
+/// The constants of a device, only for entries in the table. Values that cannot be decoded are noted.
 pub(crate) fn constants(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Constant> {
     let services = device.services();
     let mut found = Found { device, table, notes, constants: Vec::new() };
@@ -66,7 +66,7 @@ impl Found<'_> {
         self.constants.push(Constant { name, source, meaning, value });
     }
 
-    /// Whether the table has an entry whose value could be decoded; notes a value that could not.
+    /// Whether the table has an entry with a decoded value; notes a value that could not be decoded.
     fn has(&mut self, (index, sub): (u16, u8), is_decoded: bool) -> bool {
         let is_there = |row: &super::table::Row| (row.index, row.sub).cmp(&(index, sub));
         if self.table.rows.binary_search_by(is_there).is_err() {
@@ -86,7 +86,7 @@ impl Found<'_> {
         }
     }
 
-    /// A COB-ID, its CAN-ID and its flags, each with the name and what it means when it is true.
+    /// A COB-ID, its CAN-ID and its flags, each with its name and its meaning if set.
     fn cob_id(
         &mut self,
         at: (u16, u8),

@@ -1,4 +1,4 @@
-//! The dictionary that a device shows to the network, each entry resolved: what every backend of a stack begins with.
+//! The object dictionary as visible on the network with resolved entries: the input of every stack backend.
 
 use std::borrow::Cow;
 
@@ -7,16 +7,16 @@ use super::resolve::{Resolved, Resolver};
 use super::{GenerateError, Note, Options};
 use crate::model::{Address, Device, Entry, Object, Part, Place};
 
-/// The objects of a device that a table can have.
+/// The objects of a device that a table can contain.
 #[derive(Debug)]
 pub(crate) struct Dictionary<'a> {
-    /// The device that they are of.
+    /// The device.
     pub(crate) device: &'a Device,
-    /// The node-ID that it is generated for.
+    /// The node-ID for the generated code.
     pub(crate) node_id: Option<u8>,
     /// At least one, by index.
     pub(crate) objects: Vec<ResolvedObject<'a>>,
-    /// What is left out or assumed, in the order of places.
+    /// Omissions and assumptions, in order of places.
     pub(crate) notes: Vec<Note>,
 }
 
@@ -25,34 +25,34 @@ pub(crate) struct Dictionary<'a> {
 pub(crate) struct ResolvedObject<'a> {
     pub(crate) index: u16,
     pub(crate) object: &'a Object,
-    /// What its identifiers are made of; empty: of the index.
+    /// The source of its identifiers; empty to use the index.
     pub(crate) name: Cow<'a, str>,
-    /// At least one, by sub-index; the value of a VAR is sub-index 0.
+    /// At least one, by sub-index; a VAR has sub-index 0.
     pub(crate) entries: Vec<ResolvedEntry<'a>>,
 }
 
-/// An entry: as it is described, and what a table must know of it.
+/// An entry: its description and the resolved data.
 #[derive(Debug)]
 pub(crate) struct ResolvedEntry<'a> {
     pub(crate) sub: u8,
     pub(crate) entry: Cow<'a, Entry>,
-    /// What its identifiers are made of; empty: of the sub-index.
+    /// The source of its identifiers; empty to use the sub-index.
     pub(crate) name: String,
     pub(crate) resolved: Resolved,
 }
 
 impl ResolvedObject<'_> {
-    /// Whether it is one value and no more, so that its name says all.
+    /// Whether it has a single value, so that its name needs no sub-index.
     pub(crate) fn is_single(&self) -> bool {
         !self.object.object_type().has_subs() && self.object.compact.is_none() && self.entries.len() == 1
     }
 }
 
 impl<'a> Dictionary<'a> {
-    /// The dictionary of a device.
+    /// Resolves the dictionary of a device.
     ///
     /// # Errors
-    /// When the node-ID is none, when a value would come out wrong, and when there is no entry.
+    /// Fails if the node-ID is not valid, a value cannot be represented, or there is no entry.
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Result<Self, GenerateError> {
         let node_id = options.node_id_of(device)?;
         let mut resolver = Resolver::new(device, options);
@@ -85,7 +85,7 @@ impl<'a> Dictionary<'a> {
     }
 }
 
-/// An object with its entries; `None`, with a note, where a table can have none of them.
+/// Resolves an object with its entries; `None`, with a note, if a table cannot contain any of them.
 fn resolve<'a>(
     resolver: &mut Resolver<'_>,
     options: &'a Options,
@@ -119,7 +119,7 @@ fn resolve<'a>(
     })
 }
 
-/// Compact entries have no texts of their own: what is wrong with them stands with the object.
+/// Entries in compact storage have no texts of their own; problems are reported for the object.
 fn compact_invalid_values(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
     let Some(compact) = &object.compact else { return };
     let data_type = object.main.data_type.unwrap_or(crate::model::DataType(0));

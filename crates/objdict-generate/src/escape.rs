@@ -1,23 +1,23 @@
-//! Texts of a description, made harmless for the place in generated code where they stand.
+//! Escaping of description texts for their place in generated code.
 //!
-//! They are also askama filters, so that a template shows at each place how its text is escaped. Everything but letters,
-//! digits and the printable rest of ASCII comes out as `\u{…}`: line ends and other control characters, direction marks,
-//! invisible and unassigned characters.
+//! The functions are also askama filters, so that templates show how each text is escaped. All characters
+//! except letters, digits and printable ASCII become `\u{…}`: line ends and other control characters,
+//! direction marks, invisible and unassigned characters.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// So many characters of a text are shown; what is longer ends in `...`.
+/// Maximum length of a shown text; longer ones end in `...`.
 const SHOWN: usize = 100;
 
-/// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc takes nothing in it for markup.
+/// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc does not interpret markup.
 pub(super) fn code_span(text: &str) -> String {
     let plain = printable(text).replace('`', "'");
     let plain = plain.trim();
     if plain.is_empty() { "(no name)".to_owned() } else { format!("`{plain}`") }
 }
 
-/// For the inside of a C comment: no `*/`, no `/*`, no trigraph.
+/// For the text of a C comment: no `*/`, no `/*`, no trigraph.
 pub(super) fn c_comment(text: &str) -> String {
     let plain = printable(text);
     let plain = plain.trim();
@@ -34,17 +34,17 @@ pub(super) fn c_comment(text: &str) -> String {
     } else {
         comment.push_str(plain);
     }
-    // the comment may go on with `*/` or the line end with a backslash that joins it to the next one
+    // the template may append `*/`, and a backslash at the end of a line would join it with the next
     comment.truncate(comment.trim_end_matches(['\\', '/', '*', ' ']).len());
     if comment.is_empty() { "(no name)".to_owned() } else { comment }
 }
 
 /// A string literal of C in UTF-8.
 pub(super) fn c_text(text: &str) -> String {
-    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never so long
+    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never that long
 }
 
-/// What a [`c_text`] holds.
+/// The content of a [`c_text`].
 pub(super) fn shown(text: &str) -> String {
     printable(text).trim().to_owned()
 }
@@ -55,7 +55,7 @@ pub(super) fn rust_text(text: &str) -> String {
     format!("\"{}\"", plain.trim())
 }
 
-/// One line of harmless characters.
+/// The text on one line, without unsafe characters.
 fn printable(text: &str) -> Cow<'_, str> {
     let is_plain = |byte: u8| byte == b' ' || byte.is_ascii_graphic();
     if text.len() <= SHOWN && text.bytes().all(is_plain) {
@@ -70,7 +70,7 @@ fn printable(text: &str) -> Cow<'_, str> {
         if c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric() {
             shown.push(c);
         } else {
-            let _ = write!(shown, "\\u{{{:04X}}}", u32::from(c)); // a String takes every text
+            let _ = write!(shown, "\\u{{{:04X}}}", u32::from(c)); // writing to a String cannot fail
         }
     }
     Cow::Owned(shown)
@@ -86,7 +86,7 @@ pub(super) fn toml_string(text: &str) -> String {
             ' ' => literal.push(c),
             c if c.is_ascii_graphic() || c.is_alphanumeric() => literal.push(c),
             c => {
-                let _ = write!(literal, "\\U{:08X}", u32::from(c)); // a String takes every text
+                let _ = write!(literal, "\\U{:08X}", u32::from(c)); // writing to a String cannot fail
             }
         }
     }
@@ -94,21 +94,21 @@ pub(super) fn toml_string(text: &str) -> String {
     literal
 }
 
-/// The inside of a Rust byte string.
+/// The content of a Rust byte string.
 pub(super) fn byte_string(bytes: &[u8]) -> String {
     bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
         match byte {
             b'"' | b'\\' => text.extend(['\\', char::from(byte)]),
             b' '..=b'~' => text.push(char::from(byte)),
             _ => {
-                let _ = write!(text, "\\x{byte:02X}"); // a String takes every text
+                let _ = write!(text, "\\x{byte:02X}"); // writing to a String cannot fail
             }
         }
         text
     })
 }
 
-/// The inside of a string literal of C: octal escapes, which end after three digits whatever follows, and no trigraph.
+/// The content of a C string literal: octal escapes, which always end after three digits, and no trigraphs.
 #[cfg_attr(
     not(feature = "template"),
     allow(dead_code, reason = "only templates of the user's own have such strings")
@@ -119,14 +119,14 @@ pub(super) fn c_string(bytes: &[u8]) -> String {
             b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]),
             b' '..=b'~' => text.push(char::from(byte)),
             _ => {
-                let _ = write!(text, "\\{byte:03o}"); // a String takes every text
+                let _ = write!(text, "\\{byte:03o}"); // writing to a String cannot fail
             }
         }
         text
     })
 }
 
-/// A number with so many hexadecimal digits.
+/// A number with this many hexadecimal digits.
 pub(super) struct Hex<const DIGITS: usize>(u16);
 
 impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
@@ -139,8 +139,8 @@ impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
     }
 }
 
-/// The same for templates, and indexes and sub-indexes.
-#[allow(unreachable_pub)] // what the attribute writes is `pub`
+/// The same as template filters, and filters for indexes and sub-indexes.
+#[allow(unreachable_pub)] // the attribute generates `pub` items
 pub(super) mod filters {
     use std::borrow::Borrow;
 

@@ -1,7 +1,7 @@
-//! What the frames of PDOs carry, as the targets `rust` and `c` show it: a struct for each PDO of the default mapping.
+//! Contents of PDO frames for the targets `rust` and `c`: a struct for each PDO of the default mapping.
 //!
-//! A frame is one number of at most 64 bits: the first mapped object has its lowest bits, and its bytes go over the network
-//! from the lowest on (CiA 301 §7.2.2.2). So packing is shifting, whatever the lengths are.
+//! A frame is one number of at most 64 bits. The first mapped object occupies its lowest bits, and its bytes
+//! are transmitted from the lowest on (CiA 301 §7.2.2.2), so packing is shifting for fields of any length.
 
 use super::Note;
 use super::names::{Scope, words};
@@ -9,54 +9,54 @@ use super::resolve::{Resolved, Shape};
 use super::table::{Row, Table};
 use crate::model::{CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
 
-/// The bits of a frame of classical CAN.
+/// Bits of a classical CAN data field.
 const MAX_BITS: u32 = 64;
 
-/// A PDO with what its frame carries.
+/// A PDO with the contents of its frame.
 #[derive(Debug)]
 pub(crate) struct Frame {
     /// `RPDO 1`, for comments.
     pub(crate) title: String,
-    /// `rpdo1`: what identifiers are made of.
+    /// `rpdo1`: the base of identifiers.
     pub(crate) name: String,
     pub(crate) communication_index: u16,
     pub(crate) mapping_index: u16,
-    /// Where the description states it.
+    /// If stated in the description.
     pub(crate) cob_id: Option<CobId>,
-    /// Where the description states it.
+    /// If stated in the description.
     pub(crate) transmission_type: Option<u8>,
-    /// Bytes of a frame, 1 to 8.
+    /// Length in bytes, 1 to 8.
     pub(crate) length: u32,
-    /// In the order of the frame, dummies left out.
+    /// In frame order, without dummy entries.
     pub(crate) fields: Vec<FrameField>,
 }
 
 /// A mapped entry.
 #[derive(Debug)]
 pub(crate) struct FrameField {
-    /// Unique in the frame, and no keyword.
+    /// Unique in the frame; not a keyword.
     pub(crate) name: String,
     /// The number of its row.
     pub(crate) row: usize,
-    /// How the struct keeps it.
+    /// Its type in the struct.
     pub(crate) carried: Carried,
-    /// The lowest bit that it has in the frame.
+    /// Its lowest bit in the frame.
     pub(crate) first: u32,
-    /// The bits that its value has there, 1 to 64: those of the mapping, at most those of the type.
+    /// The number of bits of its value, 1 to 64: the mapped length, at most the length of the type.
     pub(crate) bits: u32,
 }
 
-/// How a struct keeps what is mapped.
+/// The type of a mapped entry in the struct.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Carried {
-    /// As a number of this type.
+    /// A number of this type.
     Number(DataType),
-    /// As so many bytes.
+    /// This many bytes.
     Bytes(u32),
 }
 
 impl FrameField {
-    /// Whether the highest of its bits is a sign.
+    /// Whether the highest bit is a sign.
     pub(crate) fn is_signed(&self) -> bool {
         matches!(self.carried, Carried::Number(data_type) if matches!(data_type.kind(), TypeKind::Signed(_)))
     }
@@ -69,7 +69,7 @@ impl Frame {
     }
 }
 
-/// The frames of a device's default mapping. What cannot be a struct is noted.
+/// The frames of the default mapping. PDOs that cannot become a struct are noted.
 pub(crate) fn frames(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Frame> {
     device.pdos().filter_map(|pdo| frame(&pdo, table, notes)).collect()
 }
@@ -128,7 +128,7 @@ fn field(
     Ok(FrameField { name, row, carried, first, bits })
 }
 
-/// How a value of an entry goes into so many bits of a frame.
+/// Packs a value of an entry into this many bits of a frame.
 fn carried(resolved: &Resolved, bits: u32) -> Result<(Carried, u32), &'static str> {
     let size = u32::try_from(resolved.shape.size()).unwrap_or(u32::MAX).saturating_mul(8);
     match resolved.shape {
@@ -150,7 +150,8 @@ fn carried(resolved: &Resolved, bits: u32) -> Result<(Carried, u32), &'static st
     }
 }
 
-/// The name of the field that holds the entry, with the element of an array behind it; of a constant its object's and its own.
+/// The name of the field for the entry, with the array element as suffix; for a constant the names of object
+/// and entry.
 fn name_of(table: &Table, row: &Row) -> String {
     if let Some(slot) = row.slot {
         let field = &table.fields[slot.field].name;
@@ -173,7 +174,7 @@ mod tests {
     use crate::Options;
     use crate::model::{Access, Entry, Object, ObjectType, Value};
 
-    /// A device with a TPDO that maps these objects, and the entries 2000h to 2003h.
+    /// A device with a TPDO that maps these objects, and entries 2000h to 2003h.
     fn device(mapped: &[u32]) -> Device {
         let mut device = Device::default();
         let entry = |name: &str, data_type, default| Entry {

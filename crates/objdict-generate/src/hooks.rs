@@ -1,4 +1,4 @@
-//! Hooks of the flat table: entries of which the application hears before they are read and after they are written.
+//! Hooks of the flat table: callbacks of the application before reads and after writes of an entry.
 
 use super::notes::in_order;
 use super::size::element_size;
@@ -6,7 +6,7 @@ use super::table::{Row, Table};
 use super::{Note, Options};
 use crate::model::{Address, Device, Place};
 
-/// More bytes than one expects on a stack.
+/// Larger buffers are unexpected on a stack.
 const LONG: usize = 256;
 
 /// Marks the requested rows; notes missing entries, and values that a hook cannot change.
@@ -20,7 +20,7 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
         let (mut rows, mut constants) = (0, 0);
         for row in table.rows.iter_mut().filter(asked) {
             let is_elsewhere = row.slot.is_none() && !row.resolved.constant;
-            row.hooked = !is_elsewhere; // the application transfers it
+            row.hooked = !is_elsewhere; // the application provides the value
             rows += usize::from(row.hooked);
             constants += usize::from(row.slot.is_none() && row.hooked);
         }
@@ -54,7 +54,7 @@ pub(crate) fn has_hooks(table: &Table) -> bool {
     table.rows.iter().any(|row| row.hooked)
 }
 
-/// Bytes of the longest value that comes back when a hook refuses what was written; at least those of a number.
+/// Size of the longest value to restore after a hook rejects a write; at least that of a number.
 pub(crate) fn room(table: &Table) -> usize {
     let kept = table.rows.iter().filter(|row| row.hooked && row.slot.is_some() && row.access().is_writable());
     kept.map(|row| element_size(row.resolved.shape)).max().unwrap_or(0).max(8)

@@ -1,8 +1,8 @@
-//! What a product compiles or downloads, made from a [`Device`]: tables in Rust and C, concise DCF.
+//! Code and data for products, generated from a [`Device`]: tables in Rust and C, concise DCF.
 //!
-//! A *target* is a name such as `rust`; the [`Backend`] behind it turns a device into files. Backends see the model and
-//! nothing of the format that it came from. To add one, write a folder beside this file and a line in the registry
-//! below.
+//! A *target* has a name such as `rust`; its [`Backend`] turns a device into files. Backends depend on the
+//! model and not on the input format. To add one, write a folder next to this file and add a line to the
+//! registry below.
 //!
 //! ```
 //! use objdict_generate::{generate, Options, Target};
@@ -21,7 +21,7 @@
 //! # Ok::<(), objdict_generate::GenerateError>(())
 //! ```
 
-// what several targets share is not used in full by each
+// no feature combination uses all shared code
 #![cfg_attr(
     not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")),
     allow(dead_code)
@@ -81,7 +81,7 @@ use objdict_model::{diagnostic, model};
 use crate::diagnostic::Severity;
 use crate::model::{Device, Place};
 
-/// Every backend with its name as a constant of [`Target`], one line each, in the order in which help lists them.
+/// All backends with the names of their [`Target`] constants, one per line, in the order of help.
 macro_rules! targets {
     ($($(#[$condition:meta])? $name:ident = $backend:expr,)+) => {
         static BACKENDS: &[&dyn Backend] = &[$($(#[$condition])? &$backend),+];
@@ -117,30 +117,30 @@ targets! {
     OBJDICT_MACROS = objdict_macros::ObjdictMacros,
 }
 
-/// The largest value of a string, octet string or DOMAIN in bytes that a table can hold.
+/// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
 
 /// Turns a device into files for one purpose.
 pub trait Backend: Sync {
-    /// The name of the target, as the command line takes it.
+    /// The name of the target on the command line.
     fn name(&self) -> &'static str;
 
-    /// What the target is, in a line: lower case, no full stop.
+    /// A one-line summary: lower case, no full stop.
     fn summary(&self) -> &'static str;
 
-    /// The options that make a difference to the files.
+    /// The options that affect the files.
     fn uses(&self) -> &'static [Choice];
 
-    /// The files for `device`, and what they cannot express.
+    /// Generates the files for `device`, with notes about what they cannot express.
     ///
     /// # Errors
-    /// When the device asks for something that would come out wrong, see [`GenerateError`].
+    /// Fails if a value cannot be represented, see [`GenerateError`].
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError>;
 
-    /// What the tables take in flash and RAM, or why that is not known.
+    /// Computes the size of the tables in flash and RAM, or states why it is unknown.
     ///
     /// # Errors
-    /// As [`Backend::generate`].
+    /// Same as [`Backend::generate`].
     fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError>;
 }
 
@@ -154,22 +154,22 @@ impl Target {
         BACKENDS.iter().map(|&backend| Self(backend))
     }
 
-    /// The target of a name.
+    /// Looks up a target by name.
     ///
     /// # Errors
-    /// [`GenerateError::UnknownTarget`] when there is none.
+    /// [`GenerateError::UnknownTarget`] for an unknown name.
     pub fn named(name: &str) -> Result<Self, GenerateError> {
         Self::all()
             .find(|target| target.name() == name)
             .ok_or_else(|| GenerateError::UnknownTarget { name: name.to_owned() })
     }
 
-    /// The name, as the command line takes it.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         self.0.name()
     }
 
-    /// What the target is, in a line.
+    /// A one-line summary.
     pub fn summary(self) -> &'static str {
         self.0.summary()
     }
@@ -184,7 +184,7 @@ impl fmt::Debug for Target {
 /// One file of the output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
-    /// The path below the output folder, with `/` between folders.
+    /// The path relative to the output folder, with `/` as separator.
     pub path: String,
     /// Its content.
     pub contents: Vec<u8>,
@@ -195,27 +195,27 @@ pub struct OutputFile {
 pub struct Generated {
     /// The files, in the order of the backend.
     pub files: Vec<OutputFile>,
-    /// What the files leave out or had to assume, in ascending order of places.
+    /// Omissions and assumptions, in ascending order of places.
     pub notes: Vec<Note>,
 }
 
-/// Something of the description that a target cannot express.
+/// A part of the description that a target cannot express.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
     /// Its place.
     pub place: Place,
-    /// What happened to it: lower case, offending text in backticks, no full stop.
+    /// What was done: lower case, offending text in backticks, no full stop.
     pub message: String,
-    /// What to do.
+    /// How to fix it.
     pub help: Option<Cow<'static, str>>,
-    /// The other places that it holds for, in ascending order; the message counts them.
+    /// Further places of this note in ascending order; the message counts them.
     pub also: Vec<Place>,
-    /// Its severity: a warning means that the files do not work as they are, a note that something is omitted.
+    /// The severity: a warning means that the files do not work unchanged, a note that something is omitted.
     pub severity: Severity,
 }
 
 impl Note {
-    /// A note without advice.
+    /// Creates a note without help.
     pub fn new(place: impl Into<Place>, message: impl Into<String>) -> Self {
         Self {
             place: place.into(),
@@ -226,19 +226,19 @@ impl Note {
         }
     }
 
-    /// With advice.
+    /// Adds help.
     pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// Of what does not work.
+    /// Raises the severity to a warning.
     pub(crate) fn warning(mut self) -> Self {
         self.severity = Severity::Warning;
         self
     }
 
-    /// All places that it holds for.
+    /// All places of this note.
     pub fn places(&self) -> impl Iterator<Item = &Place> {
         std::iter::once(&self.place).chain(&self.also)
     }
@@ -254,7 +254,7 @@ impl fmt::Display for Note {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GenerateError {
-    /// No target has this name.
+    /// There is no target with this name.
     #[error("unknown target `{name}`; the targets are {}", known_targets())]
     UnknownTarget {
         /// The name.
@@ -263,7 +263,7 @@ pub enum GenerateError {
     /// The node-ID is not valid.
     #[error("`{node_id}` is not a node-ID from 1 to 127")]
     NodeId {
-        /// The number.
+        /// The value.
         node_id: u8,
     },
     /// The prefix is not a valid identifier.
@@ -271,42 +271,42 @@ pub enum GenerateError {
         "`{text}` is not an identifier of at most 16 characters for `{option}`: use letters, digits and single `_`"
     )]
     Identifier {
-        /// The option, as after `--` on the command line.
+        /// The option name after `--` on the command line.
         option: &'static str,
         /// The text.
         text: String,
     },
-    /// The device has no entry that could be generated.
+    /// The device has no entry that can be generated.
     #[error("the device has no entries")]
     NoEntries {
-        /// Why the entries that it has could not be used.
+        /// Why its entries cannot be used.
         notes: Vec<Note>,
     },
-    /// Values that would come out wrong.
+    /// Values that cannot be represented.
     #[error("{}", list(.0))]
     Inexpressible(
-        /// The places and what is wrong with them; at least one.
+        /// The places with the problems; at least one.
         Vec<Note>,
     ),
-    /// The target `template` was asked for without one.
+    /// The target `template` was requested without a template.
     #[error("the target `template` needs a template (`--template FILE`)")]
     NoTemplate,
-    /// A template of the user's own cannot be read or rendered.
+    /// A custom template cannot be read or rendered.
     #[error("{file}{}: {message}", line.map(|line| format!(":{line}")).unwrap_or_default())]
     UserTemplate {
-        /// The name of its file.
+        /// The template file.
         file: String,
-        /// The line, counted from 1; `None` where the file is meant.
+        /// The line, counted from 1; `None` for the whole file.
         line: Option<usize>,
-        /// What is wrong.
+        /// The error.
         message: String,
     },
-    /// A template could not be rendered, which is a defect of this crate.
+    /// A template could not be rendered; this is a bug of this crate.
     #[error("cannot render the template of `{file}`: {source}")]
     Template {
-        /// The file that it is for.
+        /// The output file.
         file: String,
-        /// What the template engine says.
+        /// The error of the template engine.
         source: askama::Error,
     },
 }
@@ -319,22 +319,22 @@ fn list(notes: &[Note]) -> String {
     notes.iter().map(Note::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// The files of `target` for `device`.
+/// Generates the files of `target` for `device`.
 ///
 /// # Errors
-/// When the device asks for something that would come out wrong, see [`GenerateError`].
+/// Fails if a value cannot be represented, see [`GenerateError`].
 pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let mut generated = files_of(device, target, options)?;
     generated.notes.splice(0..0, without_effect(&[target], options));
     Ok(generated)
 }
 
-/// The same without a word about options that have no effect.
+/// The same without notes about options that have no effect.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     target.0.generate(device, options)
 }
 
-/// A note for each option that has no effect on any of the targets.
+/// Notes options that have no effect on any of the targets.
 pub fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
     let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses().contains(choice));
     let without = options.chosen().filter(|choice| !has_effect(choice));
@@ -344,7 +344,7 @@ pub fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
     without.map(note).collect()
 }
 
-/// What generated code calls an object or an entry.
+/// The identifiers of an object or an entry in generated code.
 #[cfg(all(feature = "c", feature = "rust"))]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Identifier {
@@ -358,28 +358,30 @@ pub struct Identifier {
     pub c: String,
 }
 
-/// What the targets `rust` and `c` call the objects and entries of a device. An object with one value has only its index.
+/// The identifiers of objects and entries in the targets `rust` and `c`. An object with one value has only
+/// its index.
 ///
 /// # Errors
-/// As [`generate`].
+/// Same as [`generate`].
 #[cfg(all(feature = "c", feature = "rust"))]
 pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
     c::identifiers(device, options)
 }
 
-/// What the tables of `target` take in flash and RAM, without the code that serves them, or why that is not known.
+/// Computes the size of the tables of `target` in flash and RAM, without the code that uses them, or states
+/// why it is unknown.
 ///
 /// # Errors
-/// As [`generate`].
+/// Same as [`generate`].
 pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
     target.0.size(device, options)
 }
 
-/// A rendered template as a file, with one line feed at its end.
+/// Renders a template as a file that ends with one line feed.
 fn render(file: impl Into<String>, template: &impl askama::Template) -> Result<OutputFile, GenerateError> {
     let path = file.into();
     match template.render() {
-        Ok(text) => Ok(OutputFile { path, contents: (text + "\n").into_bytes() }), // askama drops the last one
+        Ok(text) => Ok(OutputFile { path, contents: (text + "\n").into_bytes() }), // askama drops the last line feed
         Err(source) => Err(GenerateError::Template { file: path, source }),
     }
 }

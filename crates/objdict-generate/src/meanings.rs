@@ -1,12 +1,12 @@
-//! Enumerations and bit fields with their names, as the targets `rust` and `c` show them. What they are is the model's
-//! ([`crate::model::Meanings`]).
+//! Enumerations and bit fields with identifiers for the targets `rust` and `c`. The model defines their
+//! contents ([`crate::model::Meanings`]).
 
 use super::names::{Scope, words};
 use super::table::{Row, Table};
 use super::{Names, Note, Options};
 use crate::model::{BitStruct, DataType, Device, Enumeration, Meaning, NamedValue, Part, Place};
 
-/// What the values of a device's entries mean.
+/// Named values and bit fields of a device.
 #[derive(Debug, Default)]
 pub(crate) struct Named {
     pub(crate) enums: Vec<EnumType>,
@@ -16,9 +16,9 @@ pub(crate) struct Named {
 /// An enumeration.
 #[derive(Debug)]
 pub(crate) struct EnumType {
-    /// In lower case, unique among enumerations.
+    /// In lower case; unique among enumerations.
     pub(crate) name: String,
-    /// What it is and whose values it names, for comments; with texts of the description.
+    /// Its name and the entries that use it, for comments; contains texts of the description.
     pub(crate) title: String,
     pub(crate) entries: Vec<(u16, u8)>,
     /// The type of the values.
@@ -27,22 +27,22 @@ pub(crate) struct EnumType {
     pub(crate) values: Vec<EnumValue>,
 }
 
-/// A value with a name.
+/// A named value.
 #[derive(Debug)]
 pub(crate) struct EnumValue {
-    /// In lower case, unique in its enumeration.
+    /// In lower case; unique in its enumeration.
     pub(crate) name: String,
     /// The name in the description.
     pub(crate) label: String,
     pub(crate) number: i128,
-    /// The earlier value that has the same number.
+    /// An earlier value with the same number.
     pub(crate) alias_of: Option<usize>,
 }
 
-/// A word that is divided into parts.
+/// A word with bit fields.
 #[derive(Debug)]
 pub(crate) struct WordType {
-    /// In lower case, unique among words, and no keyword.
+    /// In lower case; unique among words; not a keyword.
     pub(crate) name: String,
     /// The name in the description.
     pub(crate) title: String,
@@ -53,10 +53,10 @@ pub(crate) struct WordType {
     pub(crate) parts: Vec<WordPart>,
 }
 
-/// A part of a word.
+/// A bit field.
 #[derive(Debug)]
 pub(crate) struct WordPart {
-    /// In lower case, unique in its word, and no keyword.
+    /// In lower case; unique in its word; not a keyword.
     pub(crate) name: String,
     /// The name in the description.
     pub(crate) label: String,
@@ -69,13 +69,14 @@ pub(crate) struct WordPart {
 }
 
 impl Named {
-    /// Whether nothing has a meaning.
+    /// Whether there are no named values and no bit fields.
     pub(crate) fn is_empty(&self) -> bool {
         self.enums.is_empty() && self.words.is_empty()
     }
 }
 
-/// What makes two enumerations one: the type, the data type and how many values it holds, or the entries of one object with the same values.
+/// Identifies equal enumerations: the type, the data type and the number of values, or the entries of one
+/// object with the same values.
 #[derive(Debug, PartialEq, Eq)]
 enum Key {
     Defined(Box<str>, DataType, usize),
@@ -93,7 +94,7 @@ struct Namer<'a> {
     notes: &'a mut Vec<Note>,
 }
 
-/// The enumerations and bit fields of the entries that the table has. What cannot be expressed is noted.
+/// The enumerations and bit fields of the entries in the table. What cannot be expressed is noted.
 pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes: &mut Vec<Note>) -> Named {
     let mut namer = Namer {
         named: Named::default(),
@@ -127,7 +128,7 @@ fn has_parameters(device: &Device) -> bool {
 }
 
 impl Namer<'_> {
-    /// `part` is the name of the part of a word that has the values, in the description.
+    /// `part` is the described name of the bit field with these values.
     fn enumeration(&mut self, row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) {
         let key = key_of(row, enumeration, part);
         let at = (row.index, row.sub);
@@ -194,7 +195,7 @@ impl Namer<'_> {
         self.named.words.push(WordType { name, title, entries: vec![at], data_type: word.data_type, parts });
     }
 
-    /// What an entry's identifiers are made of.
+    /// The source of an entry's identifiers.
     fn name_of(&self, row: &Row) -> String {
         let object = self.table.objects.iter().find(|object| object.index == row.index);
         match object {
@@ -230,7 +231,7 @@ fn key_of(row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) -> Key {
     }
 }
 
-/// Values with unique names; what is there twice with the same name is there once.
+/// Makes names of values unique; equal values with equal names are merged.
 fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
     let mut scope = Scope::of_constants("");
     let mut values: Vec<EnumValue> = Vec::new();

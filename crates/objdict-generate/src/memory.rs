@@ -1,19 +1,20 @@
-//! What C makes of types and variables on the processor that sizes are computed for, and the sum of it by object.
+//! Sizes of types and variables in C on the reference processor, and their sum per object.
 //!
-//! The processor is one of 32 bits, as a Cortex-M with the compiler arm-none-eabi-gcc: pointers have 4 bytes, numbers are
-//! aligned to their size (8 bytes at most), an enumeration is as short as its numbers allow. A variable that begins with
-//! anything but zeros takes as much flash as RAM, for start-up code copies it from there.
+//! The processor is a 32-bit one such as a Cortex-M with the compiler arm-none-eabi-gcc: pointers have 4
+//! bytes, numbers are aligned to their size (at most 8 bytes), and an enumeration has the smallest type for
+//! its values. A variable with a non-zero initial value takes the same size in flash, from which the start-up
+//! code copies it.
 
 use super::dictionary::Dictionary;
 use super::resolve::Datum;
 use super::size::{ObjectSize, Size, SizeReport};
 
-/// What a type takes.
+/// Size and alignment of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Extent {
     /// Bytes.
     pub(crate) size: usize,
-    /// What its place is a multiple of.
+    /// Alignment in bytes.
     alignment: usize,
 }
 
@@ -33,18 +34,18 @@ impl Extent {
         let size = match c_type {
             "float" => 4,
             "double" => 8,
-            "bool_t" => 4, // of CANopenNode: `uint_fast8_t`, which arm-none-eabi-gcc makes as long as a word
+            "bool_t" => 4, // a CANopenNode type based on `uint_fast8_t`, which is a word in arm-none-eabi-gcc
             _ => c_type.chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap_or(8) / 8,
         };
         Self::number(size)
     }
 
-    /// So many of it, one behind the other.
+    /// An array with this number of elements.
     pub(crate) fn times(self, count: usize) -> Self {
         Self { size: self.size * count, ..self }
     }
 
-    /// A structure of these members.
+    /// A structure with these members.
     pub(crate) fn structure(members: impl IntoIterator<Item = Self>) -> Self {
         let begin = Self { size: 0, alignment: 1 };
         let all = members.into_iter().fold(begin, |so_far, member| Self {
@@ -54,30 +55,30 @@ impl Extent {
         Self { size: all.size.next_multiple_of(all.alignment), ..all }
     }
 
-    /// A string, octet string or DOMAIN behind its length, 16 bits.
+    /// A string, octet string or DOMAIN preceded by a 16-bit length.
     pub(crate) fn behind_length(room: usize) -> Self {
         Self::structure([Self::HALF, Self::BYTE.times(room)])
     }
 }
 
-/// Where something lies.
+/// The memory of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory {
     Flash,
-    /// RAM that begins with zeros.
+    /// Zero-initialised RAM.
     Zeroed,
-    /// RAM, and the flash that it is copied from.
+    /// RAM, and the flash with its initial values.
     Initialised,
 }
 
 impl Memory {
-    /// RAM with values that begin like this.
+    /// The RAM section for these initial values.
     pub(crate) fn of_values<'a>(defaults: impl IntoIterator<Item = &'a Datum>) -> Self {
         if defaults.into_iter().all(is_zero) { Self::Zeroed } else { Self::Initialised }
     }
 }
 
-/// Whether a value begins with nothing but zeros.
+/// Whether the initial value is all zeros.
 pub(crate) fn is_zero(datum: &Datum) -> bool {
     match datum {
         Datum::Word(word) | Datum::Formula(word) => *word == 0,
@@ -85,7 +86,7 @@ pub(crate) fn is_zero(datum: &Datum) -> bool {
     }
 }
 
-/// Sums up what the objects of a dictionary take.
+/// Sums up the sizes per object.
 #[derive(Debug)]
 pub(crate) struct Tally {
     objects: Vec<ObjectSize>,
@@ -93,7 +94,7 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    /// Nothing yet, of objects in ascending order: index, name and number of entries.
+    /// Starts with objects in ascending order: index, name and number of entries.
     pub(crate) fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
         let objects = objects.into_iter().map(|(index, name, entries)| ObjectSize {
             index,
@@ -104,7 +105,7 @@ impl Tally {
         Self { objects: objects.collect(), rest: Size::default() }
     }
 
-    /// Nothing yet, of the objects of a dictionary.
+    /// Starts with the objects of a dictionary.
     pub(crate) fn of_dictionary(dictionary: &Dictionary<'_>) -> Self {
         let objects = dictionary.objects.iter();
         Self::new(objects.map(|object| (object.index, object.object.name(), object.entries.len())))
@@ -118,13 +119,13 @@ impl Tally {
         add(size, memory, bytes);
     }
 
-    /// Adds bytes that belong to no object.
+    /// Adds bytes without an object.
     pub(crate) fn rest(&mut self, memory: Memory, bytes: usize) {
         add(&mut self.rest, memory, bytes);
     }
 
-    /// Adds a variable that is a structure: its members with the objects that they are of; those that are of none, and
-    /// the gaps, go to the rest.
+    /// Adds a structure: its members count for their objects; padding and members without an object go to the
+    /// rest.
     pub(crate) fn structure(&mut self, memory: Memory, members: &[(Option<u16>, Extent)]) {
         let whole = Extent::structure(members.iter().map(|&(_, extent)| extent)).size;
         let mut gaps = whole;
@@ -137,7 +138,7 @@ impl Tally {
         self.rest(memory, gaps);
     }
 
-    /// The sums. `counted` says of what, see [`SizeReport::counted`].
+    /// The sums. For `counted` see [`SizeReport::counted`].
     pub(crate) fn report(self, counted: &'static str) -> SizeReport {
         SizeReport::new(counted, self.objects, self.rest)
     }

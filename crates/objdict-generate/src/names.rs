@@ -1,21 +1,22 @@
 //! Identifiers from the names of a description.
 //!
-//! A name becomes words of lower-case ASCII letters and digits, joined by `_`; constants and macros are the same in
-//! upper case. All languages share the result, so that one entry is called alike in all of them. Whatever the names
-//! are, the identifiers of one [`Scope`] are valid and unique, and the same description always gives the same ones.
+//! A name becomes words of lower-case ASCII letters and digits, joined by `_`; constants and macros use the
+//! same words in upper case. All languages share the result, so an entry has the same name in each of them.
+//! The identifiers of one [`Scope`] are valid and unique for any names, and the same description always gives
+//! the same identifiers.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt;
 use std::sync::LazyLock;
 
-/// The longest identifier: C99 compilers need not tell longer ones apart (§5.2.4.1).
+/// Maximum length of an identifier: C99 compilers need not distinguish longer ones (§5.2.4.1).
 pub(crate) const LONGEST: usize = 63;
 
-/// The longest identifier of one name, before it is joined with others.
+/// Maximum length of an identifier from one name, before names are joined.
 const LONGEST_PART: usize = 48;
 
-/// Words of Rust, 2015 to 2024, its primitive types and its crates.
+/// Keywords of Rust 2015 to 2024, primitive types and standard crates.
 const RUST: &str = "
     abstract alloc as async await become bool box break char const continue core crate do dyn else enum
     extern f128 f16 f32 f64 false final fn for gen i128 i16 i32 i64 i8 if impl in isize let loop macro
@@ -24,7 +25,7 @@ const RUST: &str = "
     yield
 ";
 
-/// Words of C, and what compilers and headers for microcontrollers add.
+/// Keywords of C, and additional ones of compilers and headers for microcontrollers.
 const C: &str = "
     alignas alignof asm assert auto case complex constexpr data default double errno far float fortran
     goto huge i386 imaginary inline int interrupt linux long main near noreturn nullptr offsetof pascal
@@ -32,7 +33,7 @@ const C: &str = "
     unix unsigned void volatile xdata
 ";
 
-/// Words that C++ adds.
+/// Additional keywords of C++.
 const CPP: &str = "
     and and_eq bitand bitor catch class co_await co_return co_yield compl concept const_cast consteval
     constinit decltype delete dynamic_cast explicit export friend import module mutable namespace new
@@ -40,17 +41,17 @@ const CPP: &str = "
     static_assert static_cast template this throw typeid typename using xor xor_eq
 ";
 
-/// Whether an identifier is taken: by a language, or as the name of a type in C.
+/// Whether an identifier is reserved: a keyword, or like a type name in C.
 fn is_reserved(identifier: &str) -> bool {
     static WORDS: LazyLock<HashSet<&str>> =
         LazyLock::new(|| [RUST, C, CPP].into_iter().flat_map(str::split_ascii_whitespace).collect());
     identifier.ends_with("_t") || WORDS.contains(identifier)
 }
 
-/// The words of a name, joined by `_`; empty when the name has no ASCII letter or digit.
+/// The words of a name, joined by `_`; empty if the name has no ASCII letter or digit.
 ///
-/// Latin letters lose their marks; everything else that is no letter or digit separates words. A name of one word is
-/// also split before capitals, as in `maxSpeed`.
+/// Accents of Latin letters are removed; all other characters that are not letters or digits separate words.
+/// A name of one word is also split before capitals, as in `maxSpeed`.
 pub(crate) fn words(name: &str) -> String {
     let plain = if name.is_ascii() {
         Cow::Borrowed(name)
@@ -66,7 +67,7 @@ pub(crate) fn words(name: &str) -> String {
             joined.push_str(first);
             for part in std::iter::once(second).chain(parts) {
                 if joined.len() > LONGEST_PART {
-                    break; // the rest would be cut off
+                    break; // the rest would be truncated
                 }
                 joined.push('_');
                 joined.push_str(part);
@@ -81,7 +82,8 @@ pub(crate) fn words(name: &str) -> String {
     joined
 }
 
-/// Adds a word, split where a capital begins a new one: `maxSpeed`, `CANState`, but neither `PDOs` nor `0x1A00`.
+/// Appends a word, split where a capital starts a new one: `maxSpeed`, `CANState`, but neither `PDOs` nor
+/// `0x1A00`.
 fn push_split(joined: &mut String, word: &[u8]) {
     let lower = |at: usize| word.get(at).is_some_and(u8::is_ascii_lowercase);
     for (at, &byte) in word.iter().enumerate().take(LONGEST_PART + 1) {
@@ -97,7 +99,7 @@ fn push_split(joined: &mut String, word: &[u8]) {
     }
 }
 
-/// A Latin-1 letter without its mark; any other character as it is.
+/// Removes the accent of a Latin-1 letter; other characters are unchanged.
 pub(crate) fn without_mark(c: char) -> char {
     match c {
         'À'..='Å' => 'A',
@@ -120,13 +122,13 @@ pub(crate) fn without_mark(c: char) -> char {
     }
 }
 
-/// The first `length` bytes of an identifier, without `_` at the end.
+/// The first `length` bytes of an identifier, without a trailing `_`.
 fn clip(identifier: &str, length: usize) -> &str {
     let end = identifier.len().min(length);
     identifier[..end].trim_end_matches('_')
 }
 
-/// A namespace of the generated code: knows which identifiers are taken.
+/// A namespace of generated code with the identifiers in use.
 #[derive(Debug, Default)]
 pub(crate) struct Scope {
     taken: HashSet<String>,
@@ -134,36 +136,36 @@ pub(crate) struct Scope {
 }
 
 impl Scope {
-    /// A namespace for constants and macros, where these words are taken: in upper case, no language has a keyword.
+    /// A namespace for constants and macros with these words in use. No language has upper-case keywords.
     pub(crate) fn of_constants(taken: &str) -> Self {
         Self { taken: taken.split_whitespace().map(str::to_owned).collect(), keywords: false }
     }
 
-    /// A namespace for fields and modules, where keywords are in the way too.
+    /// A namespace for fields and modules, which must also differ from keywords.
     pub(crate) fn of_lower_case(taken: &str) -> Self {
         Self { keywords: true, ..Self::of_constants(taken) }
     }
 
-    /// Gives all identifiers back but these.
+    /// Releases all identifiers except these.
     pub(crate) fn reset(&mut self, taken: &str) {
         self.taken.clear();
         self.taken.extend(taken.split_whitespace().map(str::to_owned));
     }
 
-    /// Whether nobody has an identifier.
+    /// Whether an identifier is free.
     pub(crate) fn is_free(&self, identifier: &str) -> bool {
         !self.taken.contains(identifier)
     }
 
-    /// Takes an identifier, so that nobody gets it.
+    /// Reserves an identifier.
     pub(crate) fn take(&mut self, identifier: String) {
         self.taken.insert(identifier);
     }
 
-    /// The identifier for `words`, which is taken from now on.
+    /// Claims an identifier for `words`.
     ///
-    /// The first that claims an identifier gets it as it is, a keyword with `_` behind it; for everybody later, `suffix`
-    /// (the index, and mostly the sub-index, so that it says who it is) makes the difference.
+    /// The first claim gets the plain identifier, a keyword with `_` appended. Later claims get `suffix` (the
+    /// index and usually the sub-index) appended.
     pub(crate) fn claim(&mut self, words: &str, suffix: fmt::Arguments<'_>) -> String {
         let mut plain = match clip(words, LONGEST) {
             "" => format!("x{suffix}"),

@@ -1,4 +1,4 @@
-//! Notes about what a target cannot express, in order, and each once.
+//! Notes about what a target cannot express, ordered and without repetition.
 
 use std::collections::HashMap;
 
@@ -6,16 +6,16 @@ use super::Note;
 use crate::diagnostic::counted;
 use crate::model::{Part, Place};
 
-/// The most objects, or rows of objects, that a message names.
+/// Maximum number of objects or ranges named in a message.
 const MOST_RANGES: usize = 8;
 
-/// Notes in the order of their places; those of one place stay as they are.
+/// Orders notes by place; notes of one place keep their order.
 pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
     notes.sort_by(|a, b| a.place.cmp(&b.place));
     notes
 }
 
-/// Ordered notes without those that say the same of further entries of an object: the first one counts them.
+/// Merges equal notes about several entries of an object into the first one, which counts them.
 pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<(Note, Vec<Place>)> = Vec::new();
     for note in notes {
@@ -24,7 +24,7 @@ pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
                 && first.place.field == note.place.field
                 && first.message == note.message
         };
-        let recent = kept.iter_mut().rev().take(8); // the kinds of notes that entries of one object have
+        let recent = kept.iter_mut().rev().take(8); // more than the kinds of notes for entries of one object
         match recent.into_iter().find(same) {
             Some((_, more)) => more.push(note.place),
             None => kept.push((note, Vec::new())),
@@ -41,7 +41,7 @@ pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
     counted.collect()
 }
 
-/// Ordered notes without those that say the same of further entries of the device: the first one counts them and names
+/// Merges equal notes about several entries of the device into the first one, which counts them and names
 /// their objects.
 pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
@@ -68,7 +68,7 @@ pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
     kept
 }
 
-/// Indexes in ascending order as a text: `1010h, 1400h to 1403h`, the first of them only where there are many.
+/// Indexes in ascending order as text: `1010h, 1400h to 1403h`; only the first ones if there are many.
 fn ranges(indexes: &[u16]) -> String {
     let mut ranges: Vec<(u16, u16)> = Vec::new();
     for &index in indexes {
@@ -86,7 +86,7 @@ fn ranges(indexes: &[u16]) -> String {
     named.join(", ") + more
 }
 
-/// The index of the object whose entry a place is.
+/// The index of a place.
 fn index_of(place: &Place) -> Option<u16> {
     match place.part {
         Part::Entry(index, _) => Some(index),

@@ -1,4 +1,4 @@
-//! What the user may decide about generated code. An option is declared once, below in `with_options`.
+//! Options of generated code. Each option is declared once, in `with_options` below.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,16 +8,16 @@ use std::path::PathBuf;
 use super::GenerateError;
 use crate::model::{Address, Device};
 
-/// Hands the declarations of all options to a macro. Four things are made of each of them: a field of [`Options`] and a
+/// Passes the declarations of all options to a macro. Each becomes four things: a field of [`Options`] and a
 /// [`Choice`] in this file, an argument of `objdict generate`, and a method of the build script's builder.
 ///
-/// * Its first paragraph is what `--help` shows; the others are only for the documentation of the library.
-/// * The name of its [`Choice`], and the one that stands behind `--`.
-/// * `field`: where [`Options`] keep it, the type, and its default.
-/// * `argument`: the type of what the command line gives, which [`OptionField::put`] takes value by value (a `bool` turns the
-///   field over), and what clap has to know.
-/// * `method`: that of the builder, with the value that [`OptionField::put`] takes.
-/// * `needs`: the feature of the package `objdict` without which the builder has no such method.
+/// * The first paragraph is the text of `--help`; the others appear only in the documentation of the library.
+/// * The name of its [`Choice`], and the name of the command-line option after `--`.
+/// * `field`: the field in [`Options`], its type, and its default.
+/// * `argument`: the type of the command-line value, which [`OptionField::put`] takes one by one (a `bool`
+///   inverts the field), and the attributes for clap.
+/// * `method`: the builder method, with the value that [`OptionField::put`] takes.
+/// * `needs`: the feature of the package `objdict` required for the builder method.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! with_options {
@@ -25,7 +25,7 @@ macro_rules! with_options {
         $make! {
             /// The node-ID [default: that of the DCF]
             ///
-            /// 1 to 127. Formulas stay formulas all the same, the node-ID is only named as the default.
+            /// 1 to 127. Formulas are kept; the node-ID is only their default.
             NodeId "node-id" {
                 field: node_id: Option<u8> = None,
                 argument: Option<u8> [value_name = "N", value_parser = node_id],
@@ -33,7 +33,7 @@ macro_rules! with_options {
             }
             /// Capacity of writable strings that have a shorter default or none [default: 32]
             ///
-            /// 1 to 65535 bytes for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING; without it, 32.
+            /// 1 to 65535 bytes for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING (default: 32).
             StringCapacity "string-capacity" {
                 field: string_capacity: u16 = 32,
                 argument: Option<u16> [help_heading = "Storage", value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..)],
@@ -41,8 +41,8 @@ macro_rules! with_options {
             }
             /// Capacity of writable DOMAINs [default: the size of the default value]
             ///
-            /// In bytes. 0: only for the default, and none where there is no default, so that the application has to
-            /// transfer the data itself.
+            /// In bytes. 0 reserves room only for the default value; without a default value the application
+            /// has to provide the data.
             DomainCapacity "domain-capacity" {
                 field: domain_capacity: u16 = 0,
                 argument: Option<u16> [help_heading = "Storage", value_name = "BYTES"],
@@ -50,7 +50,7 @@ macro_rules! with_options {
             }
             /// Source of identifiers
             ///
-            /// Without it, [`Names::Words`].
+            /// Default: [`Names::Words`].
             Names "names" {
                 field: names: Names = Names::default(),
                 argument: Option<Names> [help_heading = "Names", value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
@@ -58,7 +58,7 @@ macro_rules! with_options {
             }
             /// A file of other names for identifiers, with lines such as `"2000sub1" = "target speed"`
             ///
-            /// The caller reads the file: `generate::renames` turns its text into other names.
+            /// The caller reads the file; `generate::renames` parses its text.
             Renamed "rename" {
                 field: rename: Option<PathBuf> = None,
                 argument: Option<PathBuf> [help_heading = "Names", value_name = "FILE"],
@@ -67,7 +67,7 @@ macro_rules! with_options {
             }
             /// Prefix of C identifiers and files [default: od]
             ///
-            /// A letter, and up to 15 more letters, digits and `_`. The case is that of each identifier.
+            /// A letter, and up to 15 more letters, digits and `_`. Each identifier uses its own case.
             Prefix "prefix" {
                 field: prefix: Option<String> = None,
                 argument: Option<String> [help_heading = "Names", value_name = "WORD"],
@@ -75,7 +75,7 @@ macro_rules! with_options {
             }
             /// Name of the Rust module and its file [default: od]
             ///
-            /// The same letters as of a prefix.
+            /// Same syntax as a prefix.
             Module "module" {
                 field: module: Option<String> = None,
                 argument: Option<String> [help_heading = "Names", value_name = "WORD"],
@@ -83,8 +83,8 @@ macro_rules! with_options {
             }
             /// Storage group of objects, such as `2000-2FFF=PERSIST_APP`; repeatable
             ///
-            /// The last one that has an index counts; one that the description states comes first. A name is a letter
-            /// with letters, digits and `_` behind it.
+            /// If several groups contain an index, the last one applies; a group stated in the description
+            /// takes precedence. A name is a letter followed by letters, digits and `_`.
             Groups "group" {
                 field: groups: Vec<StorageGroup> = Vec::new(),
                 argument: Vec<StorageGroup> [help_heading = "Storage", value_name = "INDEXES=NAME"],
@@ -93,7 +93,7 @@ macro_rules! with_options {
             /// Call the application before reads and after writes of an object or entry, such as `6000` or `6000:1`; repeatable, or
             /// separated by commas
             ///
-            /// An object stands for all its entries.
+            /// An object includes all its entries.
             Hooks "hook" {
                 field: hooks: BTreeSet<Address> = BTreeSet::new(),
                 argument: Vec<Address> [help_heading = "Stacks", value_name = "ADDRESS", value_delimiter = ','],
@@ -107,7 +107,7 @@ macro_rules! with_options {
             }
             /// Template of the target `template`; the output has its name without `.j2`
             ///
-            /// It needs the feature `template`.
+            /// Requires the feature `template`.
             Template "template" {
                 field: template: Option<PathBuf> = None,
                 argument: Option<PathBuf> [help_heading = "Output", value_name = "FILE"],
@@ -115,7 +115,7 @@ macro_rules! with_options {
             }
             /// Layout of the table of the target `c`
             ///
-            /// Without it, [`CTable::Compact`].
+            /// Default: [`CTable::Compact`].
             Table "table" {
                 field: table: CTable = CTable::default(),
                 argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
@@ -123,7 +123,7 @@ macro_rules! with_options {
             }
             /// Omit the names of entries
             ///
-            /// They are for people who read the table on the device; what has no room for names has none anyway.
+            /// Names help to read the table on the device. Layouts without room for names ignore this option.
             EntryNames "no-names" {
                 field: entry_names: bool = true,
                 argument: bool [help_heading = "Size"],
@@ -131,7 +131,7 @@ macro_rules! with_options {
             }
             /// Put names, PDOs and limits in Rust behind the features `od-names`, `od-pdo` and `od-limits`
             ///
-            /// The features are those of the crate that takes it in.
+            /// These are features of the crate that includes the file.
             FeatureGates "feature-gates" {
                 field: feature_gates: bool = false,
                 argument: bool [help_heading = "Size"],
@@ -139,7 +139,7 @@ macro_rules! with_options {
             }
             /// Derive traits of other crates for the Rust types
             ///
-            /// May be called several times.
+            /// Can be called several times.
             Derives "derive" {
                 field: derives: Vec<Derive> = Vec::new(),
                 argument: Vec<Derive> [help_heading = "Stacks", value_name = "CRATE", value_parser = one_of::<Derive>(), value_delimiter = ','],
@@ -159,18 +159,18 @@ macro_rules! declare {
             $(needs: $feature:tt,)?
         }
     )+) => {
-        /// The choices of the user. [`super::generate`] reports each choice that the target ignores.
+        /// User options of code generation. [`super::generate`] reports each option that the target ignores.
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub struct Options {
             $(
                 $(#[doc = $doc])+
                 pub $field: $type,
             )+
-            /// Names that identifiers are made of instead, for objects (`None`) and for their entries.
+            /// Replacement names for objects (`None`) and entries, from which identifiers are derived.
             pub renamed: BTreeMap<Address, String>,
-            /// The stem of the output's name, for targets whose files have no fixed names (`rust` and `c` have: `od`).
+            /// The stem of output files for targets without fixed names (`rust` and `c` always use `od`).
             pub file_stem: String,
-            /// The hash of what the description was read from, for the head of each file; see `source::hash`.
+            /// The hash of the input for the header of each file; see `source::hash`.
             pub source_hash: Option<u64>,
         }
 
@@ -185,7 +185,7 @@ macro_rules! declare {
             }
         }
 
-        /// An option that a target may have no use for.
+        /// An option that a target may ignore.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Choice {
             $(
@@ -195,7 +195,7 @@ macro_rules! declare {
         }
 
         impl Choice {
-            /// The name, as the command line has it behind `--`.
+            /// The name on the command line after `--`.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$choice => $name,)+
@@ -204,12 +204,12 @@ macro_rules! declare {
         }
 
         impl Options {
-            /// The options that are not as they are by default.
+            /// The options that differ from their defaults.
             pub(super) fn chosen(&self) -> impl Iterator<Item = Choice> {
                 let default = Self::default();
                 let choices = [$((Choice::$choice, self.$field != default.$field),)+];
                 let is_chosen = |choice, is_changed| match choice {
-                    Choice::NodeId => false, // every target has a use for it
+                    Choice::NodeId => false, // used by every target
                     Choice::Renamed => is_changed || !self.renamed.is_empty(),
                     _ => is_changed,
                 };
@@ -221,12 +221,12 @@ macro_rules! declare {
 
 with_options!(declare);
 
-/// A field of [`Options`] that values are given to: one takes the place of another, where there is room for one.
+/// A field of [`Options`] that accepts values. A field for one value keeps the last one.
 pub trait OptionField {
-    /// What is given.
+    /// The type of a value.
     type Value;
 
-    /// Keeps a value.
+    /// Stores a value.
     fn put(&mut self, value: Self::Value);
 }
 
@@ -268,19 +268,19 @@ impl<T: Ord> OptionField for BTreeSet<T> {
     }
 }
 
-/// One of a few values.
+/// A choice between a few values.
 pub trait OptionValue: Copy + Send + Sync + 'static {
-    /// All of them, each with its name on the command line and what it is.
+    /// All values, each with its command-line name and its description.
     const ALL: &'static [(Self, &'static str, &'static str)];
 }
 
-/// What identifiers are made of.
+/// The source of identifiers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Names {
-    /// Of `ParameterName`.
+    /// `ParameterName`.
     #[default]
     Words,
-    /// Of index and sub-index: a better name in the description changes no line of the application.
+    /// Index and sub-index: renaming an entry in the description does not affect the application.
     Index,
 }
 
@@ -289,13 +289,13 @@ impl OptionValue for Names {
         &[(Self::Words, "words", "`ParameterName`"), (Self::Index, "index", "Index and sub-index")];
 }
 
-/// How the dictionary is laid out in plain C.
+/// The dictionary layout of the target `c`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CTable {
-    /// Short rows with offsets into RAM and flash, and functions that answer as an SDO server does.
+    /// Short rows with offsets into RAM and flash, and functions that implement the answers of an SDO server.
     #[default]
     Compact,
-    /// An array of structures with pointers to value, limits and default, for a stack of one's own.
+    /// An array of structures with pointers to value, limits and default, for custom stacks.
     Structs,
 }
 
@@ -306,7 +306,7 @@ impl OptionValue for CTable {
     ];
 }
 
-/// Traits of another crate that generated Rust types derive.
+/// Traits of other crates derived for generated Rust types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derive {
     /// `Format` of the crate `defmt`.
@@ -322,17 +322,17 @@ impl OptionValue for Derive {
     ];
 }
 
-/// A storage group: objects whose values are kept together.
+/// A storage group: objects with values stored together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StorageGroup {
-    /// The indexes that belong to it.
+    /// Its indexes.
     pub objects: RangeInclusive<u16>,
-    /// Its name, as the application writes it.
+    /// Its name in the application.
     pub name: String,
 }
 
 impl Options {
-    /// The node-ID of these options, else of the device.
+    /// The node-ID of the options, else of the device.
     pub(crate) fn node_id_of(&self, device: &Device) -> Result<Option<u8>, GenerateError> {
         match self.node_id {
             Some(node_id) if !(1..=127).contains(&node_id) => Err(GenerateError::NodeId { node_id }),
@@ -341,7 +341,7 @@ impl Options {
         }
     }
 
-    /// What stands before the identifiers of C, in lower case.
+    /// The prefix of C identifiers in lower case.
     pub(crate) fn prefix_or(&self, default: &str) -> Result<String, GenerateError> {
         identifier(Choice::Prefix, self.prefix.as_deref().unwrap_or(default))
     }
@@ -351,7 +351,7 @@ impl Options {
         identifier(Choice::Module, self.module.as_deref().unwrap_or(default))
     }
 
-    /// What the identifiers of an object or entry are made of; empty: of index and sub-index.
+    /// The source of identifiers for an object or entry; empty to use index and sub-index.
     pub(crate) fn name_of<'a>(&'a self, at: Address, described: &'a str) -> Cow<'a, str> {
         match self.renamed.get(&at) {
             Some(name) => Cow::Borrowed(name),
@@ -360,13 +360,13 @@ impl Options {
         }
     }
 
-    /// The storage group of an object that the options put it into.
+    /// The storage group of an object according to the options.
     pub fn group_of(&self, index: u16) -> Option<&str> {
         let group = self.groups.iter().rev().find(|group| group.objects.contains(&index));
         group.map(|group| group.name.as_str())
     }
 
-    /// Who made a file, and of what: the first line of each file, without a date and without a path.
+    /// Generator and source: the first line of each file, without date and path.
     pub(crate) fn made_by(&self) -> String {
         let version = env!("CARGO_PKG_VERSION");
         match self.source_hash {
@@ -376,7 +376,7 @@ impl Options {
     }
 }
 
-/// The longest prefix: a name of 48 letters behind it still fits into an identifier.
+/// Maximum length of a prefix; leaves room for a name of 48 letters in an identifier.
 const LONGEST_PREFIX: usize = 16;
 
 fn identifier(choice: Choice, text: &str) -> Result<String, GenerateError> {

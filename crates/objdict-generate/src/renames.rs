@@ -1,4 +1,4 @@
-//! Names that somebody chose for identifiers: `"2000sub1" = "speed"`, a line each, in TOML.
+//! Custom names for identifiers in TOML, one per line: `"2000sub1" = "speed"`.
 
 #[cfg(feature = "toml")]
 use std::collections::BTreeMap;
@@ -10,13 +10,13 @@ use crate::model::Address;
 #[cfg(feature = "toml")]
 use crate::model::NoAddress;
 
-/// Why a text of the user is no choice.
+/// An invalid value of an option.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ChoiceError {
-    /// Line of the text, counted from 1, where it has several.
+    /// Line in a file, counted from 1.
     pub line: Option<usize>,
-    /// What is wrong: lower case, no full stop.
+    /// Description of the error: lower case, no full stop.
     pub message: String,
 }
 
@@ -26,10 +26,10 @@ impl ChoiceError {
     }
 }
 
-/// The names that a file gives to objects and entries.
+/// Parses a file with names of objects and entries.
 ///
 /// # Errors
-/// When the file is no TOML, or has anything else than addresses and names in it.
+/// Fails on invalid TOML, or on anything other than addresses and names.
 #[cfg(feature = "toml")]
 pub fn renames(text: &str) -> Result<BTreeMap<Address, String>, ChoiceError> {
     let line_of = |at: usize| Some(text.get(..at).unwrap_or(text).matches('\n').count() + 1);
@@ -73,10 +73,11 @@ impl FromStr for StorageGroup {
 }
 
 impl StorageGroup {
-    /// The objects of a range, as a group of this name: a letter, with letters, digits and `_` behind it.
+    /// Creates a group of this name for a range of objects. A name is a letter followed by letters, digits
+    /// and `_`.
     ///
     /// # Errors
-    /// When there is no index in the range, or the name is another.
+    /// Fails if the range is empty or the name is not valid.
     pub fn new(objects: RangeInclusive<u16>, name: &str) -> Result<Self, ChoiceError> {
         let is_word = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         if objects.is_empty() {

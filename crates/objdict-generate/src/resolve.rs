@@ -1,23 +1,23 @@
-//! One entry of a description, resolved: what a table must know of it, in numbers and bytes.
+//! A resolved entry: the data that tables need, as numbers and bytes.
 
 use super::{LONGEST_VALUE, Note, Options};
 use crate::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, Place, TypeKind, Value,
 };
 
-/// What an entry's values are and how they are stored.
+/// The representation of an entry's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Shape {
-    /// BOOLEAN, INTEGERn, UNSIGNEDn, REALn or TIME_x: at most eight bytes, as a number in a word.
+    /// BOOLEAN, INTEGERn, UNSIGNEDn, REALn or TIME_x: at most eight bytes, as a number.
     Word(DataType),
-    /// VISIBLE_STRING, OCTET_STRING, UNICODE_STRING or DOMAIN: at most so many bytes.
+    /// VISIBLE_STRING, OCTET_STRING, UNICODE_STRING or DOMAIN: at most this many bytes.
     Bytes(DataType, u16),
-    /// A type of the device's own: exactly so many bytes.
+    /// A device-specific type: exactly this many bytes.
     Block(u16),
 }
 
 impl Shape {
-    /// Bytes of a value in an SDO transfer, at most.
+    /// Maximum size of a value in an SDO transfer, in bytes.
     pub(crate) fn size(self) -> usize {
         match self {
             Self::Word(data_type) => data_type.byte_length().map_or(0, usize::from),
@@ -42,25 +42,25 @@ pub(crate) enum Datum {
 pub(crate) struct Resolved {
     pub(crate) shape: Shape,
     pub(crate) access: Access,
-    /// Whether a TPDO may carry it.
+    /// Whether a TPDO may map it.
     pub(crate) tpdo: bool,
-    /// Whether an RPDO may carry it.
+    /// Whether an RPDO may map it.
     pub(crate) rpdo: bool,
-    /// Whether the value never changes, so that it stays in flash.
+    /// Whether the value never changes and stays in flash.
     pub(crate) constant: bool,
     pub(crate) default: Datum,
-    /// Only of a [`Shape::Word`] that is a number.
+    /// Only for a numeric [`Shape::Word`].
     pub(crate) low: Option<Datum>,
     pub(crate) high: Option<Datum>,
 }
 
-/// Resolves the entries of a device; collects what cannot be expressed.
+/// Resolves the entries of a device and collects what cannot be expressed.
 pub(crate) struct Resolver<'a> {
     device: &'a Device,
     options: &'a Options,
-    /// What is left out or assumed.
+    /// Omissions and assumptions.
     pub(crate) notes: Vec<Note>,
-    /// What would come out wrong.
+    /// Values that cannot be represented.
     pub(crate) errors: Vec<Note>,
 }
 
@@ -69,7 +69,7 @@ impl<'a> Resolver<'a> {
         Self { device, options, notes: Vec::new(), errors: Vec::new() }
     }
 
-    /// The entry of `object` at a place; `None`, with a note, when a table cannot have it.
+    /// Resolves an entry of `object`; `None`, with a note, if a table cannot contain it.
     pub(crate) fn entry(&mut self, object: &Object, index: u16, sub: u8, entry: &Entry) -> Option<Resolved> {
         let place = Place::entry(index, sub);
         let object_type = entry.object_type.unwrap_or(ObjectType::Var);
@@ -108,7 +108,7 @@ impl<'a> Resolver<'a> {
         Some(Resolved { shape, access, tpdo, rpdo, constant, default, low, high })
     }
 
-    /// The data type that an entry has or that its object implies.
+    /// The data type of an entry, stated or implied by its object.
     fn data_type(&mut self, object: &Object, place: &Place, sub: u8, entry: &Entry) -> Option<DataType> {
         let implied = match (entry.object_type, object.object_type(), sub) {
             (Some(ObjectType::Domain), _, _) => Some(DataType::DOMAIN),
@@ -135,7 +135,7 @@ impl<'a> Resolver<'a> {
             return access;
         }
         if entry.object_type == Some(ObjectType::Domain) {
-            return Access::Rw; // CiA 306-1 §4.6.3.2: what a DOMAIN has when nothing is said
+            return Access::Rw; // CiA 306-1 §4.6.3.2: default access of a DOMAIN
         }
         if matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct) {
             return Access::Const;
@@ -150,7 +150,7 @@ impl<'a> Resolver<'a> {
         Access::Ro
     }
 
-    /// Notes the texts that stand where values should.
+    /// Notes texts that are not valid values.
     pub(crate) fn invalid_values(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
         for (field, instead) in [
             (Field::ParameterValue, "the default is used, or zero or empty without one"),
@@ -166,7 +166,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The number of a value; `None` where there is none.
+    /// The number of a value; `None` without a value.
     fn word(&mut self, place: Place, value: Option<&Value>, data_type: DataType) -> Option<Datum> {
         let value = value?;
         if let Value::NodeId(offset) = *value {
@@ -184,7 +184,7 @@ impl<'a> Resolver<'a> {
         word.map(Datum::Word)
     }
 
-    /// The bytes of a string's or DOMAIN's value; none where there is no value.
+    /// The bytes of a string or DOMAIN value; empty without a value.
     fn string(&mut self, place: &Place, entry: &Entry, data_type: DataType) -> Vec<u8> {
         let place = place.clone().field(value_field(entry));
         let Some(value) = entry.value() else {
@@ -204,10 +204,10 @@ impl<'a> Resolver<'a> {
         Vec::new()
     }
 
-    /// Bytes of room for a string or DOMAIN whose default has `length` bytes: what the description asks for, else what the
-    /// options say.
+    /// Capacity of a string or DOMAIN with a default of `length` bytes: from the description, else from the
+    /// options.
     fn capacity(&self, data_type: DataType, access: Access, length: usize, entry: &Entry) -> u16 {
-        let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are errors already
+        let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are already errors
         let room = match data_type.kind() {
             TypeKind::Domain => self.options.domain_capacity,
             TypeKind::UnicodeString => {
@@ -222,7 +222,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Bytes of a type that a DEFTYPE of the device defines: its value is the length in bits (CiA 301 §7.4.7.3).
+    /// Size of a type defined by a DEFTYPE object, whose value is the length in bits (CiA 301 §7.4.7.3).
     fn defined_length(&mut self, place: &Place, data_type: DataType) -> Option<u16> {
         let definition = self.device.object(data_type.0);
         let definition = definition.filter(|object| object.object_type() == ObjectType::DefType);
@@ -236,7 +236,7 @@ impl<'a> Resolver<'a> {
         length
     }
 
-    /// The value of a type of the device's own: a number, little-endian.
+    /// The value of a device-specific type: a little-endian number.
     fn block(&mut self, place: &Place, entry: &Entry, length: usize) -> Vec<u8> {
         let number = match entry.value() {
             None => Some(0),
@@ -254,7 +254,7 @@ impl<'a> Resolver<'a> {
         block
     }
 
-    /// Both limits; `None` where the type has no order.
+    /// Both limits; `None` if the type has no order.
     fn limits(
         &mut self,
         place: &Place,
@@ -281,19 +281,19 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The field that the value of an entry comes from.
+/// The field with the value of an entry.
 fn value_field(entry: &Entry) -> Field {
     if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue }
 }
 
-/// The number of a value of at most eight bytes; `None` when it is not one of `data_type`.
+/// The number of a value of at most eight bytes; `None` if it is not valid for `data_type`.
 fn word(value: &Value, data_type: DataType) -> Option<u64> {
     if data_type.integer_range().is_some() {
         let typed = Value::from_integer(value.as_integer()?, data_type)?;
         return match typed {
             Value::Boolean(value) => Some(u64::from(value)),
             Value::Unsigned(value) => Some(value),
-            Value::Signed(value) => Some(value as u64), // the same bits
+            Value::Signed(value) => Some(value as u64), // same bits
             _ => None,
         };
     }
@@ -301,7 +301,7 @@ fn word(value: &Value, data_type: DataType) -> Option<u64> {
     Some(bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)))
 }
 
-/// The number of a text: decimal or `0x…`.
+/// Parses a number: decimal or `0x…`.
 fn plain_number(text: &str) -> Option<u128> {
     let text = text.trim();
     match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
@@ -312,7 +312,7 @@ fn plain_number(text: &str) -> Option<u128> {
     }
 }
 
-/// Whether a TPDO and whether an RPDO may carry the entry.
+/// Whether a TPDO and whether an RPDO may map the entry.
 fn directions(access: Access, mapping: PdoMapping) -> (bool, bool) {
     match mapping {
         PdoMapping::No => (false, false),
@@ -322,15 +322,15 @@ fn directions(access: Access, mapping: PdoMapping) -> (bool, bool) {
     }
 }
 
-/// Whether an entry cannot change although its access type leaves it open: a type definition, and the highest sub-index
-/// of a RECORD or of an object in compact storage.
+/// Whether an entry is constant regardless of its access type: a type definition, and sub-index 0 of a RECORD
+/// or of an object in compact storage.
 fn is_fixed(object: &Object, sub: u8, access: Access) -> bool {
     let count = sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
     let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
     access == Access::Ro && (count || definition)
 }
 
-/// Bytes of the characters that a string shall have room for at least (`CO_stringLengthMin`), each of so many bytes.
+/// Minimum size of a string in bytes (`CO_stringLengthMin`), for characters of this size.
 fn characters(entry: &Entry, bytes: u32) -> Option<u16> {
     let length = entry.stack.as_ref()?.min_string_length.filter(|&length| length > 0)?;
     u16::try_from(length.saturating_mul(bytes)).ok()

@@ -1,12 +1,12 @@
-//! The bytes in flash: defaults and limits of all entries, each kept once.
+//! Data in flash: defaults and limits of all entries without duplicates.
 
 use std::collections::HashMap;
 
-/// New bytes are looked for in so many of the first ones, where small values gather; further back only whole equal
-/// blocks are found. So building takes time in proportion to the device.
+/// Length of the prefix, with most small values, that is searched for any position of new bytes; beyond it
+/// only equal blocks are found. This keeps the run time linear.
 const SEARCHED: usize = 2048;
 
-/// Blocks of bytes with their offsets; equal blocks share theirs.
+/// Blocks of bytes with their offsets; equal blocks share an offset.
 #[derive(Debug, Default)]
 pub(crate) struct Rom {
     bytes: Vec<u8>,
@@ -14,7 +14,7 @@ pub(crate) struct Rom {
 }
 
 impl Rom {
-    /// The offset of a block that is equal to `block`.
+    /// The offset of a block equal to `block`.
     pub(crate) fn place(&mut self, block: Vec<u8>) -> usize {
         if let Some(&offset) = self.offsets.get(&block) {
             return offset;
@@ -29,7 +29,7 @@ impl Rom {
         offset
     }
 
-    /// All bytes; at least one, for C has no empty arrays.
+    /// All bytes; at least one, because C has no empty arrays.
     pub(crate) fn into_bytes(mut self) -> Vec<u8> {
         if self.bytes.is_empty() {
             self.bytes.push(0);

@@ -1,20 +1,21 @@
-//! How much flash and RAM the tables of a target take: rows, defaults, limits and values, not the code that serves them.
+//! Size of a target's tables in flash and RAM: rows, defaults, limits and values, without the code that uses
+//! them.
 
 use super::resolve::Shape;
 use super::table::{Row, Table, TableField};
 use crate::model::TypeKind;
 
-/// What tables take, in bytes, for a processor that aligns numbers to their size, at most to eight bytes.
+/// Sizes in bytes for a processor that aligns numbers to their size, at most to eight bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Size {
     /// In flash: rows of the table, defaults and limits.
     pub flash: usize,
-    /// In RAM: the values that can change.
+    /// In RAM: the writable values.
     pub ram: usize,
 }
 
-/// What an object takes.
+/// The size of an object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ObjectSize {
@@ -22,47 +23,47 @@ pub struct ObjectSize {
     pub index: u16,
     /// Its name in the description.
     pub name: String,
-    /// Its entries.
+    /// Number of entries.
     pub entries: usize,
-    /// What they take. Defaults and limits that several objects share are counted with the first.
+    /// Its size. Shared defaults and limits count for the first object.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub size: Size,
 }
 
-/// What the tables of a target take, object by object.
+/// The sizes of a target's tables, by object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SizeReport {
-    /// What is counted, and for which processor: a line in lower case.
+    /// What the sizes include, and for which processor: a line in lower case.
     pub counted: &'static str,
     /// The objects, by index.
     pub objects: Vec<ObjectSize>,
-    /// What belongs to no object: the node-ID, end marks, and gaps between values.
+    /// Bytes without an object: the node-ID, end marks, and padding.
     pub rest: Size,
-    /// All together.
+    /// The sum.
     pub total: Size,
 }
 
-/// What is known of the sizes of a target's tables.
+/// The sizes of a target's tables, if known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Sizes {
-    /// What they take.
+    /// The sizes.
     Known(SizeReport),
-    /// Why it is not known: a line in lower case.
+    /// Why they are unknown: a line in lower case.
     Unknown(&'static str),
 }
 
-/// What is counted of a [`Table`].
+/// What the sizes of a [`Table`] include.
 const COUNTED: &str =
     "the tables and values, on any processor that aligns numbers to their size; without code";
 
-/// How a target lays its tables out.
+/// The table layout of a target.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layout {
-    /// Bytes of a row.
+    /// Size of a row in bytes.
     pub(crate) row: usize,
-    /// Whether values stand in the order of their alignment from 1 on, behind the node-ID; else the compiler orders them
-    /// so that there are no gaps.
+    /// Whether values are in ascending order of alignment, after the node-ID; otherwise the compiler orders
+    /// them without padding.
     pub(crate) is_ascending: bool,
 }
 
@@ -116,7 +117,7 @@ impl std::ops::Add for Size {
     }
 }
 
-/// Bytes of the struct of values, the one byte of the node-ID among them.
+/// Size of the struct of values, including the one-byte node-ID.
 pub(crate) fn ram(table: &Table, is_ascending: bool) -> usize {
     let fields = |group| table.members(group).map(|field| (alignment(field.shape), field_size(field)));
     let groups = (0..table.groups.len()).map(|group| structure(fields(Some(group)), false));
@@ -124,7 +125,7 @@ pub(crate) fn ram(table: &Table, is_ascending: bool) -> usize {
     size
 }
 
-/// Alignment and size of a struct whose members have these.
+/// Alignment and size of a struct with members of these.
 fn structure(members: impl Iterator<Item = (usize, usize)>, is_ascending: bool) -> (usize, usize) {
     let mut members: Vec<(usize, usize)> = members.collect();
     members.sort_by_key(|&(alignment, _)| alignment);
@@ -136,28 +137,28 @@ fn structure(members: impl Iterator<Item = (usize, usize)>, is_ascending: bool) 
     (widest, end.next_multiple_of(widest))
 }
 
-/// What the struct of a group's values is aligned to.
+/// Alignment of a group's struct.
 pub(crate) fn group_alignment(table: &Table, group: usize) -> usize {
     table.members(Some(group)).map(|field| alignment(field.shape)).max().unwrap_or(1)
 }
 
-/// Bytes of a field.
+/// Size of a field in bytes.
 pub(crate) fn field_size(field: &TableField) -> usize {
     element_size(field.shape) * if field.array { field.rows.len() } else { 1 }
 }
 
-/// Bytes of one value in RAM.
+/// Size of one value in RAM, in bytes.
 pub(crate) fn element_size(shape: Shape) -> usize {
     match shape {
         Shape::Block(length) => usize::from(length),
-        // behind its length
+        // preceded by its length
         Shape::Bytes(_, capacity) => (2 + usize::from(capacity)).next_multiple_of(2),
         Shape::Word(_) if is_time(shape) => 8,
         Shape::Word(_) => shape.size().next_power_of_two(),
     }
 }
 
-/// What the place of a value is a multiple of.
+/// Alignment of a value.
 pub(crate) fn alignment(shape: Shape) -> usize {
     match shape {
         Shape::Block(_) => 1,

@@ -1,7 +1,8 @@
-//! Storage groups of the flat table: values that are kept together, in a struct of their own and with an image of it.
+//! Storage groups of the flat table: values stored together, in a separate struct and as an image.
 //!
-//! Only groups that the description states or that the user requested count; what is in none stays in the struct of values.
-//! An image is the layout (a hash, four bytes), the values and a CRC-16, all little-endian; docs/generate.md describes it.
+//! Only groups stated in the description or requested by the user count; all other values stay in the struct
+//! of values. An image consists of the layout (a hash, four bytes), the values and a CRC-16, all
+//! little-endian; see docs/generate.md.
 
 use std::collections::BTreeMap;
 
@@ -13,36 +14,36 @@ use super::table::{Row, Table};
 use super::{Note, Options};
 use crate::model::{Device, Place};
 
-/// Names of CANopenNode for groups that are not kept when the power is off.
+/// CANopenNode names of groups that are not kept without power.
 const VOLATILE: [&str; 2] = ["RAM", "ROM"];
 
-/// The longest name of a group: with the longest prefix and what stands behind it, it is still an identifier.
+/// Maximum length of a group name; leaves room for the longest prefix and suffix in an identifier.
 const LONGEST: usize = 24;
 
-/// `od_<name>_t`, `od_<name>_save` and the like are something else.
+/// `od_<name>_t`, `od_<name>_save` and the like have another meaning.
 const TAKEN: &str = "bool byte data double entry float image is kept offset time";
 
-/// The object that saves groups on command.
+/// The object that stores groups on command.
 const STORE: u16 = 0x1010;
 
-/// A group of values that are kept together.
+/// A group of values stored together.
 #[derive(Debug)]
 pub(crate) struct TableGroup {
-    /// As it is stated.
+    /// The name as stated.
     pub(crate) name: String,
-    /// Its member of the struct of values: unique there, and no keyword.
+    /// Its member in the struct of values: unique there; not a keyword.
     pub(crate) field: String,
-    /// The first object that has values in it.
+    /// The first object with values in it.
     pub(crate) first: u16,
-    /// The sub-index of 1010h and 1011h that is about it, where CiA 301 says which.
+    /// Its sub-index of 1010h and 1011h, if CiA 301 defines it.
     pub(crate) sub_index: Option<u8>,
-    /// A hash of index, sub-index, data type and length of its entries.
+    /// A hash of index, sub-index, data type and length of all entries.
     pub(crate) layout: u32,
-    /// Bytes of an image.
+    /// Size of an image in bytes.
     pub(crate) image_size: usize,
 }
 
-/// Which objects are in which group.
+/// The group of each object.
 pub(super) struct Members {
     groups: Vec<TableGroup>,
     of_objects: BTreeMap<u16, usize>,
@@ -50,7 +51,7 @@ pub(super) struct Members {
 }
 
 impl Members {
-    /// Groups get their names before fields do, so that a new object changes none.
+    /// Groups claim names before fields do, so that new objects do not change group names.
     pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, fields: &mut Scope) -> Self {
         let mut members = Self { groups: Vec::new(), of_objects: BTreeMap::new(), notes: Vec::new() };
         for object in &dictionary.objects {
@@ -82,12 +83,12 @@ impl Members {
         self.groups.len() - 1
     }
 
-    /// The group of an object that has values in one.
+    /// The group of an object.
     pub(super) fn group(&self, index: u16) -> Option<usize> {
         self.of_objects.get(&index).copied()
     }
 
-    /// Puts the groups into a table that has all its rows.
+    /// Adds the groups to a table with complete rows.
     pub(super) fn finish(mut self, device: &Device, table: &mut Table) {
         for (number, group) in self.groups.iter_mut().enumerate() {
             let of_group =
@@ -108,7 +109,7 @@ impl Members {
     }
 }
 
-/// The group that is stated for an object, else asked for.
+/// The group stated for an object, else the requested one.
 fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
     let stated = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
     let stated = stated.map(str::trim).filter(|name| !name.is_empty());
@@ -116,7 +117,7 @@ fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<
     (!VOLATILE.iter().any(|volatile| volatile.eq_ignore_ascii_case(name))).then_some(name)
 }
 
-/// What a group is called in code; PDOs have functions of such names too.
+/// The identifier of a group; must differ from functions of PDOs.
 fn identifier(name: &str) -> String {
     let words = words(name);
     let words = words[..words.len().min(LONGEST)].trim_end_matches('_');
@@ -129,7 +130,7 @@ fn identifier(name: &str) -> String {
     }
 }
 
-/// Bytes of a value in an image: a text has all its room, behind its length.
+/// Size of a value in an image, in bytes: a text uses its full capacity, preceded by its length.
 pub(crate) fn image_length(shape: Shape) -> usize {
     match shape {
         Shape::Word(_) | Shape::Block(_) => shape.size(),
@@ -137,7 +138,7 @@ pub(crate) fn image_length(shape: Shape) -> usize {
     }
 }
 
-/// FNV-1a of what an image holds; never 0 and never all ones, as blank memory is.
+/// FNV-1a hash of the image contents; never 0 and never all ones, the values of blank memory.
 fn layout(rows: &[&Row]) -> u32 {
     let bytes = rows.iter().flat_map(|row| {
         let data_type = match row.resolved.shape {
@@ -152,8 +153,8 @@ fn layout(rows: &[&Row]) -> u32 {
     if hash == 0 || hash == u32::MAX { 1 } else { hash }
 }
 
-/// CiA 301 §7.5.2.13: sub-index 2 is about the communication parameters, 3 about those of the application; which one
-/// of the others is about what, the manufacturer says.
+/// CiA 301 §7.5.2.13: sub-index 2 stores the communication parameters, 3 those of the application; the others
+/// are manufacturer-specific.
 fn sub_index(device: &Device, rows: &[&Row]) -> Option<u8> {
     let within = |first: u16, last: u16| rows.iter().all(|row| (first..=last).contains(&row.index));
     let sub = if within(0x1000, 0x1FFF) {
@@ -166,7 +167,7 @@ fn sub_index(device: &Device, rows: &[&Row]) -> Option<u8> {
     device.objects.get(&STORE).is_some_and(|object| object.has(sub)).then_some(sub)
 }
 
-/// Whether a value says what the firmware is.
+/// Whether a value identifies the firmware.
 fn is_fact(row: &Row) -> bool {
     matches!(row.index, 0x1000 | 0x1008..=0x100A | 0x1018) && !row.resolved.access.is_writable()
 }

@@ -1,15 +1,18 @@
 //! The dictionary as a flat table: what the targets `rust` and `c` share.
 //!
-//! Both languages get the same table and answer alike; what they answer is written down in docs/generate.md. The parts:
+//! Both languages get the same table and behave identically; docs/generate.md describes the behaviour. The
+//! parts:
 //!
-//! * **entries**: a row for each index and sub-index, in ascending order, found by binary search. A row has the key, the
-//!   code of the data type, flags, and two offsets: `ram`, 0 for an entry that stays in flash, and `rom`.
-//! * **rom**: bytes in flash. Of a type with at most eight bytes: the default, then the low limit and the high limit where
-//!   the flags say so, each as long as the type. Of any other type: the capacity and the length of the default as two
-//!   16-bit numbers, then the default. All numbers are little-endian. A formula keeps what is added to the node-ID.
-//! * **fields**: the members of the struct of all values that can change. Entries that never change have none: those of
-//!   access type `const`, type definitions, and sub-index 0 of RECORDs and compact objects that is not writable. The
-//!   elements of an ARRAY are one field where they are alike. Those of a storage group are the members of a struct of their own.
+//! * **entries**: one row per index and sub-index, in ascending order for binary search. A row has the key,
+//!   the code of the data type, flags, and two offsets: `ram` (0 for an entry in flash) and `rom`.
+//! * **rom**: bytes in flash. For a type of at most eight bytes: the default, then the low limit and the high
+//!   limit if flagged, each with the size of the type. For any other type: the capacity and the length of the
+//!   default as two 16-bit numbers, then the default. All numbers are little-endian. A formula contains the
+//!   offset to the node-ID.
+//! * **fields**: the members of the struct of all values that can change. Entries that never change have
+//!   none: those of access type `const`, type definitions, and non-writable sub-index 0 of RECORDs and
+//!   compact objects. The elements of an ARRAY are one field if they are alike. Fields of a storage group are
+//!   members of a separate struct.
 
 use std::fmt;
 
@@ -26,13 +29,13 @@ use crate::model::{Access, DataType, Device, Object, ObjectType};
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
 pub(crate) struct Table {
-    /// Who made the file of what, for its first line.
+    /// Generator and source, for the first line of the file.
     pub(crate) made_by: String,
-    /// The product's name; empty where the description has none.
+    /// The product name; empty if not stated.
     pub(crate) product: String,
-    /// The vendor's name; empty where the description has none.
+    /// The vendor name; empty if not stated.
     pub(crate) vendor: String,
-    /// The node-ID that it is generated for.
+    /// The node-ID for the generated code.
     pub(crate) node_id: Option<u8>,
     /// All objects that have rows, by index.
     pub(crate) objects: Vec<TableObject>,
@@ -40,11 +43,11 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Row>,
     /// All fields, in the order of their first rows.
     pub(crate) fields: Vec<TableField>,
-    /// The storage groups that have fields.
+    /// The storage groups with fields.
     pub(crate) groups: Vec<TableGroup>,
     /// The bytes in flash.
     pub(crate) rom: Vec<u8>,
-    /// What the table leaves out or assumes.
+    /// Omissions and assumptions.
     pub(crate) notes: Vec<Note>,
 }
 
@@ -53,11 +56,11 @@ pub(crate) struct Table {
 pub(crate) struct TableObject {
     pub(crate) index: u16,
     pub(crate) name: String,
-    /// The words of its name: unique among modules, and no keyword.
+    /// The words of its name: unique among modules; not a keyword.
     pub(crate) module: String,
-    /// Whether it is a single value, so that its name says all.
+    /// Whether it has a single value, so that its name needs no sub-index.
     pub(crate) single: bool,
-    /// Which rows are its entries.
+    /// Its rows.
     pub(crate) rows: std::ops::Range<usize>,
 }
 
@@ -70,41 +73,41 @@ pub(crate) struct Row {
     /// The words of its name: unique in its object.
     pub(crate) constant: String,
     pub(crate) resolved: Resolved,
-    /// Where the struct of values keeps it.
+    /// Its location in the struct of values.
     pub(crate) slot: Option<Slot>,
-    /// The offset of its bytes in flash.
+    /// The offset of its data in flash.
     pub(crate) rom: usize,
-    /// The number of them; other rows may have the same ones.
+    /// The length of its data; rows may share data.
     pub(crate) rom_length: usize,
-    /// Whether the application is called before it is read and after it is written.
+    /// Whether hooks are called before reads and after writes.
     pub(crate) hooked: bool,
 }
 
-/// A place in the struct of values.
+/// A location in the struct of values.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slot {
-    /// Number of the field.
+    /// Field number.
     pub(crate) field: usize,
-    /// Number of the element, where the field is an array.
+    /// Element number in an array.
     pub(crate) element: Option<usize>,
 }
 
 /// A member of the struct of values.
 #[derive(Debug)]
 pub(crate) struct TableField {
-    /// Unique among fields, and no keyword.
+    /// Unique among fields; not a keyword.
     pub(crate) name: String,
     pub(crate) shape: Shape,
-    /// Which rows it holds: one, or the elements of an array.
+    /// Its rows: one, or the elements of an array.
     pub(crate) rows: std::ops::Range<usize>,
     /// Whether it is an array.
     pub(crate) array: bool,
-    /// Number of the storage group whose struct it is a member of.
+    /// Number of its storage group.
     pub(crate) group: Option<usize>,
 }
 
 impl Row {
-    /// The flags; the bits are those that the templates name.
+    /// The flags, named as in the templates.
     pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
         let resolved = &self.resolved;
         let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
@@ -124,7 +127,7 @@ impl Row {
         .filter_map(|(flag, set)| set.then_some(flag))
     }
 
-    /// The access type, as documentation names it.
+    /// The access type for documentation.
     pub(crate) fn access(&self) -> Access {
         self.resolved.access
     }
@@ -137,7 +140,7 @@ impl Table {
         let mut fields = Scope::of_lower_case("node_id");
         let members = Members::new(&dictionary, options, &mut fields);
         let mut builder = Builder {
-            modules: Scope::of_lower_case("od pdo defaults enums bits serde defmt serde_array serde_blocks"), // for the modules of the templates
+            modules: Scope::of_lower_case("od pdo defaults enums bits serde defmt serde_array serde_blocks"), // used as modules in the templates
             fields,
             constants: Scope::of_constants(""),
             rom: Rom::default(),
@@ -153,22 +156,22 @@ impl Table {
         Ok(table)
     }
 
-    /// Whether places in RAM or flash need more than 16 bits.
+    /// Whether locations in RAM or flash need more than 16 bits.
     pub(crate) fn is_wide(&self) -> bool {
         ram(self, true).max(self.rom.len()) > usize::from(u16::MAX)
     }
 
-    /// Where a value is in the struct of values: `persist_comm.speed[1]`.
+    /// The path of a value in the struct of values: `persist_comm.speed[1]`.
     pub(crate) fn place(&self, slot: Slot) -> FieldPath<'_> {
         FieldPath { table: self, slot }
     }
 
-    /// The members of a group's struct, or those of the struct of values that are in no group.
+    /// The members of a group's struct, or the members of the struct of values without a group.
     pub(crate) fn members(&self, group: Option<usize>) -> impl Iterator<Item = &TableField> {
         self.fields.iter().filter(move |field| field.group == group)
     }
 
-    /// Whether a field holds numbers of this data type.
+    /// Whether a field contains numbers of this data type.
     pub(crate) fn keeps(&self, data_type: DataType) -> bool {
         self.fields.iter().any(|field| field.shape == Shape::Word(data_type))
     }
@@ -190,7 +193,7 @@ impl Table {
     }
 }
 
-/// How code names a place in the struct of values.
+/// A path in the struct of values, as written in code.
 pub(crate) struct FieldPath<'a> {
     table: &'a Table,
     slot: Slot,
@@ -241,7 +244,7 @@ impl Builder {
         self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });
     }
 
-    /// Gives the entries of an object that can change their fields.
+    /// Assigns fields to the writable entries of an object.
     fn place_fields(&mut self, object: &Object, name: &str, rows: std::ops::Range<usize>) {
         let elements = self.elements(object, rows.clone());
         for at in rows.start..elements.start {
@@ -255,7 +258,7 @@ impl Builder {
         }
     }
 
-    /// The rows that can be the elements of one array: sub-index 1 and up without a gap, all of one shape, none constant.
+    /// The rows that form an array: sub-index 1 and up without gaps, equal shapes, no constants.
     fn elements(&self, object: &Object, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
         let table = &self.table.rows;
         let start = rows.clone().find(|&at| table[at].sub > 0).unwrap_or(rows.end);
@@ -275,7 +278,7 @@ impl Builder {
         let row = &self.table.rows[rows.start];
         let shape = row.resolved.shape;
         if row.resolved.constant || shape.size() == 0 {
-            return; // in flash, or a DOMAIN without room
+            return; // in flash, or a DOMAIN without capacity
         }
         let name = if array || !(object.object_type().has_subs() || object.compact.is_some()) {
             self.fields.claim(name, format_args!("{:04x}", row.index))
@@ -291,7 +294,7 @@ impl Builder {
     }
 }
 
-/// The bytes of an entry in flash.
+/// The data of an entry in flash.
 fn block(resolved: &Resolved) -> Vec<u8> {
     let size = resolved.shape.size();
     match &resolved.default {
@@ -304,7 +307,7 @@ fn block(resolved: &Resolved) -> Vec<u8> {
             .flatten()
             .flat_map(|datum| match datum {
                 Datum::Word(word) | Datum::Formula(word) => word.to_le_bytes().into_iter().take(size),
-                Datum::Bytes(_) => [0; 8].into_iter().take(0), // only of other shapes
+                Datum::Bytes(_) => [0; 8].into_iter().take(0), // bytes have other shapes
             })
             .collect(),
     }

@@ -1,5 +1,5 @@
-//! Names of the variables that hold the values of a dictionary in C: one for each entry, an array where the elements of
-//! an ARRAY are alike.
+//! Names of C variables for the values of a dictionary: one per entry, or an array if the elements of an
+//! ARRAY are alike.
 
 use std::ops::Range;
 
@@ -7,22 +7,23 @@ use super::dictionary::ResolvedObject;
 use super::names::{LONGEST, Scope, words};
 use crate::model::ObjectType;
 
-/// A variable and the entries of one object that it holds.
+/// A variable with the entries of one object in it.
 #[derive(Debug)]
 pub(crate) struct Variable<S> {
-    /// Unique, no keyword, short enough for the prefix.
+    /// Unique; not a keyword; short enough for the prefix.
     pub(crate) name: String,
-    /// Number of the object in the dictionary.
+    /// Object number in the dictionary.
     pub(crate) object: usize,
-    /// Numbers of the entries in the object: one, or the elements of an array.
+    /// Entry numbers in the object: one, or the elements of an array.
     pub(crate) entries: Range<usize>,
     /// Whether it is an array.
     pub(crate) array: bool,
-    /// What it is.
+    /// Its kind.
     pub(crate) kind: S,
 }
 
-/// The variables of a dictionary, in order; `kind` says which entries have one, and which can be elements of one array.
+/// The variables of a dictionary in order. Entries without `kind` have no variable; entries of equal kinds
+/// can form an array.
 pub(crate) fn variables<S: PartialEq>(
     objects: &[ResolvedObject<'_>],
     prefix: &str,
@@ -46,7 +47,7 @@ pub(crate) fn variables<S: PartialEq>(
     variables
 }
 
-/// The entries that can be the elements of one array: sub-index 1 and up without a gap, all alike.
+/// The entries that form an array: sub-index 1 and up without gaps, all alike.
 fn elements<S: PartialEq>(object: &ResolvedObject<'_>, kinds: &[Option<S>]) -> Range<usize> {
     let entries = &object.entries;
     let none = entries.len()..entries.len();
@@ -60,7 +61,7 @@ fn elements<S: PartialEq>(object: &ResolvedObject<'_>, kinds: &[Option<S>]) -> R
     if alike && (start..end).zip(1..).all(numbered) { start..end } else { none }
 }
 
-/// A name for an entry, or for an object as a whole.
+/// Claims a name for an entry, or for a whole object.
 pub(crate) fn claim(
     scope: &mut Scope,
     prefix: &str,

@@ -1,4 +1,4 @@
-//! What templates/c/_defaults.h shows: the constants of identity and services.
+//! View of templates/c/_defaults.h: constants of identity and services.
 
 use askama::Template;
 
@@ -6,7 +6,7 @@ use crate::defaults::{Constant, ConstantValue};
 use crate::model::CobId;
 use crate::names::Scope;
 
-/// What stands behind the prefix in each name.
+/// Follows the prefix in each name.
 const OF_DEFAULTS: &str = "default_";
 
 /// The macros.
@@ -20,7 +20,7 @@ pub(super) struct Defaults {
 /// A macro.
 struct ItemView {
     meaning: String,
-    /// The name behind the prefix, with the parameter of a function.
+    /// The name after the prefix, with the parameter of a function-like macro.
     name: String,
     value: String,
 }
@@ -32,7 +32,7 @@ impl Defaults {
     }
 }
 
-/// Takes the names of the macros, so that no object gets one of them.
+/// Reserves the macro names, so that no object gets one of them.
 pub(super) fn take_names(constants: &[Constant], macros: &mut Scope) {
     for item in constants.iter().flat_map(item_views) {
         let name = item.name.split('(').next().unwrap_or_default();
@@ -69,7 +69,7 @@ fn item_views(constant: &Constant) -> Vec<ItemView> {
     }
 }
 
-/// A number as an expression of the node-ID, or some bits of it.
+/// A number, or some bits of it, as an expression of the node-ID.
 fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
     let number = cob_id.number();
     match (cob_id.depends_on_node_id(), mask) {

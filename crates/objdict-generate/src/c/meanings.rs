@@ -1,4 +1,4 @@
-//! What templates/c/_meanings.h shows: enumerations and bit fields.
+//! View of templates/c/_meanings.h: enumerations and bit fields.
 
 use askama::Template;
 
@@ -37,7 +37,7 @@ struct WordView<'a> {
 
 struct PartView<'a> {
     of: &'a WordPart,
-    /// Behind the prefix.
+    /// The name after the prefix.
     name: String,
     mask: String,
     /// Expressions of `word`, and of `word` and `value`.
@@ -45,11 +45,11 @@ struct PartView<'a> {
     with: String,
 }
 
-/// What stands behind the name of a part.
+/// Suffixes of the macros of a bit field.
 const OF_PARTS: [&str; 5] = ["shift", "bits", "mask", "get", "with"];
 
 impl<'a> Meanings<'a> {
-    /// Takes names from `macros`, where those of objects and entries are already.
+    /// Claims names in `macros`, which already contains those of objects and entries.
     pub(super) fn new(named: &'a Named, prefix: &str, macros: &mut Scope) -> Self {
         Self {
             upper: prefix.to_ascii_uppercase(),
@@ -76,7 +76,7 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
     EnumView { of, entries: entries(&of.entries), values: values.collect() }
 }
 
-/// A number of a data type, for an expression.
+/// A number of a data type as an expression.
 fn number(number: i128, data_type: DataType) -> String {
     match (data_type.kind(), data_type.bit_length()) {
         (TypeKind::Signed(_), _) if number == i128::from(i64::MIN) => {
@@ -92,7 +92,7 @@ fn number(number: i128, data_type: DataType) -> String {
     }
 }
 
-/// The entries, a few by name.
+/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
     const SHOWN: usize = 8;
     let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("{index:04X}h sub-index {sub:02X}h"));
@@ -112,7 +112,7 @@ fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView
     WordView { of, entries: entries(&of.entries), parts: parts.collect() }
 }
 
-/// A name of which no macro of a part is taken.
+/// A name for which no macro of a bit field is taken.
 fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String {
     let mut suffix = first.to_string();
     loop {

@@ -20,7 +20,7 @@ use crate::model::{Device, Place};
 /// Tables for C.
 pub(super) struct C;
 
-/// What the targets `c` and `rust` call the objects and entries of a device.
+/// Identifiers of the targets `c` and `rust` for the objects and entries of a device.
 #[cfg(feature = "rust")]
 pub(super) fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
     let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);

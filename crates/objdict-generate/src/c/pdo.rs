@@ -1,4 +1,4 @@
-//! What templates/c/od_pdo.h and od_pdo.c show: the structs of PDO frames.
+//! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
 use askama::Template;
 
@@ -13,7 +13,7 @@ use crate::table::{Row, Table};
 #[derive(Template)]
 #[template(path = "c/od_pdo.h", escape = "none")]
 pub(super) struct PdoHeader<'a> {
-    /// What identifiers start with.
+    /// The prefix of identifiers.
     lower: &'a str,
     upper: String,
     table: &'a Table,
@@ -42,24 +42,24 @@ struct FrameView<'a> {
     type_name: String,
     /// `OD_TPDO1`.
     macro_prefix: String,
-    /// The COB-ID, an expression of `node_id`.
+    /// The COB-ID as an expression of `node_id`.
     cob_id: Option<String>,
-    /// Whether a member comes from the struct of values.
+    /// Whether a member is loaded from the struct of values.
     reads_data: bool,
-    /// Whether a member goes there.
+    /// Whether a member is stored there.
     writes_data: bool,
     fields: Vec<FieldView<'a>>,
 }
 
-/// A member of a frame, with statements about it without `;`.
+/// A member of a frame; statements are without `;`.
 struct FieldView<'a> {
     field: &'a FrameField,
     row: &'a Row,
     declaration: String,
     load: String,
-    /// None of what is constant.
+    /// Empty for constants.
     store: Vec<String>,
-    /// The value as a number, an expression.
+    /// An expression for the value as a number.
     pack: String,
     unpack: String,
 }
@@ -155,7 +155,7 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
     }
 }
 
-/// A value as a number, and a number of so many bits as a value.
+/// Conversions of a value to a number and of a number with this many bits to a value.
 fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bits: u32) -> (String, String) {
     let type_ = type_of(data_type, prefix);
     match data_type.kind() {
@@ -184,14 +184,14 @@ fn is_time(kind: TypeKind) -> bool {
     matches!(kind, TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 
-/// The value of an entry that stays in flash.
+/// The value of an entry in flash.
 fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
     let type_ = type_of(data_type, prefix);
     match (data_type.kind(), default) {
         (_, Datum::Formula(offset)) => format!("({type_})(0x{offset:X}u + data->node_id)"),
         (TypeKind::Boolean, Datum::Word(word)) => format!("{}", *word != 0),
         (TypeKind::Signed(_), Datum::Word(word)) => {
-            let number = *word as i64; // the same bits
+            let number = *word as i64; // same bits
             match number.checked_neg() {
                 Some(positive) if number < 0 => format!("({type_})-INT64_C({positive})"),
                 Some(_) => format!("({type_})INT64_C({number})"),
@@ -202,21 +202,21 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
         (TypeKind::Real64, Datum::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
         (kind, Datum::Word(word)) if is_time(kind) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
         (_, Datum::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
-        (_, Datum::Bytes(_)) => "0".to_owned(), // only of other shapes
+        (_, Datum::Bytes(_)) => "0".to_owned(), // bytes have other shapes
     }
 }
 
-/// The bytes of an entry that stays in flash, as many as the frame has.
+/// The bytes of an entry in flash, as many as the frame contains.
 fn constant_bytes(default: &Datum, length: u32) -> String {
     let mut bytes = match default {
         Datum::Bytes(bytes) => bytes.clone(),
-        Datum::Word(_) | Datum::Formula(_) => Vec::new(), // only of other shapes
+        Datum::Word(_) | Datum::Formula(_) => Vec::new(), // numbers have other shapes
     };
     bytes.resize(length as usize, 0);
     format!("((const uint8_t[]){{{}}})", hex_bytes(&bytes))
 }
 
-/// Puts the bytes of a frame into the struct of values: what is longer there ends with zeros.
+/// Stores frame bytes in the struct of values; a longer member is filled with zeros.
 fn stored_bytes(place: &str, member: &str, length: u32, is_block: bool) -> Vec<String> {
     if is_block {
         return vec![format!("memcpy({place}, {member}, {length}u)")];

@@ -1,4 +1,4 @@
-//! What the templates of C show of storage groups: members of the struct of values, and functions for images.
+//! View of storage groups in C: members of the struct of values, and functions for images.
 
 use super::view::{FieldView, field_view};
 use crate::size::{alignment, group_alignment};
@@ -27,8 +27,8 @@ pub(super) fn group_views<'a>(table: &'a Table, prefix: &str) -> Vec<GroupView<'
     (0..table.groups.len()).map(|number| group_view(table, number, prefix)).collect()
 }
 
-/// Fields and groups with the smallest alignment first, behind the one byte of the node-ID: so hardly any padding is
-/// needed.
+/// Fields and groups in ascending order of alignment after the one-byte node-ID, which needs hardly any
+/// padding.
 pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>> {
     let fields = table
         .members(None)
@@ -36,11 +36,11 @@ pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>>
     let groups = (0..table.groups.len())
         .map(|number| (group_alignment(table, number), MemberView::Group(group_view(table, number, prefix))));
     let mut members: Vec<(usize, MemberView<'a>)> = fields.chain(groups).collect();
-    members.sort_by_key(|(alignment, _)| *alignment); // stable: by index where it is equal
+    members.sort_by_key(|(alignment, _)| *alignment); // stable sort: equal alignment stays ordered by index
     members.into_iter().map(|(_, member)| member).collect()
 }
 
-/// The fields of a group have nothing before them: those with the largest alignment come first.
+/// A group has no leading byte, so fields with the largest alignment come first.
 fn group_view<'a>(table: &'a Table, number: usize, prefix: &str) -> GroupView<'a> {
     let mut fields: Vec<&TableField> = table.members(Some(number)).collect();
     fields.sort_by_key(|field| std::cmp::Reverse(alignment(field.shape)));
@@ -55,7 +55,7 @@ fn group_view<'a>(table: &'a Table, number: usize, prefix: &str) -> GroupView<'a
     }
 }
 
-/// The macros of groups, without the prefix, in lower case.
+/// The macros of groups in lower case, without the prefix.
 pub(super) fn macros(table: &Table) -> Vec<String> {
     const OF_ALL: [&str; 5] = ["image_ok", "image_length", "image_layout", "image_checksum", "image_value"];
     if table.groups.is_empty() {

@@ -1,4 +1,4 @@
-//! What templates/c/structs.h and structs.c show: the table as an array of structures with pointers.
+//! View of templates/c/structs.h and structs.c: the table as an array of structures with pointers.
 
 use std::collections::{HashMap, HashSet};
 
@@ -36,13 +36,13 @@ pub(super) struct StructsSource<'a> {
     rows: Vec<RowView<'a>>,
     names: bool,
     time: bool,
-    /// Whether there is a string, octet string or DOMAIN, and a block.
+    /// Whether there is a string, octet string or DOMAIN, and whether there is a block.
     bytes: bool,
     groups: Vec<GroupView<'a>>,
     has_pointers: bool,
 }
 
-/// All numbers of a type that are a default or a limit, each once.
+/// Numbers of one type used as defaults or limits, without duplicates.
 struct Pool {
     c_type: String,
     name: String,
@@ -100,7 +100,7 @@ struct Constants<'a> {
     prefix: &'a str,
     pools: Vec<Pool>,
     blocks: Vec<String>,
-    /// What they take, with the indexes of the objects that have them first.
+    /// Their sizes, by the index of the first object that uses them.
     taken: Vec<(u16, usize)>,
 }
 
@@ -119,7 +119,7 @@ impl<'a> Constants<'a> {
             (if word == 0 { "false" } else { "true" }).to_owned()
         } else {
             number(word, data_type).unwrap_or_else(|| {
-                // no finite number: the same bits
+                // not finite: stored as bits
                 c_type = if data_type == DataType::REAL32 { "uint32_t" } else { "uint64_t" }.to_owned();
                 format!("UINT64_C(0x{word:X})")
             })
@@ -142,7 +142,7 @@ impl<'a> Constants<'a> {
         format!("&{}[{number}]", pool.name)
     }
 
-    /// The address of a value that is no number.
+    /// The address of a value that is not a number.
     fn block(&mut self, row: &Row, value: &[u8]) -> String {
         let name = format!("{}_D{:04X}_{:02X}", self.prefix, row.index, row.sub);
         let (size, text) = (value.len(), bytes(value));
@@ -166,12 +166,12 @@ impl<'a> Constants<'a> {
                 self.number(row.index, *word, data_type)
             }
             (Datum::Bytes(bytes), _) => self.block(row, bytes),
-            _ => "NULL".to_owned(), // a number is only of a number's shape
+            _ => "NULL".to_owned(), // numbers always have the shape of a number
         }
     }
 }
 
-/// What the table takes.
+/// Computes the size of the table.
 pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
     let objects = table.objects.iter();
     let mut tally = Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())));
@@ -196,14 +196,14 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
         gaps -= field_size(field);
         tally.of(table.rows[field.rows.start].index, Memory::Zeroed, field_size(field));
     }
-    tally.rest(Memory::Zeroed, gaps); // and the node-ID
+    tally.rest(Memory::Zeroed, gaps); // includes the node-ID
     tally.report(COUNTED)
 }
 
-/// What is counted.
+/// What the sizes include.
 const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
 
-/// The structure of a time.
+/// The structure for TIME_OF_DAY and TIME_DIFFERENCE.
 fn time() -> Extent {
     Extent::structure([Extent::WORD, Extent::HALF])
 }

@@ -1,4 +1,4 @@
-//! What templates/c/od.h and od.c show.
+//! View of templates/c/od.h and od.c.
 
 use std::fmt::{self, Write};
 
@@ -21,25 +21,25 @@ use crate::{Note, Options};
 #[derive(Template)]
 #[template(path = "c/od.h", escape = "none")]
 pub(super) struct Header<'a> {
-    /// What identifiers start with.
+    /// The prefix of identifiers.
     pub(super) lower: &'a str,
     pub(super) upper: String,
     pub(super) table: &'a Table,
-    /// The integer type of places in RAM and flash.
+    /// The integer type of offsets into RAM and flash.
     offset: &'static str,
     pub(super) objects: Vec<ObjectView<'a>>,
     /// Whether the entries have names.
     names: bool,
     pub(super) defaults: Defaults,
     pub(super) meanings: Option<Meanings<'a>>,
-    /// Members of the struct of values, the structs of storage groups among them.
+    /// Members of the struct of values, including the structs of storage groups.
     pub(super) fields: Vec<MemberView<'a>>,
     pub(super) groups: Vec<GroupView<'a>>,
     /// Whether an entry has a hook.
     pub(super) hooks: bool,
 }
 
-/// What headers show beside the table.
+/// Further contents of headers.
 pub(super) struct Facts {
     pub(super) constants: Vec<Constant>,
     pub(super) named: Named,
@@ -60,7 +60,7 @@ impl Facts {
 #[derive(Template)]
 #[template(path = "c/od.c", escape = "none")]
 pub(super) struct Source<'a> {
-    /// What identifiers start with.
+    /// The prefix of identifiers.
     lower: &'a str,
     upper: String,
     table: &'a Table,
@@ -68,7 +68,7 @@ pub(super) struct Source<'a> {
     rom: Vec<String>,
     groups: Vec<GroupView<'a>>,
     hooks: bool,
-    /// Bytes of the longest value that a hook may refuse.
+    /// Size of the longest value that a hook may reject.
     hook_room: usize,
     /// Whether rows have pointers.
     has_pointers: bool,
@@ -78,11 +78,11 @@ pub(super) struct Source<'a> {
     real64: bool,
 }
 
-/// An object with the macros that name it and its entries, in upper case without the prefix.
+/// An object with the macros for its index and its entries, in upper case without the prefix.
 pub(super) struct ObjectView<'a> {
     pub(super) object: &'a TableObject,
     pub(super) name: String,
-    /// None for a single value.
+    /// Empty for a single value.
     pub(super) entries: Vec<(String, &'a Row)>,
 }
 
@@ -102,7 +102,7 @@ struct RowView<'a> {
     ram: Option<FieldPath<'a>>,
 }
 
-/// The macros of the templates, without the prefix, in lower case.
+/// The macros of the templates in lower case, without the prefix.
 const MACROS: &str = "
     h c ram rom_size entry_count node_id read write tpdo rpdo low high node_id_default low_node_id
     high_node_id block boolean integer8 integer16 integer24 integer32 integer40 integer48 integer56
@@ -120,7 +120,7 @@ impl<'a> Header<'a> {
         for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
             macros.claim(&taken, format_args!(""));
         }
-        // objects first, so that no entry takes the name of one
+        // objects first, so that no entry takes the name of an object
         let names: Vec<String> = table
             .objects
             .iter()
@@ -172,7 +172,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// What hooks may answer beside the other codes, and how they are defined.
+/// Additional return codes of hooks, and macros that define hooks.
 fn hook_macros(table: &Table) -> Vec<String> {
     const MACROS: &str =
         "hook weak abort_incompatible abort_hardware abort_general abort_local_control abort_device_state";
@@ -198,14 +198,14 @@ fn object_view<'a>(
     ObjectView { object, name, entries }
 }
 
-/// The name of a macro in lower case, short enough for the prefix before it. With the suffix comes its length.
+/// A macro name in lower case, short enough for the prefix. The length of its suffix is included.
 pub(super) fn macro_name(
     macros: &mut Scope,
     prefix: &str,
     words: &str,
     (suffix, length): (fmt::Arguments<'_>, usize),
 ) -> String {
-    let room = LONGEST - prefix.len() - 2 - length; // so that the suffix fits too
+    let room = LONGEST - prefix.len() - 2 - length; // leaves room for the suffix
     macros.claim(&words[..words.len().min(room)], suffix)
 }
 
@@ -239,7 +239,7 @@ pub(super) fn flags(names: impl Iterator<Item = &'static str>, upper: &str) -> S
     if flags.is_empty() { "0u".to_owned() } else { flags }
 }
 
-/// The macro of a data type, behind the prefix.
+/// The macro of a data type after the prefix.
 pub(super) fn type_name(shape: Shape) -> &'static str {
     match shape {
         Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
@@ -251,7 +251,7 @@ pub(super) fn is_time(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 
-/// The type of a number: an integer of 24 to 56 bits is kept in the next longer one.
+/// The type of a number; integers of 24 to 56 bits use the next larger type.
 pub(super) fn word_type(data_type: DataType) -> &'static str {
     match data_type.kind() {
         TypeKind::Boolean => "bool",
@@ -271,7 +271,7 @@ pub(super) fn word_type(data_type: DataType) -> &'static str {
 pub(super) fn hex_bytes(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len() * 6);
     for (at, byte) in bytes.iter().enumerate() {
-        let _ = write!(text, "{}0x{byte:02X}", if at == 0 { "" } else { ", " }); // a String takes every text
+        let _ = write!(text, "{}0x{byte:02X}", if at == 0 { "" } else { ", " }); // writing to a String cannot fail
     }
     text
 }

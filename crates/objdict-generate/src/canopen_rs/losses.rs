@@ -1,4 +1,4 @@
-//! What an `ObjectDictionary` of canopen-rs cannot hold or hold to, as notes.
+//! Notes about values and behaviour that an `ObjectDictionary` of canopen-rs does not support.
 
 use super::ROOM;
 use crate::Note;
@@ -6,13 +6,13 @@ use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 
-/// PDOs in each direction that the crate's node serves (`MAX_PDOS`).
+/// Number of PDOs per direction in the crate (`MAX_PDOS`).
 const PDOS: u16 = 4;
 
-/// Entries that a PDO may map (`MAX_PDO_MAPPING`).
+/// Number of mapped objects per PDO (`MAX_PDO_MAPPING`).
 const MAPPED: u64 = 8;
 
-/// Removes values that the crate does not support, and reports them and every deviation from the description.
+/// Removes unsupported values, and reports them and every other deviation from the description.
 pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
     let mut notes = Vec::new();
     for object in &mut dictionary.objects {
@@ -34,7 +34,7 @@ pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
     notes
 }
 
-/// Whether the crate has room for the value.
+/// Whether the value fits into the crate's buffer.
 fn fits(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) -> bool {
     let length = match &entry.resolved.default {
         Datum::Bytes(bytes) => bytes.len(),
@@ -69,7 +69,7 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-/// How a type that the crate does not have is held instead; `None` for one that it has.
+/// The substitute for a data type that the crate lacks; `None` for supported types.
 fn held_as_octets(shape: Shape) -> Option<String> {
     match shape {
         Shape::Word(data_type) if !is_modelled(data_type) => {
@@ -90,7 +90,7 @@ fn bytes(length: usize) -> String {
     if length == 1 { "1 byte".to_owned() } else { format!("{length} bytes") }
 }
 
-/// Whether the crate has a value of this type with at most eight bytes.
+/// Whether the crate supports this data type of at most eight bytes.
 pub(super) fn is_modelled(data_type: DataType) -> bool {
     match data_type.kind() {
         TypeKind::Boolean | TypeKind::Real32 | TypeKind::Real64 => true,
@@ -99,7 +99,7 @@ pub(super) fn is_modelled(data_type: DataType) -> bool {
     }
 }
 
-/// What the crate's node makes of the parameters of a PDO.
+/// How the crate uses the PDO parameters.
 fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     let index = object.index;
     let (number, is_mapping) = match index {

@@ -1,4 +1,5 @@
-//! The target `canopen-rs`: the object dictionary of the crate canopen-rs 0.6, made by a function of the node-ID.
+//! The target `canopen-rs`: a function of the node-ID that creates the object dictionary for the crate
+//! canopen-rs 0.6.
 
 mod losses;
 mod view;
@@ -9,7 +10,7 @@ use super::notes::{in_order, once_per_object};
 use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
 use crate::model::Device;
 
-/// Bytes that a string, octet string or DOMAIN of the crate has room for (`MAX_STRING_LEN`).
+/// Capacity of a string, octet string or DOMAIN in the crate, in bytes (`MAX_STRING_LEN`).
 const ROOM: u16 = 32;
 
 /// An `ObjectDictionary` for canopen-rs.

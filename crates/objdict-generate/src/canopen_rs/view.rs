@@ -1,4 +1,4 @@
-//! What templates/canopen-rs/od.rs shows.
+//! View of templates/canopen-rs/od.rs.
 
 use askama::Template;
 
@@ -20,7 +20,7 @@ pub(super) struct Od {
     node_id: Option<u8>,
     /// The name of the function.
     function: String,
-    /// Whether an entry is held in a string of bytes.
+    /// Whether an entry is stored as an octet string.
     has_octets: bool,
     /// Whether a value depends on the node-ID.
     has_formulas: bool,
@@ -89,7 +89,7 @@ impl Od {
     }
 }
 
-/// The crate does not derive from the access whether an RPDO or a TPDO may carry the entry.
+/// In the crate, the access type does not restrict the entry to RPDOs or TPDOs.
 fn access(access: Access) -> &'static str {
     match access {
         Access::Ro => "Ro",
@@ -126,12 +126,12 @@ fn value(entry: &ResolvedEntry<'_>) -> String {
             format!("Value::{variant}({})", octets(bytes))
         }
         (_, Datum::Bytes(bytes)) => format!("Value::OctetString({})", octets(bytes)),
-        // only a word has a number
+        // numbers only occur with words
         (_, Datum::Word(_) | Datum::Formula(_)) => format!("Value::OctetString({})", octets(&[])),
     }
 }
 
-/// The variant of `Value` for a number; `None` for a type that the crate does not have.
+/// The variant of `Value` for a number; `None` for unsupported types.
 fn variant(data_type: DataType) -> Option<String> {
     is_modelled(data_type).then(|| match data_type.kind() {
         TypeKind::Boolean => "Boolean".to_owned(),
@@ -139,6 +139,6 @@ fn variant(data_type: DataType) -> Option<String> {
         TypeKind::Real64 => "Real64".to_owned(),
         TypeKind::Signed(bits) => format!("Integer{bits}"),
         TypeKind::Unsigned(bits) => format!("Unsigned{bits}"),
-        _ => String::new(), // not modelled
+        _ => String::new(), // not supported
     })
 }

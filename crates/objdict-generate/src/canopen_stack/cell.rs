@@ -1,4 +1,4 @@
-//! What the row of an entry points at.
+//! The data of table rows.
 
 use super::special::{Data, Special, fits, object_fits, special};
 use crate::c_code::{exact_type, little_endian, number};
@@ -7,36 +7,36 @@ use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::{LONGEST_VALUE, Note};
 
-/// Values up to this are kept in the row itself: what fits a pointer of 16 bits.
+/// Values up to this limit are stored in the row: they fit into a 16-bit pointer.
 const LONGEST_DIRECT: u64 = 0xFFFF;
 
-/// A value of up to this many bytes goes in one SDO frame, where the stack's own types of blocks do not begin anew.
+/// Values up to this size need one SDO frame; for these the stack's own block types do not restart.
 const ONE_FRAME: usize = 4;
 
-/// Where the value of a row is.
+/// Storage of a row's value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Cell {
     /// In the row.
     Direct(u64),
     /// A number in flash or in RAM.
     Number { flash: bool, c_type: &'static str, value: String },
-    /// So many bytes, no more and no fewer.
+    /// A block of exactly this many bytes.
     Block { flash: bool, bytes: Vec<u8>, c_type: Option<&'static str>, value: String },
-    /// A text or data in flash that the stack's own types serve.
+    /// A text in flash, handled by the stack's own type.
     Text(Vec<u8>),
-    /// The same without an end at a NUL.
+    /// Data in flash, not terminated by NUL.
     Data(Vec<u8>),
-    /// Bytes that the application serves.
+    /// Data provided by the application.
     Application,
-    /// Up to so many bytes in RAM.
+    /// Data of variable length in RAM, up to `room` bytes.
     Bytes { room: usize, bytes: Vec<u8> },
     /// A heartbeat consumer.
     Consumer { time: u16, node_id: u8 },
-    /// A parameter group; what reading the entry gives.
+    /// A parameter group; the value returned by a read.
     Group(u32),
 }
 
-/// A row but for its names.
+/// A row without its names.
 #[derive(Clone, Debug)]
 pub(super) struct Planned {
     pub(super) type_: Type,
@@ -48,11 +48,11 @@ pub(super) struct Planned {
 /// The type of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Type {
-    /// One of the stack.
+    /// A type of the stack.
     Stack(&'static str),
-    /// The one for blocks that this target adds.
+    /// The type for blocks that this target defines.
     Block,
-    /// The one for bytes of any number that this target adds.
+    /// The type for data of variable length that this target defines.
     Bytes,
 }
 
@@ -63,7 +63,7 @@ pub(super) struct Planner<'a> {
 }
 
 impl Planner<'_> {
-    /// A row for each entry of each object.
+    /// One row per entry of each object.
     pub(super) fn plan(&mut self, dictionary: &Dictionary<'_>) -> Vec<Vec<Planned>> {
         dictionary.objects.iter().map(|object| self.object(object)).collect()
     }
@@ -135,14 +135,14 @@ impl Planner<'_> {
                 if let (Cell::Number { flash, .. }, Data::Ram) = (&mut cell, data) {
                     *flash = false;
                 }
-                let no_consumers = object.index == 0x1016 && word == 0; // its type would fail to begin
+                let no_consumers = object.index == 0x1016 && word == 0; // initialising its type would fail
                 let type_ = if no_consumers { Type::Stack("CO_TUNSIGNED8") } else { type_ };
                 Planned { type_, cell, node_id }
             }
         }
     }
 
-    /// The value of a number, and whether the stack adds the node-ID to it.
+    /// The value of a number, and whether the stack adds the node-ID.
     fn number(
         &mut self,
         place: &Place,
@@ -192,7 +192,7 @@ impl Planner<'_> {
         Planned { type_, cell, node_id: false }
     }
 
-    /// A number that the stack has no type for, or a value of a type of the device's own.
+    /// A number without a type in the stack, or a value of a device-specific type.
     fn block(&mut self, place: &Place, entry: &ResolvedEntry<'_>) -> Planned {
         let resolved = &entry.resolved;
         let size = resolved.shape.size().min(LONGEST_VALUE);
@@ -223,7 +223,7 @@ impl Planner<'_> {
     }
 }
 
-/// The type of the stack for a number.
+/// The stack's type for a number.
 fn stack_type(data_type: DataType) -> Option<&'static str> {
     Some(match data_type.kind() {
         TypeKind::Boolean | TypeKind::Unsigned(8) => "CO_TUNSIGNED8",
@@ -236,17 +236,17 @@ fn stack_type(data_type: DataType) -> Option<&'static str> {
     })
 }
 
-/// The number of a value; of a formula, what is added to the node-ID.
+/// The number of a value; for a formula, the offset to the node-ID.
 fn word_of(datum: &Datum) -> u64 {
     match datum {
         Datum::Word(word) | Datum::Formula(word) => *word,
-        Datum::Bytes(_) => 0, // only of other shapes
+        Datum::Bytes(_) => 0, // bytes have other shapes
     }
 }
 
 fn bytes_of(datum: &Datum) -> Vec<u8> {
     match datum {
         Datum::Bytes(bytes) => bytes.clone(),
-        _ => Vec::new(), // only of other shapes
+        _ => Vec::new(), // numbers have other shapes
     }
 }

@@ -1,4 +1,4 @@
-//! What canopen-stack does not keep, and what it needs and the description lacks.
+//! Features that canopen-stack does not support, and its requirements that the description does not meet.
 
 use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedEntry};
@@ -6,10 +6,10 @@ use crate::model::{Access, Field, Part, Pdo, PdoKind, Place};
 use crate::notes::once_per_device;
 use crate::resolve::Datum;
 
-/// The most rows that the stack can count.
+/// Maximum number of rows in the stack.
 const MOST_ROWS: usize = i16::MAX as usize;
 
-/// Notes about entries and PDOs, and about objects that there are not.
+/// Adds notes about entries and PDOs, and about missing objects.
 pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let mut common = Vec::new();
     for object in &dictionary.objects {
@@ -121,7 +121,7 @@ fn has(dictionary: &Dictionary<'_>, index: u16, sub: u8) -> bool {
     at.is_ok_and(|at| dictionary.objects[at].entries.iter().any(|entry| entry.sub == sub))
 }
 
-/// What the stack needs of the dictionary as a whole.
+/// Requirements of the stack on the whole dictionary.
 fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let device = |text: &str| Note::new(Part::Device, text.to_owned());
     if !has(dictionary, 0x1001, 0) {
@@ -137,7 +137,7 @@ fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     if rows > MOST_ROWS {
         notes.push(device(&format!("{rows} rows, but the stack supports at most {MOST_ROWS}")));
     }
-    // the stack does not initialise the first row, which does not matter for plain values
+    // the stack does not initialise the first row, which is harmless for plain values
     let first = dictionary.objects.first().map(|object| object.index);
     let special = |index: &u16| *index >= 0x1003 && super::special::special(*index, 0, false).is_some();
     if let Some(first) = first.filter(special) {

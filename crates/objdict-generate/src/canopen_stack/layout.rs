@@ -1,4 +1,4 @@
-//! The variables and constants behind the rows, and the storage groups that they lie in.
+//! The variables and constants of the rows, and their storage groups.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -15,18 +15,18 @@ use crate::{Note, Options};
 /// A variable in RAM.
 #[derive(Debug)]
 pub(super) struct Member {
-    /// What stands before its name: a type, or a structure without a name.
+    /// Precedes the name: a type or an anonymous structure.
     base: String,
     pub(super) name: String,
-    /// What stands behind its name.
+    /// Follows the name.
     suffix: String,
     pub(super) initializer: String,
     pub(super) extent: Extent,
-    /// Whether it begins with nothing but zeros.
+    /// Whether it is initialised to zero.
     pub(super) zero: bool,
     pub(super) index: u16,
     pub(super) sub: u8,
-    /// The last sub-index, of an array.
+    /// The last sub-index of an array.
     pub(super) last: Option<u8>,
     /// The name in the description.
     pub(super) described: String,
@@ -39,17 +39,17 @@ impl Member {
         format!("{:04X}h sub-index {:02X}h{last}", self.index, self.sub)
     }
 
-    /// Its declaration as a member of a structure.
+    /// Its declaration as a structure member.
     pub(super) fn declaration(&self) -> String {
         format!("{} {}{}", self.base, self.name, self.suffix)
     }
 
-    /// The structure that it needs a type for, outside of another one.
+    /// The structure that needs a type outside another structure.
     pub(super) fn structure(&self) -> Option<&str> {
         self.base.starts_with("struct").then_some(self.base.as_str())
     }
 
-    /// Its declaration outside of a structure.
+    /// Its definition outside a structure.
     pub(super) fn definition(&self) -> String {
         match self.structure() {
             Some(_) => format!("{}_t {}{}", self.name, self.name, self.suffix),
@@ -61,36 +61,36 @@ impl Member {
 /// Values that are stored together.
 #[derive(Debug)]
 pub(super) struct ParaGroup {
-    /// As the options or the description write it.
+    /// As in the options or the description.
     pub(super) name: String,
-    /// The variable, and with `_t` its type.
+    /// The variable; its type has the suffix `_t`.
     pub(super) variable: String,
     pub(super) members: Vec<Member>,
-    /// The index of the first object that belongs to it.
+    /// The index of its first object.
     pub(super) first: u16,
-    /// Whether only objects of the communication profile (1000h to 1FFFh) belong to it.
+    /// Whether it contains only objects of the communication profile (1000h to 1FFFh).
     pub(super) communication: bool,
 }
 
-/// Everything that the rows point at.
+/// Everything that rows refer to.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Member>,
-    /// Definitions in flash, and of what the types of the stack need in RAM.
+    /// Definitions in flash, and those in RAM required by types of the stack.
     pub(super) definitions: Vec<String>,
-    /// What the definitions take, by index, the texts that stand in them too.
+    /// The sizes of the definitions by index, including texts in them.
     pub(super) taken: Vec<(u16, Memory, usize)>,
-    /// What the rows point at, by object and entry; empty for a parameter group.
+    /// The data of rows, by object and entry; empty for a parameter group.
     pub(super) data: Vec<Vec<String>>,
-    /// Those that are literals.
+    /// Texts written as literals.
     texts: HashSet<Vec<u8>>,
 }
 
-/// Names of CANopenNode for groups that are not kept when the power is off.
+/// CANopenNode names of groups that are not kept without power.
 const VOLATILE: [&str; 2] = ["RAM", "ROM"];
 
-/// The group that the values of an object belong to; none, where the stack decides what they are.
+/// The storage group of an object; `None` if the stack determines its values.
 fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
     if matches!(object.index, 0x1001 | 0x1003) {
         return None;
@@ -101,7 +101,7 @@ fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<
     kept.then_some(group)
 }
 
-/// The group of each object; one of all, where there is only sub-index 1 to store them.
+/// The group of each object; one common group if only sub-index 1 can store them.
 fn groups(
     dictionary: &Dictionary<'_>,
     planned: &[Vec<Planned>],
@@ -160,7 +160,7 @@ impl Layout {
         layout
     }
 
-    /// Makes an object part of a group.
+    /// Adds an object to a group.
     fn join(&mut self, name: &str, index: u16, scope: &mut Scope, prefix: &str) {
         let communication = (0x1000..0x2000).contains(&index);
         if let Some(group) = self.groups.iter_mut().find(|group| group.name == name) {
@@ -175,7 +175,7 @@ impl Layout {
         self.groups.push(ParaGroup { name, variable, members: Vec::new(), first: index, communication });
     }
 
-    /// Puts a variable where it belongs.
+    /// Places a variable in its group.
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
@@ -222,7 +222,8 @@ impl Layout {
         }
     }
 
-    /// Defines what stands between a row and the value, and turns the name of the value into what the row points at.
+    /// Defines the descriptor between a row and its value, and replaces the name of the value by that of the
+    /// descriptor.
     fn describe(
         &mut self,
         cell: &Cell,
@@ -279,11 +280,11 @@ impl Layout {
         self.data[object][entry] = data;
     }
 
-    /// Counts what [`Self::describe`] defines.
+    /// Counts the definitions of [`Self::describe`].
     fn take(&mut self, index: u16, cell: &Cell) {
         let constant = match cell {
             Cell::Number { flash: true, c_type, .. } => Extent::of_c(c_type).size,
-            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // the same literal
+            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // shares the literal
             Cell::Text(text) => text.len() + 1,
             Cell::Block { flash: true, bytes, .. } | Cell::Data(bytes) => bytes.len().max(1),
             _ => 0,
@@ -307,17 +308,17 @@ impl Layout {
     }
 }
 
-/// What a variable is; equal ones can be elements of one array.
+/// The type of a variable; variables of equal types can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RamType {
     base: String,
     suffix: String,
     extent: Extent,
-    /// Whether it can be part of a storage group.
+    /// Whether it can be a member of a storage group.
     stored: bool,
 }
 
-/// The variable that a cell needs.
+/// The variable for a cell.
 fn ram(cell: &Cell) -> Option<RamType> {
     let kind = |base: &str, suffix: String, extent, stored| {
         Some(RamType { base: base.to_owned(), suffix, extent, stored })
@@ -348,11 +349,11 @@ fn consumer() -> Extent {
     Extent::structure([pointer, pointer, byte, half, half, byte, byte])
 }
 
-/// Whether the variable of a cell begins with nothing but zeros.
+/// Whether the variable of a cell is initialised to zero.
 fn is_zero(cell: &Cell, entry: &ResolvedEntry<'_>) -> bool {
     match cell {
         Cell::Block { bytes, .. } => bytes.iter().all(|&byte| byte == 0),
-        Cell::Bytes { bytes, .. } => bytes.is_empty(), // before them is their length
+        Cell::Bytes { bytes, .. } => bytes.is_empty(), // preceded by their length
         Cell::Consumer { time, node_id } => (*time, *node_id) == (0, 0),
         Cell::Application => true,
         _ => memory::is_zero(&entry.resolved.default),

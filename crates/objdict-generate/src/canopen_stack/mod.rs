@@ -1,9 +1,9 @@
 //! The target `canopen-stack`: the `CO_OBJ` table of embedded-office's canopen-stack 4.4, with the values behind it.
 //!
-//! A row for each sub-index. Constants of up to 16 bits stand in the row, longer ones in flash, everything that can
-//! change in variables of its own or in the struct of its storage group. Where the types of the stack would not do what
-//! the description says (texts that can be written, numbers of 24 and of 40 to 64 bits, blocks of up to 4 bytes, which
-//! the stack reads only once), the files bring a type of their own.
+//! One row per sub-index. Constants of up to 16 bits are stored in the row, longer ones in flash; values that
+//! can change are separate variables or members of their storage group. The files define additional types
+//! where the types of the stack do not follow the description: writable texts, numbers of 24 and of 40 to 64
+//! bits, and blocks of up to 4 bytes, which the stack reads only once.
 
 mod cell;
 mod checks;

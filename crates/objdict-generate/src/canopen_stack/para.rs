@@ -1,4 +1,4 @@
-//! The parameter groups behind 1010h and 1011h.
+//! The parameter groups of 1010h and 1011h.
 
 use super::cell::{Cell, Planned};
 use super::layout::{Layout, ParaGroup};
@@ -16,12 +16,12 @@ pub(super) struct Parameters {
     pub(super) store: Vec<String>,
     /// A line for each sub-index of 1011h.
     pub(super) restore: Vec<String>,
-    /// Whether a row says that there are defaults, and there is no group whose they are.
+    /// Whether a row states that there are defaults, but no group owns them.
     pub(super) nothing: bool,
 }
 
 impl Parameters {
-    /// The groups of a layout, each at its sub-index; the rows get to know where.
+    /// Assigns the groups of a layout to sub-indexes and enters them in the rows.
     pub(super) fn new(
         dictionary: &Dictionary<'_>,
         planned: &[Vec<Planned>],
@@ -85,7 +85,7 @@ impl Parameters {
                 ("0u".to_owned(), "0u".to_owned(), "NULL".to_owned(), defaults, "CO_RESET_INVALID")
             }
         };
-        // 1011h reads as 1 where there are defaults
+        // 1011h reads as 1 if there are defaults
         let defaults = if index == RESTORE && value == 0 { "NULL".to_owned() } else { defaults };
         let defaults = if index == STORE && group.is_none() { "NULL".to_owned() } else { defaults };
         self.nothing |= defaults.ends_with("_nothing");
@@ -98,7 +98,7 @@ impl Parameters {
     }
 }
 
-/// A row that is a parameter group.
+/// A row of a parameter group.
 #[derive(Clone, Copy, Debug)]
 struct GroupRow {
     object: usize,
@@ -120,7 +120,7 @@ fn group_rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], index: u16)
     rows.collect()
 }
 
-/// The sub-index that stores each group: 2 for communication, 3 for the application, the others behind.
+/// Assigns a sub-index to each group: 2 for communication, 3 for the application, then the others.
 fn assign(groups: &[ParaGroup], count: u8, notes: &mut Vec<Note>) -> Vec<Option<u8>> {
     if count <= 1 {
         return groups.iter().map(|_| (count == 1).then_some(1)).collect();
@@ -157,7 +157,8 @@ fn missing(groups: &[ParaGroup], notes: &mut Vec<Note>) {
     }
 }
 
-/// Notes where reading 1010h and 1011h does not give what the description says, or does not mean what it gives.
+/// Notes if reading 1010h and 1011h returns a value other than described, or one that does not match the
+/// behaviour.
 fn note_value(groups: &[ParaGroup], group: Option<usize>, row: &GroupRow, index: u16, notes: &mut Vec<Note>) {
     let place = Place::entry(index, row.sub);
     match group {

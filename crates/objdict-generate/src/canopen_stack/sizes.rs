@@ -1,4 +1,4 @@
-//! What the files take in flash and RAM.
+//! Size of the files in flash and RAM.
 
 use super::cell::{Planned, Type};
 use super::layout::Layout;
@@ -8,7 +8,7 @@ use crate::SizeReport;
 use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
-/// What is counted.
+/// What the sizes include.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code, the node specification and stack internals";
 
 /// Key, type and data of a row: `CO_OBJ`.

@@ -1,4 +1,4 @@
-//! The objects that canopen-stack serves with types of its own.
+//! Objects for which canopen-stack has special types.
 
 use crate::dictionary::ResolvedObject;
 use crate::model::{DataType, PdoKind};
@@ -7,20 +7,20 @@ use crate::resolve::{Resolved, Shape};
 /// A type of the stack for an entry of the communication profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Special {
-    /// The macro that names it.
+    /// The macro of the type.
     pub(super) type_: &'static str,
-    /// The data type that its functions read.
+    /// The data type that its functions expect.
     pub(super) wants: DataType,
-    /// What its `Data` is.
+    /// Its `Data` field.
     pub(super) data: Data,
 }
 
-/// What the `Data` of a special type is.
+/// The content of the `Data` field of a special type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Data {
-    /// The value itself or its address, as of any number.
+    /// The value or its address, as for any number.
     Any,
-    /// The address of the value: a type that takes a value of 0 for no address.
+    /// The address of the value: the type treats a value of 0 as a missing address.
     Address,
     /// The address of a value that the stack changes.
     Ram,
@@ -47,7 +47,7 @@ pub(super) fn special(index: u16, sub: u8, writable: bool) -> Option<Special> {
         (0x1016, 0) => ("CO_THB_CONS", T::UNSIGNED8, Data::Any),
         (0x1016, 1..=0x7F) => ("CO_THB_CONS", T::UNSIGNED32, Data::Consumer),
         (0x1017, 0) => ("CO_THB_PROD", T::UNSIGNED16, Data::Address),
-        // the type of clients would switch off the server of the same number
+        // the client type would disable the server of the same number
         (0x1200..=0x127F, 1 | 2) if writable => ("CO_TSDO_ID", T::UNSIGNED32, Data::Any),
         _ => return pdo(index, sub),
     };
@@ -73,17 +73,17 @@ fn pdo(index: u16, sub: u8) -> Option<Special> {
     Some(Special { type_, wants, data: Data::Any })
 }
 
-/// Objects whose special type reads the other sub-indexes, and takes them for what they should be.
+/// Objects whose special type accesses the other sub-indexes without checking them.
 pub(super) fn as_a_whole(index: u16) -> bool {
     matches!(index, 0x1003 | 0x1010 | 0x1011 | 0x1016)
 }
 
-/// Whether an entry has the data type that its special type reads.
+/// Whether the data type of an entry matches its special type.
 pub(super) fn fits(special: Special, resolved: &Resolved) -> bool {
     resolved.shape == Shape::Word(special.wants)
 }
 
-/// Whether the object can have its special types: for some, only when all entries fit.
+/// Whether the object can use its special types; some require all entries to match.
 pub(super) fn object_fits(object: &ResolvedObject<'_>) -> bool {
     !as_a_whole(object.index)
         || object.entries.iter().all(|entry| match special(object.index, entry.sub, false) {

@@ -1,4 +1,4 @@
-//! What the templates of canopen-stack show.
+//! Views of the canopen-stack templates.
 
 use askama::Template;
 
@@ -30,17 +30,17 @@ impl Row {
     }
 }
 
-/// How many of something the stack must be compiled for.
+/// A minimum count in the configuration of the stack.
 struct Count {
-    /// The middle of the macro's name.
+    /// The middle part of the macro name.
     name: &'static str,
     count: u16,
     what: &'static str,
-    /// What must be true besides.
+    /// An additional condition.
     condition: &'static str,
 }
 
-/// What all files show.
+/// Data common to all files.
 pub(super) struct Head {
     lower: String,
     upper: String,
@@ -50,7 +50,7 @@ pub(super) struct Head {
     vendor: String,
     node_id: Option<u8>,
     length: usize,
-    /// The numbers of the objects that the stack is to be configured for.
+    /// The numbers of objects for the stack's configuration.
     counts: [Count; 4],
 }
 
@@ -158,7 +158,7 @@ impl<'a> Specification<'a> {
         let consumers = dictionary.objects.iter().find(|object| object.index == 0x1016);
         let consumers = consumers.map_or(0, |object| object.entries.len().saturating_sub(1));
         let pdos = device.pdo_count(PdoKind::Tpdo);
-        // heartbeat, SYNC and LSS; a timer for each consumer; an event and an inhibit time for each TPDO
+        // heartbeat, SYNC and LSS; a timer per consumer; an event timer and an inhibit time per TPDO
         let timers = u16::try_from(3 + consumers + 2 * pdos).unwrap_or(u16::MAX);
         Self {
             head,
@@ -205,7 +205,7 @@ pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout
     rows
 }
 
-/// 1200h with the COB-IDs that CiA 301 gives it.
+/// 1200h with the COB-IDs of CiA 301.
 fn default_sdo_server() -> impl Iterator<Item = Row> {
     let row = |sub: u8, type_: &'static str, data: &str, name: &str| {
         let (flags, type_) = (if sub == 0 { "CO_OBJ_D___R_" } else { "CO_OBJ_DN__R_" }, Type::Stack(type_));
@@ -232,7 +232,7 @@ struct Flags {
 }
 
 impl Flags {
-    /// The macro of the stack, or several where it has none for all of them.
+    /// The macro of the stack, or several if none covers all of them.
     fn name(self) -> String {
         let lone = |letter: char, set: bool| if set { letter } else { '_' };
         let mut missing = Vec::new();

@@ -1,23 +1,23 @@
-//! The configuration of the stack, for builds with several object dictionaries.
+//! The configuration of the stack for builds with several object dictionaries.
 
 use super::plan::Planned;
 use objdict_model::canopennode::Counters;
 
-/// What a member of the configuration holds.
+/// The content of a configuration member.
 enum Holds {
-    /// How many objects have a label.
+    /// The number of objects with a label.
     Count(&'static str),
-    /// How many elements an object has, and what stands for none.
+    /// The number of elements of an object, and the value if there are none.
     Elements(u16, usize),
     /// An object.
     Entry(u16),
-    /// Facts that an object dictionary does not contain.
+    /// Settings not contained in an object dictionary.
     Zero,
 }
 
 use Holds::{Count, Elements, Entry, Zero};
 
-/// The members of `CO_config_t`, in its order.
+/// The members of `CO_config_t` in order.
 const MEMBERS: &[(&str, Holds)] = &[
     ("CNT_NMT", Count("NMT")),
     ("ENTRY_H1017", Entry(0x1017)),
@@ -30,7 +30,7 @@ const MEMBERS: &[(&str, Holds)] = &[
     ("ENTRY_H1001", Entry(0x1001)),
     ("ENTRY_H1014", Entry(0x1014)),
     ("ENTRY_H1015", Entry(0x1015)),
-    ("CNT_ARR_1003", Elements(0x1003, 8)), // the producer of emergencies needs some room
+    ("CNT_ARR_1003", Elements(0x1003, 8)), // the EMCY producer needs some room
     ("ENTRY_H1003", Entry(0x1003)),
     ("CNT_SDO_SRV", Count("SDO_SRV")),
     ("ENTRY_H1200", Entry(0x1200)),
@@ -71,7 +71,7 @@ pub(super) fn config(
 ) -> Vec<(&'static str, String)> {
     let object = |index: u16| objects.iter().find(|object| object.index == index);
     let value = |holds: &Holds| match *holds {
-        Count("SDO_SRV") if counters.count("SDO_SRV") == 0 => "1".to_owned(), // the default one, without an object
+        Count("SDO_SRV") if counters.count("SDO_SRV") == 0 => "1".to_owned(), // the default one, which needs no object
         Count(label) if counters.count(label) > 0 => format!("{prefix}_CNT_{label}"),
         Elements(index, _) if object(index).is_some_and(|object| object.count.is_some()) => {
             format!("{prefix}_CNT_ARR_{index:04X}")

@@ -4,14 +4,14 @@ use super::names::word;
 use crate::Options;
 use crate::dictionary::ResolvedObject;
 
-/// Names that a group cannot have: `OD_<name>` and `OD_<name>_t` are something else.
+/// Names not available for groups: `OD_<name>` and `OD_<name>_t` have another meaning.
 const TAKEN: &str =
     "t size attr entry stream io extension attributes applyNodeId initLimits writeLimited H DEFINITION";
 
-/// What else begins like a macro of the tables.
+/// Prefixes of other macros of the tables.
 const BEGINS: [&str; 6] = ["CNT_", "ENTRY_", "ATTR_", "FLAGS_", "obj_", "INIT_"];
 
-/// The group of an object: that of the description, else that of the options, else what the index says.
+/// The group of an object: from the description, else from the options, else by index.
 pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
     let stack = object.object.main.stack.as_ref();
     let stated = stack.and_then(|stack| stack.storage_group.as_deref());

@@ -1,4 +1,4 @@
-//! Limits: the stack has no place for them, so a write function of the tables' own keeps them.
+//! Limits: the stack does not check them, so the tables contain a write function for this.
 
 use super::plan::Planned;
 use super::storage::bits;
@@ -7,7 +7,7 @@ use crate::diagnostic::counted;
 use crate::model::{DataType, Field, Place, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
-/// Objects that the stack writes through functions of its own, first and last index.
+/// Objects written through functions of the stack: first and last index.
 const OF_STACK: [(u16, u16); 10] = [
     (0x1001, 0x1001),
     (0x1003, 0x1003),
@@ -24,12 +24,12 @@ const OF_STACK: [(u16, u16); 10] = [
 /// An entry with a limit.
 pub(super) struct Limited {
     pub(super) index: u16,
-    /// Place of the object in the list.
+    /// Position of the object in the list.
     pub(super) position: usize,
     pub(super) sub: u8,
-    /// Bytes of a value.
+    /// Size of a value in bytes.
     pub(super) length: usize,
-    /// What a value is, and which limits there are: macros of the source, or `0U`.
+    /// The kind of value and its limits: macros of the source, or `0U`.
     pub(super) flags: String,
     pub(super) low: String,
     pub(super) high: String,
@@ -103,7 +103,7 @@ fn is_real(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64)
 }
 
-/// Whether a value is kept as bytes, little-endian, and not as a number of the processor.
+/// Whether a value is stored as little-endian bytes instead of a native number.
 fn is_bytes(data_type: DataType) -> bool {
     match data_type.kind() {
         TypeKind::Signed(bits) | TypeKind::Unsigned(bits) => !bits.is_power_of_two(),

@@ -1,14 +1,16 @@
-//! The naming rule of CANopenNode's tables: applications write these names, so they are made as they have always been.
+//! Naming rule of CANopenNode tables. Applications use these names, so they must match those of the original
+//! generator.
 
 use std::collections::HashSet;
 
 use crate::names::without_mark;
 
-/// The longest name that is made of one text. Applications write names in full, so they are only cut where no description
-/// within the standard comes to (`ParameterName` has up to 241 characters).
+/// Maximum length of a name. Applications write names in full, so they are only truncated beyond the maximum
+/// of the standard (`ParameterName` has up to 241 characters).
 const LONGEST: usize = 240;
 
-/// Keywords of C and C++, types of members, and macros of the headers that come with the stack: no member can be called so.
+/// Names not available for members: keywords of C and C++, types of members, and macros of the stack's
+/// headers.
 const RESERVED: &str = "
     auto break case char const continue default do double else enum extern float for goto if inline int
     long register restrict return short signed sizeof static struct switch typedef union unsigned void
@@ -23,10 +25,11 @@ const RESERVED: &str = "
     NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386
 ";
 
-/// The name of an object or entry in C; empty when nothing of the text can stand in one.
+/// The C name of an object or entry; empty if the text has no usable character.
 ///
-/// Words are joined and each begins with a capital, but for the first one unless it is an abbreviation; `-` becomes `_`, and
-/// a `_` keeps two abbreviations apart. Latin letters lose their marks, everything else separates words.
+/// Words are joined in camel case; the first word starts in lower case unless it is an abbreviation. `-`
+/// becomes `_`, and `_` separates two abbreviations. Accents of Latin letters are removed; all other
+/// characters separate words.
 pub(super) fn cname(name: &str) -> String {
     let plain: String = name.chars().take(4 * LONGEST).map(without_mark).collect();
     let plain = plain.replace('-', "_");
@@ -50,7 +53,7 @@ pub(super) fn cname(name: &str) -> String {
     if joined.starts_with(|c: char| c.is_ascii_digit()) {
         joined.insert(0, '_');
     }
-    joined.truncate(LONGEST); // all of it is ASCII
+    joined.truncate(LONGEST); // the text is ASCII
     let second_is_small = joined.as_bytes().get(1).is_none_or(u8::is_ascii_lowercase);
     if second_is_small && let Some(first) = joined.get_mut(..1) {
         first.make_ascii_lowercase();
@@ -58,17 +61,17 @@ pub(super) fn cname(name: &str) -> String {
     joined
 }
 
-/// The name behind an index: `2000_setpoint`, or `2000` where there is none.
+/// The name after an index: `2000_setpoint`, or `2000` without a name.
 pub(super) fn behind_index(index: u16, cname: &str) -> String {
     if cname.is_empty() { format!("{index:04X}") } else { format!("{index:04X}_{cname}") }
 }
 
-/// The names of a record's members.
+/// The member names of a record.
 #[derive(Default)]
 pub(super) struct Members(HashSet<String>);
 
 impl Members {
-    /// The name of the member for an entry: that of the entry, or the nearest that is valid and not taken yet.
+    /// Claims the member name for an entry: its own name, or a similar one that is valid and free.
     pub(super) fn claim(&mut self, name: &str, sub: u8) -> String {
         let cname = cname(name);
         let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
@@ -87,7 +90,7 @@ impl Members {
     }
 }
 
-/// Whether a member cannot be called so: keywords, and what looks like a macro of the stack or of `stdint.h`.
+/// Whether a name is reserved: keywords, and names like macros of the stack or of `stdint.h`.
 fn is_reserved(name: &str) -> bool {
     let is_macro =
         name.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_');

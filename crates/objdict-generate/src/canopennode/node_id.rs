@@ -1,4 +1,4 @@
-//! Values that depend on the node-ID: those that the stack works out itself, and those that it does not know of.
+//! Values that depend on the node-ID: those computed by the stack, and all others.
 
 use super::plan::{Member, Planned};
 use super::storage::bits;
@@ -6,19 +6,19 @@ use crate::Note;
 use crate::model::Place;
 use crate::resolve::{Datum, Shape};
 
-/// A value that is set when the node-ID is known.
+/// A value set after the node-ID is known.
 pub(super) struct Applied {
-    /// The variable, or the first byte of it.
+    /// The variable, or its first byte.
     pub(super) variable: String,
-    /// Its type; `None` for bytes.
+    /// Its type; `None` for a block of bytes.
     pub(super) type_: Option<&'static str>,
-    /// Bytes of the value.
+    /// Size of the value in bytes.
     pub(super) length: usize,
-    /// What is added to the node-ID.
+    /// The offset to the node-ID.
     pub(super) base: String,
 }
 
-/// The values of an object that the stack leaves to the application.
+/// The values of an object that the application has to set.
 pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
     let members = object.members().filter(|member| match member.entry.resolved.default {
         Datum::Formula(base) => !stack_adds(object.index, member.entry.sub, base),
@@ -39,12 +39,12 @@ pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
         .collect()
 }
 
-/// Whether the stack adds the node-ID to a value, because it is the COB-ID of the pre-defined connection set.
+/// Whether the stack adds the node-ID to a value, because it is the COB-ID of the predefined connection set.
 fn stack_adds(index: u16, sub: u8, value: u64) -> bool {
     predefined(index, sub).is_some_and(|base| value & 0x7FF == base)
 }
 
-/// What stands for the COB-ID of a service without its node-ID.
+/// The COB-ID of a service without its node-ID.
 fn predefined(index: u16, sub: u8) -> Option<u64> {
     match (index, sub) {
         (0x1014, 0) => Some(0x80),
@@ -56,7 +56,7 @@ fn predefined(index: u16, sub: u8) -> Option<u64> {
     }
 }
 
-/// Tells of fixed numbers that the stack replaces, for it takes them for COB-IDs without a node-ID.
+/// Notes fixed numbers that the stack replaces because it treats them as COB-IDs without node-ID.
 pub(super) fn notes(object: &Planned<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
     for member in object.members() {
         if let Some(text) = replaced(object.index, member, node_id) {

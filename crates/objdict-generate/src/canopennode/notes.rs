@@ -1,4 +1,4 @@
-//! What the stack cannot express, and what it demands and does not get.
+//! Features that the stack does not support, and its requirements that the description does not meet.
 
 use super::plan::{Member, Planned};
 use super::storage::{is_odd_nan, is_text};
@@ -7,7 +7,7 @@ use crate::model::{CobId, DataType, Device, Place};
 use crate::resolve::{Datum, Shape};
 use objdict_model::canopennode::unmet;
 
-/// What the stack demands of the device and does not get: the same that `--compat canopennode` finds.
+/// Requirements of the stack on the device, as found by `--compat canopennode`.
 pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
     notes.extend(unmet(device).into_iter().map(|unmet| {
         let text = format!("{}; {}", unmet.message, unmet.cause.effect());
@@ -15,7 +15,7 @@ pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
     }));
 }
 
-/// PDOs that the stack takes for a defect.
+/// PDOs that the stack rejects.
 pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
     for pdo in device.pdos() {
         let is_valid = pdo.cob_id.is_some_and(CobId::is_valid);
@@ -29,7 +29,7 @@ pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
     }
 }
 
-/// What becomes of an object's values.
+/// Deviations for the values of an object.
 pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
     for member in object.members() {
         let place = Place::entry(object.index, member.entry.sub);
@@ -46,7 +46,7 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-/// Whether a default of the error history is one of a history with errors.
+/// Whether a default of the error history contains errors.
 fn has_errors(default: &Datum) -> bool {
     match default {
         Datum::Word(word) | Datum::Formula(word) => *word != 0,
@@ -54,7 +54,7 @@ fn has_errors(default: &Datum) -> bool {
     }
 }
 
-/// Of a text: the stack counts it up to the first zero.
+/// Notes for a text: the stack takes its length up to the first zero.
 fn text(member: &Member<'_>) -> Option<Note> {
     let (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) =
         (member.entry.resolved.shape, &member.entry.resolved.default)
@@ -74,7 +74,7 @@ fn text(member: &Member<'_>) -> Option<Note> {
     }
 }
 
-/// Of bytes, and of texts without room: the stack has no values that grow.
+/// Notes for bytes, and for texts without capacity: the stack does not support values of variable length.
 fn octets(member: &Member<'_>) -> Option<Note> {
     let Shape::Bytes(data_type, _) = member.entry.resolved.shape else { return None };
     let access = member.entry.resolved.access;

@@ -1,4 +1,4 @@
-//! What becomes of each object: a variable, an array or a record of the stack.
+//! The layout of each object: a variable, an array or a record of the stack.
 
 use super::groups::group;
 use super::names::{Members, behind_index, cname};
@@ -8,44 +8,44 @@ use crate::model::{DataType, ObjectType, Place};
 use crate::resolve::Shape;
 use crate::{Note, Options};
 
-/// The most entries that an object of the stack can have.
+/// Maximum number of entries of an object in the stack.
 const MOST_ENTRIES: usize = u8::MAX as usize;
 
-/// Objects whose number of elements the stack asks for.
+/// Objects with a number of elements that the stack requires.
 const COUNTED: [u16; 4] = [0x1003, 0x1010, 0x1011, 0x1016];
 
 /// An object of the stack.
 pub(super) struct Planned<'a> {
     pub(super) index: u16,
-    /// The name of the object; empty where it has none.
+    /// The name of the object; empty if there is none.
     pub(super) cname: String,
     /// The storage group.
     pub(super) group: String,
     pub(super) layout: Layout<'a>,
-    /// Elements, where they are counted.
+    /// The number of elements, if the stack requires it.
     pub(super) count: Option<usize>,
 }
 
-/// How the stack finds an object's entries.
+/// How the stack accesses the entries of an object.
 pub(super) enum Layout<'a> {
     /// A single value.
     Var(Member<'a>),
-    /// Sub-index 0, and elements that are all alike, from sub-index 1 on without a gap.
+    /// Sub-index 0 and identical elements from sub-index 1 on, without gaps.
     Array(Member<'a>, Vec<Member<'a>>),
     /// Any sub-indexes.
     Record(Vec<Member<'a>>),
 }
 
-/// An entry of the stack.
+/// An entry in the stack.
 pub(super) struct Member<'a> {
-    /// The name of the member of a record.
+    /// The member name in a record.
     pub(super) name: String,
     pub(super) entry: &'a ResolvedEntry<'a>,
     pub(super) storage: Storage,
 }
 
 impl Planned<'_> {
-    /// `2000_setpoint`: behind `x` a member of the group's struct, behind `o_` a description of the object.
+    /// `2000_setpoint`: after `x` the member of the group's struct, after `o_` the descriptor of the object.
     pub(super) fn name(&self) -> String {
         behind_index(self.index, &self.cname)
     }
@@ -60,7 +60,7 @@ impl Planned<'_> {
         first.into_iter().chain(rest)
     }
 
-    /// The variable of an entry, in the notation of C.
+    /// The variable of an entry in C syntax.
     pub(super) fn variable(&self, prefix: &str, member: &Member<'_>) -> String {
         let name = format!("{prefix}_{}.x{}", self.group, self.name());
         match &self.layout {
@@ -72,7 +72,7 @@ impl Planned<'_> {
     }
 }
 
-/// All objects of a dictionary; what cannot be kept as it is described goes to the notes.
+/// Plans all objects of a dictionary; deviations from the description are noted.
 pub(super) fn plan<'a>(
     dictionary: &'a Dictionary<'a>,
     options: &Options,
@@ -122,7 +122,7 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     }
 }
 
-/// Why entries are no array of the stack.
+/// Why entries do not form an array of the stack.
 fn invalid(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
     if sub0.entry.sub != 0 {
         return Some("it has no sub-index 0");

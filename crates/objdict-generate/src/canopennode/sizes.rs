@@ -1,4 +1,4 @@
-//! What the files take in flash and RAM.
+//! Size of the files in flash and RAM.
 
 use super::plan::{Layout, Member, Planned};
 use super::storage::Storage;
@@ -7,10 +7,10 @@ use crate::SizeReport;
 use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
-/// What is counted.
+/// What the sizes include.
 const COUNTED: &str = "`OD.c` on a processor of 32 bits; without code and stack internals";
 
-/// Pointer, sub-index, attribute and length of an entry: `OD_obj_record_t`; `OD_obj_var_t` is as long.
+/// Pointer, sub-index, attribute and length of an entry: `OD_obj_record_t`; `OD_obj_var_t` has the same size.
 fn entry() -> Extent {
     Extent::structure([Extent::POINTER, Extent::BYTE, Extent::BYTE, Extent::WORD])
 }
@@ -31,7 +31,7 @@ fn extension() -> Extent {
     Extent::structure([Extent::POINTER, Extent::POINTER, Extent::POINTER, Extent::BYTE.times(4)])
 }
 
-/// `Limit_t` of the tables.
+/// `Limit_t` of the generated tables.
 fn limit() -> Extent {
     let bound = Extent::number(8);
     Extent::structure([bound, bound, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE])
@@ -55,7 +55,7 @@ pub(super) fn report(dictionary: &Dictionary<'_>, objects: &[Planned<'_>], table
         tally.of(object.index, Memory::Flash, described.size);
         tally.of(object.index, Memory::Initialised, list_entry().size);
     }
-    // the end of the list, OD_t, and the pointer to it
+    // the end of the list, OD_t, and its pointer
     let head = Extent::structure([Extent::HALF, Extent::POINTER]);
     tally.rest(Memory::Initialised, list_entry().size + head.size + Extent::POINTER.size);
     if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.rows.is_empty()) {
@@ -82,7 +82,7 @@ fn groups<'a>(objects: &'a [Planned<'a>]) -> Vec<Vec<&'a Planned<'a>>> {
     groups
 }
 
-/// The members that an object has in the structure of its group.
+/// The members of an object in the structure of its group.
 fn variables(object: &Planned<'_>) -> Vec<Extent> {
     match &object.layout {
         Layout::Var(member) => variable(&member.storage).into_iter().collect(),
@@ -101,7 +101,7 @@ fn variable(storage: &Storage) -> Option<Extent> {
     Some(Extent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)))
 }
 
-/// Where the structure of a group lies.
+/// The memory of a group's structure.
 fn memory(group: &[&Planned<'_>]) -> Memory {
     let kept = |member: &&Member<'_>| member.storage.type_.is_some();
     let members = group.iter().flat_map(|object| object.members()).filter(kept);

@@ -1,22 +1,22 @@
-//! How CANopenNode keeps a value: type, length, attributes and initialiser in C.
+//! Storage of a value in CANopenNode: type, length, attributes and initialiser in C.
 
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
-/// Where and how a value is kept.
+/// Location and representation of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Storage {
-    /// The type of the variable, or of its elements; `None` where the stack has nothing for the value and the application
-    /// has to transfer it.
+    /// The type of the variable or its elements; `None` if the stack has no suitable type and the application
+    /// must provide the value.
     pub(super) type_: Option<&'static str>,
-    /// Elements of the variable; `None` for a number.
+    /// Number of elements; `None` for a number.
     pub(super) elements: Option<usize>,
-    /// Bytes of a value, as the stack counts them.
+    /// Size of a value in bytes, as the stack counts it.
     pub(super) length: usize,
-    /// Attributes of the entry: `ODA_SDO_R` and the like, or `0`.
+    /// Attributes of the entry, such as `ODA_SDO_R`, or `0`.
     pub(super) attribute: String,
-    /// The initialiser: a number, or the numbers of all elements up to the last that is not zero, at least one.
+    /// The initialiser: a number, or all elements up to the last non-zero one, at least one.
     pub(super) value: Vec<String>,
 }
 
@@ -30,20 +30,20 @@ impl Storage {
                     entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
                 text(data_type, usize::from(room), has_room, bytes)
             }
-            (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers are no texts
+            (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers do not have this shape
             (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
             (Shape::Block(length), _) => bytes(usize::from(length), &[]),
         };
         Self { type_, elements, length, attribute: attribute(entry, type_), value }
     }
 
-    /// Whether elements of an array may be kept like this one.
+    /// Whether elements of an array can share this storage.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         let facts = |storage: &Self| (storage.type_, storage.elements, storage.length);
         facts(self) == facts(other) && self.attribute == other.attribute
     }
 
-    /// What stands behind the name of a variable.
+    /// The suffix of a variable's declarator.
     pub(super) fn dimension(&self) -> String {
         self.elements.map_or_else(String::new, |elements| format!("[{elements}]"))
     }
@@ -52,7 +52,7 @@ impl Storage {
 /// Type, elements, length and initialiser.
 type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
 
-/// The number of a word, without the node-ID where that is added.
+/// The number of a word; without the node-ID if it is added.
 pub(super) fn bits(datum: &Datum) -> u64 {
     match datum {
         Datum::Word(word) | Datum::Formula(word) => *word,
@@ -73,7 +73,7 @@ fn word(data_type: DataType, word: u64) -> Kept {
         TypeKind::Signed(16) => native("int16_t", signed(word)),
         TypeKind::Signed(32) => native("int32_t", signed(word)),
         TypeKind::Signed(64) => native("int64_t", signed(word)),
-        TypeKind::Real32 => native("float32_t", real32(f32::from_bits(word as u32))), // the lower half is all
+        TypeKind::Real32 => native("float32_t", real32(f32::from_bits(word as u32))), // the lower half contains all bits
         TypeKind::Real64 => native("float64_t", real64(f64::from_bits(word))),
         _ => bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
     }
@@ -81,7 +81,8 @@ fn word(data_type: DataType, word: u64) -> Kept {
 
 fn signed(word: u64) -> String {
     match word as i64 {
-        // C has no literal for these: a minus sign is not a part of it, and the number behind does not fit
+        // C has no literal for these: the minus sign is not part of a literal, and the positive number does
+        // not fit
         i64::MIN => "INT64_MIN".to_owned(),
         number if number == i64::from(i32::MIN) => "INT32_MIN".to_owned(),
         number if number == i64::from(i16::MIN) => "INT16_MIN".to_owned(),
@@ -97,7 +98,7 @@ fn real64(number: f64) -> String {
     if number.is_finite() { format!("{number:?}") } else { not_finite(number).to_owned() }
 }
 
-/// What math.h calls a number that no literal can express.
+/// The math.h name of a number that cannot be written as a literal.
 fn not_finite(number: f64) -> &'static str {
     match number.is_nan() {
         true => "NAN",
@@ -106,7 +107,7 @@ fn not_finite(number: f64) -> &'static str {
     }
 }
 
-/// Whether a number is a NaN that is not the one of math.h: its other bits are lost.
+/// Whether a number is a NaN other than that of math.h; its other bits are lost.
 pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
     let word = bits(&resolved.default);
     match resolved.shape {
@@ -118,7 +119,8 @@ pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
     }
 }
 
-/// A text or block of `room` bytes at most, of which only texts may be shorter. `has_room`: the description asks for it.
+/// A text or block of at most `room` bytes; only texts may be shorter. `has_room`: the description states the
+/// capacity.
 fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> Kept {
     match data_type.kind() {
         TypeKind::VisibleString if room > 0 => {
@@ -144,7 +146,7 @@ fn bytes(length: usize, value: &[u8]) -> Kept {
     (Some("uint8_t"), Some(length), length, up_to_last(numbers, value.iter().map(|&byte| byte != 0)))
 }
 
-/// The numbers up to the last that counts, at least one: C fills the rest with zeros.
+/// The numbers up to the last one that counts, at least one; C zero-fills the rest.
 fn up_to_last(numbers: impl Iterator<Item = String>, counts: impl Iterator<Item = bool>) -> Vec<String> {
     let length =
         counts.zip(1..).filter_map(|(counts, position)| counts.then_some(position)).last().unwrap_or(0);
@@ -159,7 +161,7 @@ fn up_to_last(numbers: impl Iterator<Item = String>, counts: impl Iterator<Item 
 fn letter(byte: u8) -> String {
     match byte {
         b'\'' | b'\\' => format!("'\\{}'", char::from(byte)),
-        b'?' => "'\\?'".to_owned(), // no trigraph
+        b'?' => "'\\?'".to_owned(), // not a trigraph
         b' '..=b'~' => format!("'{}'", char::from(byte)),
         _ => format!("'\\x{byte:02X}'"),
     }
@@ -186,7 +188,7 @@ fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
         Some(SrdoAccess::No) | None => "",
     };
     let kept = match (resolved.shape, type_) {
-        (Shape::Word(_), Some("bool_t" | "uint8_t" | "int8_t")) => "", // odd widths among them
+        (Shape::Word(_), Some("bool_t" | "uint8_t" | "int8_t")) => "", // includes odd widths
         (Shape::Word(_), Some(_)) => "ODA_MB",
         (Shape::Bytes(data_type, _), _) if is_text(data_type) => "ODA_STR",
         _ => "",
@@ -195,7 +197,7 @@ fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
     if flags.is_empty() { "0".to_owned() } else { flags.join(" | ") }
 }
 
-/// Whether values of a type may be shorter than their room.
+/// Whether values of a type may be shorter than their capacity.
 pub(super) fn is_text(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString)
 }

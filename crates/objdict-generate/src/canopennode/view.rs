@@ -1,4 +1,4 @@
-//! What templates/canopennode/OD.h and OD.c show.
+//! View of templates/canopennode/OD.h and OD.c.
 
 use askama::Template;
 
@@ -26,29 +26,29 @@ pub(super) struct Source<'a> {
     pub(super) tables: &'a Tables,
 }
 
-/// Everything that both files show.
+/// Data common to both files.
 pub(super) struct Tables {
     made_by: String,
     product: String,
     vendor: String,
-    /// What identifiers start with.
+    /// The prefix of identifiers.
     prefix: String,
-    /// Labels and how many objects have them.
+    /// Labels with their number of objects.
     counters: Vec<(String, usize)>,
     groups: Vec<GroupView>,
     objects: Vec<ObjectView>,
     applied: Vec<Applied>,
-    /// `None` where limits are not enforced.
+    /// `None` if limits are not enforced.
     pub(super) limits: Option<Limits>,
     /// Whether math.h is needed.
     math: bool,
-    /// Whether 1016h is there, which the stack names in any case.
+    /// Whether 1016h exists, which the stack always refers to.
     has_consumers: bool,
-    /// Members of the stack's configuration and their values.
+    /// Members of the stack's configuration with their values.
     config: Vec<(&'static str, String)>,
 }
 
-/// A storage group: the variables of the objects that have some.
+/// A storage group: the variables of its objects.
 struct GroupView {
     name: String,
     fields: Vec<FieldView>,
@@ -56,35 +56,35 @@ struct GroupView {
 
 /// A member of a group's struct.
 struct FieldView {
-    /// The whole declaration, over several lines for a record.
+    /// The complete declaration; several lines for a record.
     declaration: String,
-    /// `.x1000_deviceType = 0x00000000`, over several lines for a record.
+    /// `.x1000_deviceType = 0x00000000`; several lines for a record.
     initialiser: String,
 }
 
-/// An object of the list.
+/// An object in the list.
 struct ObjectView {
     index: u16,
     /// `2000_setpoint`.
     name: String,
-    /// Empty where it has none.
+    /// Empty if there is none.
     cname: String,
-    /// Elements, where they are counted.
+    /// The number of elements, if the stack requires it.
     count: Option<usize>,
-    /// Entries with sub-index 0.
+    /// Number of entries including sub-index 0.
     entries: usize,
     /// `VAR`, `ARR` or `REC`.
     kind: &'static str,
-    /// What is behind the name of a member of `ODObjs_t`.
+    /// The suffix of the member in `ODObjs_t`.
     dimension: String,
-    /// Lines between the braces of the initialiser.
+    /// The lines of the initialiser between the braces.
     lines: Vec<String>,
 }
 
-/// Entries with limits and the extensions that keep them.
+/// Entries with limits and the extensions that enforce them.
 pub(super) struct Limits {
     pub(super) rows: Vec<Limited>,
-    /// How many objects have some.
+    /// Number of objects with limits.
     pub(super) objects: usize,
     real: bool,
 }
@@ -130,7 +130,8 @@ impl Tables {
     }
 }
 
-/// The groups in the order of their first objects; those without variables are not there, for C has no empty structs.
+/// The groups in the order of their first objects. Groups without variables are omitted, because C has no
+/// empty structs.
 fn groups(objects: &[Planned<'_>], prefix: &str) -> Vec<GroupView> {
     let mut groups: Vec<GroupView> = Vec::new();
     for object in objects {
@@ -201,10 +202,10 @@ fn value(storage: &Storage, indent: &str) -> String {
     }
 }
 
-/// Numbers on a line of a block.
+/// Numbers per line of a block.
 const PER_LINE: usize = 12;
 
-/// A list in braces, over several lines where it is long.
+/// A list in braces; split into lines if it is long.
 fn braced(values: &[String], indent: &str) -> String {
     if values.len() <= PER_LINE && values.iter().all(|value| !value.contains('\n')) {
         return format!("{{{}}}", values.join(", "));

@@ -1,10 +1,11 @@
-//! The target `concise`: the stream of SDO downloads that a CANopen manager keeps for the node (1F22h, CiA 302-3).
+//! The target `concise`: the stream of SDO downloads that a CANopen manager stores for the node (1F22h, CiA
+//! 302-3).
 
 use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile, Sizes};
 use crate::model::{Device, Place};
 use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
 
-/// A concise DCF of what is configured to another value than its default.
+/// A concise DCF of the values that differ from the defaults.
 pub(super) struct Concise;
 
 impl Backend for Concise {
@@ -38,7 +39,7 @@ impl Backend for Concise {
     }
 }
 
-/// A download whose bytes are known without a look at another file.
+/// A download whose bytes are known without reading a file.
 fn known(step: Step) -> Option<Download> {
     match step {
         Step::Write(download) => Some(download),

@@ -7,10 +7,10 @@ use crate::names::Scope;
 use crate::resolve::{Datum, Shape};
 use crate::variables::claim;
 
-/// The longest value that one SDO frame carries.
+/// The longest value in one SDO frame.
 pub(super) const LONGEST: usize = 4;
 
-/// The bytes that a PDO of the stack can begin at.
+/// Number of possible start offsets of a PDO in the stack.
 const REACH: usize = 256;
 
 /// The image and its entries.
@@ -18,7 +18,7 @@ const REACH: usize = 256;
 pub(super) struct Image {
     /// By index and sub-index.
     pub(super) entries: Vec<ImageEntry>,
-    /// Bytes.
+    /// Size in bytes.
     pub(super) size: usize,
 }
 
@@ -27,23 +27,23 @@ pub(super) struct Image {
 pub(super) struct ImageEntry {
     pub(super) index: u16,
     pub(super) sub: u8,
-    /// The end of the macro that is its offset.
+    /// The suffix of the offset macro.
     pub(super) name: String,
     pub(super) described: String,
     pub(super) size: usize,
     pub(super) read: bool,
     pub(super) write: bool,
     pub(super) default: Datum,
-    /// `None` until it has a place.
+    /// `None` until it is placed.
     pub(super) offset: Option<usize>,
 }
 
-/// Whether the stack serves an entry by itself: error register and heartbeat time.
+/// Whether the stack handles an entry itself: error register and heartbeat time.
 pub(super) fn is_of_the_stack(index: u16, sub: u8) -> bool {
     matches!((index, sub), (0x1001 | 0x1017, 0))
 }
 
-/// Whether an entry is part of the process image: it can change, and is no parameter of communication.
+/// Whether an entry belongs to the process image: it can change and is not a communication parameter.
 fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
     let resolved = &entry.resolved;
     let length = resolved.shape.size();
@@ -52,7 +52,7 @@ fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
 }
 
 impl Image {
-    /// The entries that belong to the image, none of them with a place.
+    /// Collects the entries of the image without placing them.
     pub(super) fn new(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Self {
         let mut scope = Scope::of_constants("");
         let mut entries = Vec::new();
@@ -87,12 +87,12 @@ impl Image {
         Self { entries, size: 0 }
     }
 
-    /// The number of an entry; `None` when it is not part of the image.
+    /// The position of an entry; `None` if it is not in the image.
     pub(super) fn find(&self, index: u16, sub: u8) -> Option<usize> {
         self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub)).ok()
     }
 
-    /// Gives everything that has no place yet one behind the others.
+    /// Places all remaining entries in sequence.
     pub(super) fn place_the_rest(&mut self) {
         for entry in &mut self.entries {
             if entry.offset.is_none() {
@@ -102,7 +102,7 @@ impl Image {
         }
     }
 
-    /// Notes an image that is too long for the stack.
+    /// Notes an image that exceeds the limit of the stack.
     pub(super) fn check(&self, notes: &mut Vec<Note>) {
         if self.size > REACH {
             let text = format!(

@@ -1,8 +1,9 @@
-//! The target `microcanopen`: the tables of MicroCANopen, as chapter 6 of "Embedded Networking with CAN and CANopen" has
-//! them.
+//! The target `microcanopen`: tables for MicroCANopen as described in chapter 6 of "Embedded Networking with
+//! CAN and CANopen".
 //!
-//! What never changes is a ready SDO reply; what can change lies in the process image, where the PDOs take it from. So
-//! the order in the image follows the PDO mapping, and everything else comes behind.
+//! Constant values become prepared SDO replies. Values that can change are in the process image, from which
+//! the stack takes PDO data. So the image starts with the mapped objects in PDO mapping order; all others
+//! follow.
 
 mod image;
 mod pdos;
@@ -22,7 +23,7 @@ use replies::Reply;
 /// Tables for MicroCANopen.
 pub(super) struct MicroCanopen;
 
-/// The most rows that the stack searches.
+/// Maximum number of rows in the stack.
 const MOST_ROWS: usize = 255;
 
 impl Backend for MicroCanopen {
@@ -78,14 +79,14 @@ fn image(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> (I
     (image, calls)
 }
 
-/// What is counted.
+/// What the sizes include.
 const COUNTED: &str =
     "the tables with offsets of 16 bits, and the process image; without code and stack internals";
 
-/// Bytes of an SDO reply.
+/// Size of an SDO reply in bytes.
 const REPLY: usize = 8;
 
-/// Bytes of a row for the process image whose offsets have 16 bits.
+/// Size of a process image row with 16-bit offsets, in bytes.
 const ROW: usize = 6;
 
 fn size(dictionary: &Dictionary<'_>, image: &Image, replies: &[Reply]) -> SizeReport {
@@ -99,6 +100,6 @@ fn size(dictionary: &Dictionary<'_>, image: &Image, replies: &[Reply]) -> SizeRe
     }
     tally.rest(Memory::Flash, REPLY + ROW); // end marks
     let entries: usize = image.entries.iter().map(|entry| entry.size).sum();
-    tally.rest(Memory::Zeroed, image.size.max(1).saturating_sub(entries)); // dummies of the mapping; C has no empty arrays
+    tally.rest(Memory::Zeroed, image.size.max(1).saturating_sub(entries)); // dummy entries of the mapping; C has no empty arrays
     tally.report(COUNTED)
 }

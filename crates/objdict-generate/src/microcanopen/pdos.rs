@@ -1,11 +1,11 @@
-//! The calls that initialise PDOs, and the places of what they carry.
+//! The calls that initialise PDOs, and the offsets of the mapped objects.
 
 use super::image::Image;
 use crate::Note;
 use crate::dictionary::Dictionary;
 use crate::model::{MappedObject, Pdo, PdoKind, Place};
 
-/// The PDOs of each direction that the stack has.
+/// Number of PDOs per direction in the stack.
 const MOST: u16 = 4;
 
 /// A call of `MCO_InitTPDO` or `MCO_InitRPDO`.
@@ -13,16 +13,16 @@ const MOST: u16 = 4;
 pub(super) struct Call {
     pub(super) kind: PdoKind,
     pub(super) number: u16,
-    /// What is added to the node-ID or is the CAN-ID; `None` for the one that CiA 301 gives the PDO.
+    /// A CAN-ID or an offset to the node-ID; `None` for the predefined CAN-ID.
     pub(super) can_id: Option<(u32, bool)>,
-    /// Milliseconds.
+    /// In milliseconds.
     pub(super) event: u16,
     pub(super) inhibit: u16,
     pub(super) length: usize,
     pub(super) offset: usize,
 }
 
-/// The calls for all PDOs that the stack can have; gives what they carry its places.
+/// The calls for all PDOs that the stack supports; places the mapped objects.
 pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Vec<Call> {
     let mut calls = Vec::new();
     for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
@@ -38,7 +38,7 @@ pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image, notes: &mut 
     calls
 }
 
-/// The call for a PDO; `Ok(None)` for one that is not in use.
+/// The call for a PDO; `Ok(None)` for an unused one.
 fn call(pdo: &Pdo<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Result<Option<Call>, (Place, String)> {
     let index = pdo.communication_index();
     let Some(id) = pdo.cob_id else {
@@ -76,7 +76,7 @@ fn call(pdo: &Pdo<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Result<Optio
     Ok(Some(Call { kind: pdo.kind, number: pdo.number, can_id, event, inhibit, length, offset }))
 }
 
-/// Gives what a PDO carries its places, one behind the other; where they begin, and how long they are.
+/// Places the mapped objects of a PDO in sequence; returns their offset and length.
 fn place(pdo: &Pdo<'_>, image: &mut Image) -> Result<(usize, usize), (Place, String)> {
     let index = pdo.mapping_index();
     let at = |sub: u8| Place::entry(index, sub);
@@ -108,7 +108,7 @@ fn place(pdo: &Pdo<'_>, image: &mut Image) -> Result<(usize, usize), (Place, Str
     if length > 8 {
         return Err((at(0), format!("{length} bytes are mapped; a frame has 8")));
     }
-    // either all of it is new, or it lies there already in the same order
+    // either all objects are new, or they are already placed in the same order
     let places: Vec<Option<usize>> =
         parts.iter().map(|&(_, entry, _)| entry.and_then(|entry| image.entries[entry].offset)).collect();
     let Some(&(sub, ..)) = parts.iter().zip(&places).find(|(_, place)| place.is_some()).map(|(part, _)| part)

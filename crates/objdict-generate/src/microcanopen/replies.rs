@@ -1,4 +1,4 @@
-//! The SDO replies: what never changes, or what the stack cannot let change.
+//! SDO replies for values that are constant, or that the stack cannot change.
 
 use super::image::{LONGEST, is_of_the_stack};
 use crate::Note;
@@ -14,7 +14,7 @@ pub(super) struct Reply {
     pub(super) described: String,
 }
 
-/// The rows, by index and sub-index.
+/// The rows by index and sub-index.
 pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Vec<Reply> {
     let mut replies = Vec::new();
     for object in &dictionary.objects {
@@ -27,7 +27,7 @@ pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec
     replies
 }
 
-/// The row of an entry; `None` where there is none, with a note where there should be one.
+/// The row of an entry; `None` if there is none, with a note if one is needed.
 fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<Note>) -> Option<String> {
     let resolved = &entry.resolved;
     let sub = entry.sub;

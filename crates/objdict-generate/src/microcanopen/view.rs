@@ -1,4 +1,4 @@
-//! What the templates of MicroCANopen show.
+//! Views of the MicroCANopen templates.
 
 use askama::Template;
 
@@ -12,7 +12,7 @@ use crate::escape::filters;
 use crate::model::PdoKind;
 use crate::resolve::Datum;
 
-/// What both files show.
+/// Data common to both files.
 pub(super) struct Head {
     lower: String,
     upper: String,
@@ -34,7 +34,7 @@ pub(super) struct Source<'a> {
     replies: &'a [Reply],
     tpdos: Vec<String>,
     rpdos: Vec<String>,
-    /// Bytes of the image that do not begin as 0: offset and value.
+    /// Bytes of the image with a non-zero initial value: offset and value.
     defaults: Vec<(String, String)>,
 }
 
@@ -72,7 +72,7 @@ impl Head {
 
 impl ImageEntry {
     fn place(&self) -> usize {
-        self.offset.unwrap_or(0) // all have one when they are shown
+        self.offset.unwrap_or(0) // all are placed before they are shown
     }
 
     fn flags(&self) -> String {
@@ -85,7 +85,7 @@ impl ImageEntry {
         flags
     }
 
-    /// The bytes that are not 0 when the node begins.
+    /// The bytes with a non-zero initial value.
     fn default_bytes(&self, node_id: &str) -> Vec<(String, String)> {
         let offset = |at: usize| match at {
             0 => format!("P_{}_OFF", self.name),
@@ -131,7 +131,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// The call as C writes it.
+/// The call in C syntax.
 fn statement(call: &Call, node_id: &str) -> String {
     let Call { number, event, inhibit, length, offset, .. } = call;
     let can_id = match call.can_id {

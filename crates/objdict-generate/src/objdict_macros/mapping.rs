@@ -5,7 +5,7 @@ use crate::Note;
 use crate::dictionary::Dictionary;
 use crate::model::{Pdo, PdoKind, Place};
 
-/// The mapping entries of each PDO.
+/// Number of mapping entries per PDO.
 pub(super) const SLOTS: usize = 8;
 
 /// A PDO.
@@ -13,18 +13,18 @@ pub(super) const SLOTS: usize = 8;
 pub(super) struct PdoRow {
     pub(super) kind: PdoKind,
     pub(super) number: u16,
-    /// Those that are used.
+    /// The mapped entries.
     pub(super) entries: Vec<String>,
 }
 
 impl PdoRow {
-    /// Entries that are not used.
+    /// The number of unused mapping entries.
     pub(super) fn unused(&self) -> usize {
         SLOTS.saturating_sub(self.entries.len())
     }
 }
 
-/// All PDOs that have a mapping, by number in their direction; those that the rows skip are empty.
+/// All PDOs with a mapping, by number per direction; numbers without one are empty.
 pub(super) fn pdos(dictionary: &Dictionary<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<PdoRow> {
     let mut rows = Vec::new();
     for kind in PdoKind::ALL {

@@ -1,9 +1,9 @@
-//! The target `objdict-macros`: `objdict.c` and `mapping.c` in the style of the stack that chapter 6.5 of "Embedded
-//! Networking with CAN and CANopen" describes: rows of macros with index, length, address and access, and eight mapping
-//! entries for each PDO.
+//! The target `objdict-macros`: `objdict.c` and `mapping.c` in the style of chapter 6.5 of "Embedded
+//! Networking with CAN and CANopen": rows of macros with index, length, address and access, and eight mapping
+//! entries per PDO.
 //!
-//! The book shows the macro for a single object; `SUB_OBJ`, for an entry of an object with several, is of the same kind
-//! and defined beside it.
+//! The book shows the macro for a single object. `SUB_OBJ`, for an entry of an object with several, is
+//! modelled on it and defined next to it.
 
 mod mapping;
 mod view;
@@ -59,7 +59,7 @@ impl Backend for ObjdictMacros {
     }
 }
 
-/// What is counted.
+/// What the sizes include.
 const COUNTED: &str = "the rows as `objdict.h` declares them, mapping and values, on a processor of 32 bits";
 
 fn size(dictionary: &Dictionary<'_>, objects: &Objects, pdos: &[mapping::PdoRow]) -> SizeReport {
@@ -75,12 +75,12 @@ fn size(dictionary: &Dictionary<'_>, objects: &Objects, pdos: &[mapping::PdoRow]
     }
     for pdo in pdos {
         let index = pdo.kind.mapping_index(pdo.number);
-        tally.of(index.unwrap_or(0), Memory::Flash, pdo_map.size); // 0: of no object
+        tally.of(index.unwrap_or(0), Memory::Flash, pdo_map.size); // 0: without an object
     }
     tally.report(COUNTED)
 }
 
-/// The rows and the variables behind them.
+/// The rows and their variables.
 #[derive(Debug)]
 struct Objects {
     rows: Vec<ObjectRow>,
@@ -113,7 +113,7 @@ struct Definition {
     described: String,
 }
 
-/// What a variable is; equal ones can be elements of one array.
+/// The type of a variable; variables of equal types can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
 struct VariableType {
     constant: bool,
@@ -185,14 +185,14 @@ impl Objects {
         Self { rows, variables: definitions }
     }
 
-    /// The address of an entry's value; `None` when there is no such entry.
+    /// The address of an entry's value; `None` for a missing entry.
     fn address(&self, index: u16, sub: u8) -> Option<&ObjectRow> {
         let at = self.rows.binary_search_by_key(&(index, sub), |row| (row.index, row.sub)).ok()?;
         self.rows.get(at)
     }
 }
 
-/// Bytes of a value: of a text that cannot be written those that it has.
+/// Length of a value; a read-only text has the length of its default.
 fn length(entry: &ResolvedEntry<'_>) -> usize {
     entry.resolved.shape.size()
 }
@@ -213,7 +213,7 @@ fn kind(entry: &ResolvedEntry<'_>) -> Option<VariableType> {
     }
 }
 
-/// The number of a value; of a formula, what is added to the node-ID.
+/// The number of a value; for a formula, the offset to the node-ID.
 fn word(entry: &ResolvedEntry<'_>) -> Option<u64> {
     match entry.resolved.default {
         Datum::Word(word) | Datum::Formula(word) => Some(word),
@@ -221,7 +221,7 @@ fn word(entry: &ResolvedEntry<'_>) -> Option<u64> {
     }
 }
 
-/// Whether a value begins with nothing but zeros.
+/// Whether the initial value is all zeros.
 fn is_zero(entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> bool {
     match &entry.resolved.default {
         Datum::Formula(_) if node_id.is_some() => false,
@@ -243,7 +243,7 @@ fn initializer(entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> String {
     typed.unwrap_or_else(|| bytes(&little_endian(word, length(entry))))
 }
 
-/// The access type of the book.
+/// The access type in the notation of the book.
 fn access(entry: &ResolvedEntry<'_>) -> &'static str {
     let resolved = &entry.resolved;
     match (resolved.access.is_readable(), resolved.access.is_writable()) {
@@ -257,7 +257,7 @@ fn access(entry: &ResolvedEntry<'_>) -> &'static str {
     }
 }
 
-/// Notes what a row does not have.
+/// Notes properties that a row cannot express.
 fn check(place: &Place, entry: &ResolvedEntry<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
     let resolved = &entry.resolved;
     let mut say = |text: String| notes.push(Note::new(place.clone(), text));

@@ -1,4 +1,4 @@
-//! What the templates of the tables of macros show.
+//! Views of the `objdict-macros` templates.
 
 use askama::Template;
 
@@ -9,7 +9,7 @@ use crate::dictionary::Dictionary;
 use crate::escape::filters;
 use crate::model::PdoKind;
 
-/// What all files show.
+/// Data common to all files.
 pub(super) struct Head {
     made_by: String,
     product: String,

@@ -1,4 +1,4 @@
-//! What templates/rust/_defaults.rs shows: the constants of identity and services.
+//! View of templates/rust/_defaults.rs: constants of identity and services.
 
 use askama::Template;
 
@@ -15,9 +15,9 @@ pub(super) struct Defaults {
 
 /// A constant or a function.
 struct ItemView {
-    /// What it is and where it stands.
+    /// Its meaning and its source.
     meaning: String,
-    /// Of a function, whether it looks at its argument.
+    /// For a function, whether it uses its argument.
     function: Option<bool>,
     name: String,
     type_: String,
@@ -50,7 +50,7 @@ fn item_view(constant: &Constant) -> ItemView {
     ItemView { meaning: format!("{meaning} ({source})"), function, name, type_, value }
 }
 
-/// A number as a function of the node-ID, or some bits of it.
+/// A number, or some bits of it, as a function of the node-ID.
 fn of_node(cob_id: CobId, mask: Option<u32>) -> (Option<bool>, String, String) {
     let number = cob_id.number();
     let value = match (cob_id.depends_on_node_id(), mask) {

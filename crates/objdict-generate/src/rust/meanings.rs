@@ -1,4 +1,4 @@
-//! What templates/rust/_meanings.rs shows: enumerations and bit fields.
+//! View of templates/rust/_meanings.rs: enumerations and bit fields.
 
 use std::collections::HashSet;
 
@@ -10,24 +10,24 @@ use crate::meanings::{EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape};
 
-/// The modules `enums` and `bits`, where there is something in them.
+/// The modules `enums` and `bits`, if not empty.
 #[derive(Template)]
 #[template(path = "rust/_meanings.rs", escape = "none")]
 pub(super) struct Meanings<'a> {
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,
-    /// The lines behind the traits that enumerations derive anyway.
+    /// Attribute lines after the standard derives of enumerations.
     derives: String,
 }
 
 struct EnumView<'a> {
     name: String,
     of: &'a EnumType,
-    /// Which entries have the values.
+    /// The entries with these values.
     entries: String,
     /// The type of a value.
     type_: &'static str,
-    /// The type that the enumeration is kept in.
+    /// The representation of the enumeration.
     repr: &'static str,
     /// Whether every value of the type has a name.
     is_complete: bool,
@@ -38,7 +38,7 @@ struct EnumView<'a> {
 struct VariantView<'a> {
     name: String,
     label: &'a str,
-    /// A literal of `repr`, and one of `type_`.
+    /// A literal of type `repr`, and one of type `type_`.
     number: String,
     pattern: String,
 }
@@ -59,10 +59,10 @@ struct PartView<'a> {
     of: &'a WordPart,
     /// `bit 3`, `bits 4 to 7`.
     place: String,
-    /// The type of the word, and the unsigned one that is as long.
+    /// The type of the word, and the unsigned type of the same size.
     word: &'static str,
     unsigned: &'static str,
-    /// The type of the part.
+    /// The type of the bit field.
     type_: &'static str,
     mask: String,
     /// Expressions of `word`, and of `word` and `value`.
@@ -77,7 +77,7 @@ impl<'a> Meanings<'a> {
         Self { enums, words: named.words.iter().map(word_view).collect(), derives: String::new() }
     }
 
-    /// With further traits.
+    /// Adds derives.
     pub(super) fn with(self, derives: String) -> Self {
         Self { derives, ..self }
     }
@@ -87,7 +87,7 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
     let is_bool = of.data_type == DataType::BOOLEAN;
     let kept_as = if is_bool { DataType::UNSIGNED8 } else { of.data_type };
     let literal = |number: i128, data_type: DataType| {
-        let word = number as u64; // the same bits, checked to fit 64
+        let word = number as u64; // same bits, checked to fit into 64
         value_of(Shape::Word(data_type), &Datum::Word(word))
     };
     let mut names = HashSet::from(["Self".to_owned()]);
@@ -129,12 +129,12 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
     }
 }
 
-/// Whether the type in Rust has no other values than the data type.
+/// Whether the Rust type has the same range as the data type.
 fn has_whole_range(data_type: DataType) -> bool {
     matches!(data_type.bit_length(), Some(1 | 8 | 16 | 32 | 64))
 }
 
-/// The words of a name as a type is written: `ControlMode`.
+/// The words of a name in the case of types: `ControlMode`.
 fn type_name(words: &str, taken: &mut HashSet<String>) -> String {
     let capital = |word: &str| {
         let mut letters = word.chars();
@@ -152,7 +152,7 @@ fn type_name(words: &str, taken: &mut HashSet<String>) -> String {
     name
 }
 
-/// The entries, a few by name.
+/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
     const SHOWN: usize = 8;
     let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("`0x{index:04X}` sub-index `0x{sub:02X}`"));

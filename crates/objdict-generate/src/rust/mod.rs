@@ -18,7 +18,7 @@ use super::table::Table;
 use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, Sizes, render};
 use crate::model::Device;
 
-/// Tables for Rust, with or without its standard library.
+/// Tables for Rust, with or without the standard library.
 pub(super) struct Rust;
 
 impl Backend for Rust {

@@ -1,4 +1,4 @@
-//! What templates/rust/_pdo.rs shows: the structs of PDO frames.
+//! View of templates/rust/_pdo.rs: structs of PDO frames.
 
 use super::view::{hex, value_of, word_type};
 use crate::frames::{Carried, Frame, FrameField};
@@ -11,12 +11,12 @@ pub(super) struct FrameView<'a> {
     pub(super) frame: &'a Frame,
     /// `Tpdo1`.
     pub(super) type_name: String,
-    /// The COB-ID, an expression of `node_id`.
+    /// The COB-ID as an expression of `node_id`.
     pub(super) cob_id: Option<String>,
     pub(super) depends_on_node_id: bool,
-    /// Whether a field comes from the struct of values.
+    /// Whether a field is loaded from the struct of values.
     pub(super) reads_data: bool,
-    /// Whether a field goes there.
+    /// Whether a field is stored there.
     pub(super) writes_data: bool,
     pub(super) fields: Vec<FieldView<'a>>,
 }
@@ -26,13 +26,13 @@ pub(super) struct FieldView<'a> {
     pub(super) field: &'a FrameField,
     pub(super) row: &'a Row,
     pub(super) type_: String,
-    /// A value of the type to start with.
+    /// An initial value of the type.
     pub(super) zero: String,
-    /// What the dictionary holds, an expression of `data`.
+    /// The value in the dictionary, an expression of `data`.
     pub(super) load: String,
-    /// Where the dictionary holds it; none of what is constant.
+    /// Its location in the dictionary; `None` for constants.
     pub(super) place: Option<String>,
-    /// What goes there, an expression of `self`.
+    /// The value to store, an expression of `self`.
     pub(super) store: String,
 }
 
@@ -93,7 +93,7 @@ fn of_number(data_type: DataType) -> (String, String) {
     }
 }
 
-/// The value of an entry that stays in flash.
+/// The value of an entry in flash.
 fn constant(carried: Carried, shape: Shape, default: &Datum) -> String {
     match (carried, default) {
         (Carried::Bytes(length), Datum::Bytes(bytes)) => {

@@ -1,4 +1,4 @@
-//! What templates/rust/_stored.rs shows: the structs of storage groups.
+//! View of templates/rust/_stored.rs: structs of storage groups.
 
 use std::collections::HashSet;
 
@@ -7,7 +7,7 @@ use crate::resolve::Datum;
 use crate::stored::TableGroup;
 use crate::table::Table;
 
-/// What else is a type of the file, or of what every Rust file begins with.
+/// Other types of the file and of the Rust prelude.
 const TAKEN: &str = "
     Self Data Entry Abort Defaults Octets Time Value Field Offset OctetsVisitor Hooks ImageError Kept Option Some None Result Ok Err Box String
     Vec Clone Copy Debug Default PartialEq Eq PartialOrd Ord Hash Iterator IntoIterator Extend DoubleEndedIterator
@@ -21,7 +21,7 @@ pub(super) struct GroupView<'a> {
     /// `PersistComm`.
     pub(super) type_name: String,
     pub(super) fields: Vec<FieldView<'a>>,
-    /// Its places in RAM.
+    /// Its first location in RAM.
     pub(super) first: usize,
     pub(super) last: usize,
     pub(super) layout: String,
@@ -49,7 +49,7 @@ pub(super) fn group_views<'a>(table: &'a Table, places: &[usize]) -> Vec<GroupVi
     groups.collect()
 }
 
-/// A name for a type; where it is taken, one that says which group it is.
+/// A type name; if it is taken, one with the group's index.
 fn claim(types: &mut HashSet<String>, field: &str, index: u16) -> String {
     let camel: String = field.split('_').map(capital).collect();
     let others = (1_u32..).map(|number| match number {

@@ -1,4 +1,4 @@
-//! What templates/rust/od.rs shows.
+//! View of templates/rust/od.rs.
 
 use askama::Template;
 
@@ -21,15 +21,15 @@ use crate::{Derive, Options};
 #[template(path = "rust/od.rs", escape = "none")]
 pub(super) struct Od<'a> {
     table: &'a Table,
-    /// The integer type of places in RAM and flash.
+    /// The integer type of offsets into RAM and flash.
     offset: &'static str,
     objects: Vec<ObjectView<'a>>,
-    /// Those in no storage group.
+    /// The fields without storage group.
     fields: Vec<FieldView<'a>>,
     groups: Vec<GroupView<'a>>,
     /// Whether an entry has a hook.
     hooks: bool,
-    /// Bytes of the longest value that a hook may refuse.
+    /// Size of the longest value that a hook may reject.
     hook_room: usize,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
@@ -38,35 +38,35 @@ pub(super) struct Od<'a> {
     frames: Vec<FrameView<'a>>,
     /// Whether the entries have names.
     names: bool,
-    /// Whether optional parts are there only with features.
+    /// Whether optional parts depend on features.
     gates: bool,
-    /// Which traits of other crates are derived.
+    /// Traits of other crates to derive.
     defmt: bool,
     serde: bool,
 }
 
-/// An object with the constants that name its entries.
+/// An object with the constants of its entries.
 struct ObjectView<'a> {
     object: &'a TableObject,
-    /// None for a single value.
+    /// Empty for a single value.
     entries: &'a [Row],
 }
 
 /// A field of `Data` or of a storage group.
 pub(super) struct FieldView<'a> {
     pub(super) name: &'a str,
-    /// What it holds, for the documentation.
+    /// Its first row, for the documentation.
     pub(super) first: &'a Row,
     pub(super) last: &'a Row,
     pub(super) array: bool,
     pub(super) type_: String,
-    /// The default, an expression.
+    /// The default as an expression.
     pub(super) value: String,
-    /// The module that serde needs for it.
+    /// The module required by serde.
     pub(super) serde_with: Option<&'static str>,
-    /// Which places in RAM it has, a pattern.
+    /// Its locations in RAM as a pattern.
     pub(super) pattern: String,
-    /// The first of them.
+    /// Its first location.
     pub(super) place: usize,
 }
 
@@ -75,7 +75,7 @@ struct RowView<'a> {
     row: &'a Row,
     type_: &'static str,
     flags: String,
-    /// The place in RAM, 0 for none.
+    /// The location in RAM; 0 for none.
     ram: usize,
 }
 
@@ -113,7 +113,7 @@ impl<'a> Od<'a> {
         }
     }
 
-    /// With what the user decides about the code.
+    /// Applies the user options.
     pub(super) fn with(self, options: &Options) -> Self {
         let derives = |derive| options.derives.contains(&derive);
         let lines = derive_lines(derives(Derive::Defmt), derives(Derive::Serde), "    ");
@@ -127,13 +127,13 @@ impl<'a> Od<'a> {
         }
     }
 
-    /// The lines behind the traits that types derive anyway, with blanks before them.
+    /// The attribute lines after the standard derives, indented.
     fn derives(&self, indent: &str) -> String {
         derive_lines(self.defmt, self.serde, indent)
     }
 }
 
-/// A line for each crate whose traits are derived.
+/// One line per crate with derived traits.
 fn derive_lines(defmt: bool, serde: bool, indent: &str) -> String {
     let line = |traits: &str| format!("\n{indent}#[derive({traits})]");
     let defmt = defmt.then(|| line("defmt::Format"));
@@ -141,13 +141,13 @@ fn derive_lines(defmt: bool, serde: bool, indent: &str) -> String {
     [defmt, serde].into_iter().flatten().collect()
 }
 
-/// Whether numbers of fields, or places in flash, need more than 16 bits.
+/// Whether field numbers or offsets into flash need more than 16 bits.
 pub(super) fn has_wide_places(table: &Table) -> bool {
     let fields: usize = table.fields.iter().map(|field| field.rows.len()).sum();
     table.rom.len().max(fields + 1) > usize::from(u16::MAX)
 }
 
-/// The first place of each field: those of a group follow each other.
+/// The first location of each field; fields of a group are consecutive.
 fn places(table: &Table) -> Vec<usize> {
     let mut places = vec![0; table.fields.len()];
     let mut next = 1;
@@ -160,7 +160,7 @@ fn places(table: &Table) -> Vec<usize> {
     places
 }
 
-/// The fields of a group, or of none.
+/// The fields of a group, or those without a group.
 pub(super) fn fields_of<'a>(table: &'a Table, group: Option<usize>, places: &[usize]) -> Vec<FieldView<'a>> {
     let fields = table.fields.iter().zip(places).filter(|(field, _)| field.group == group);
     fields.map(|(field, &place)| field_view(table, field, place)).collect()
@@ -181,7 +181,7 @@ fn field_view<'a>(table: &'a Table, field: &'a TableField, place: usize) -> Fiel
     FieldView { name: &field.name, first, last, array: field.array, type_, value, serde_with, pattern, place }
 }
 
-/// The module that arrays need which are longer than those of serde.
+/// The module for arrays longer than serde supports.
 fn serde_with(field: &TableField, rows: usize) -> Option<&'static str> {
     const LONGEST: usize = 32;
     let long_block = matches!(field.shape, Shape::Block(length) if usize::from(length) > LONGEST);
@@ -203,7 +203,7 @@ fn row_view(row: &Row, ram: usize) -> RowView<'_> {
     RowView { row, type_, flags, ram }
 }
 
-/// The type of a field that holds one value.
+/// The type of a field with one value.
 fn type_of(shape: Shape) -> String {
     match shape {
         Shape::Word(data_type) => word_type(data_type).to_owned(),
@@ -212,7 +212,7 @@ fn type_of(shape: Shape) -> String {
     }
 }
 
-/// The type of a number: an integer of 24 to 56 bits is kept in the next longer one.
+/// The type of a number; integers of 24 to 56 bits use the next larger type.
 pub(crate) fn word_type(data_type: DataType) -> &'static str {
     match data_type.kind() {
         TypeKind::Boolean => "bool",
@@ -243,7 +243,7 @@ pub(crate) fn value_of(shape: Shape, datum: &Datum) -> String {
         }
         (Shape::Bytes(..), Datum::Bytes(bytes)) => format!("Octets::new(b\"{}\")", byte_string(bytes)),
         (Shape::Block(_), Datum::Bytes(bytes)) => format!("[{}]", hex_bytes(bytes)),
-        // the default of a word is a number, that of any other shape has bytes
+        // a word has a numeric default, any other shape has bytes
         (_, Datum::Bytes(_) | Datum::Word(_) | Datum::Formula(_)) => "0".to_owned(),
     }
 }
@@ -252,12 +252,12 @@ fn word_value(data_type: DataType, word: u64) -> String {
     match data_type.kind() {
         TypeKind::Boolean => (word != 0).to_string(),
         TypeKind::Signed(_) => {
-            let number = word as i64; // the same bits
+            let number = word as i64; // same bits
             let sign = if number < 0 { "-" } else { "" };
             format!("{sign}{}", grouped(&number.unsigned_abs().to_string(), 3))
         }
         TypeKind::Real32 => {
-            let number = f32::from_bits(word as u32); // a REAL32 has its bits in the lower half
+            let number = f32::from_bits(word as u32); // a REAL32 is in the lower half
             if number.is_finite() {
                 real(&format!("{number:?}"))
             } else {
@@ -282,7 +282,7 @@ fn word_value(data_type: DataType, word: u64) -> String {
     }
 }
 
-/// Large unsigned numbers are mostly identifiers and codes, which people know in hex.
+/// Large unsigned numbers are mostly identifiers and codes, usually written in hex.
 fn unsigned(number: u64) -> String {
     if number < 0x1_0000 {
         return grouped(&number.to_string(), 3);
@@ -295,7 +295,7 @@ pub(super) fn hex(number: u64) -> String {
     format!("0x{}", grouped(&format!("{number:X}"), 4))
 }
 
-/// A floating-point literal with its digits in groups.
+/// A floating-point literal with grouped digits.
 fn real(literal: &str) -> String {
     let (sign, rest) = literal.strip_prefix('-').map_or(("", literal), |rest| ("-", rest));
     let (digits, exponent) = rest.split_at(rest.find('e').unwrap_or(rest.len()));
@@ -307,7 +307,7 @@ fn real(literal: &str) -> String {
     format!("{sign}{}.{}{exponent}", grouped(whole, 3), fraction.join("_"))
 }
 
-/// Digits in groups from the right, as clippy likes them: short numbers stay as they are.
+/// Groups digits from the right as clippy requires; short numbers are unchanged.
 pub(super) fn grouped(digits: &str, size: usize) -> String {
     if digits.len() <= size + 1 {
         return digits.to_owned();

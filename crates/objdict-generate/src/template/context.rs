@@ -1,4 +1,4 @@
-//! What a template sees: the JSON of the model, and its entries once more in the way that tables have them.
+//! Variables of a template: the JSON of the model, and its entries in table form.
 
 use minijinja::Value;
 use minijinja::value::Serde;
@@ -10,14 +10,14 @@ use crate::model::DataType;
 use crate::names::{Scope, words};
 use crate::resolve::{Datum, Shape};
 
-/// The version of the names of the JSON.
+/// Version of the JSON names.
 const VERSION: u32 = 1;
 
 #[derive(Serialize)]
 struct Context {
     version: u32,
     kind: &'static str,
-    /// As `objdict convert` to JSON writes it.
+    /// The JSON written by `objdict convert`.
     device: serde_json::Value,
     made_by: String,
     node_id: Option<u8>,
@@ -38,7 +38,7 @@ struct EntryContext {
     data_type: Option<&'static str>,
     /// The index of the data type.
     code: u16,
-    /// Bytes of a value, at most.
+    /// Maximum size of a value in bytes.
     size: usize,
     access: &'static str,
     readable: bool,
@@ -46,9 +46,9 @@ struct EntryContext {
     tpdo: bool,
     rpdo: bool,
     constant: bool,
-    /// Of integers and BOOLEAN; without the node-ID.
+    /// For integers and BOOLEAN; without the node-ID.
     value: Option<i128>,
-    /// Whether the node-ID is to be added to the value.
+    /// Whether to add the node-ID to the value.
     plus_node_id: bool,
     /// Little-endian; without the node-ID.
     bytes: Vec<u8>,

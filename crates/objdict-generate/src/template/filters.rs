@@ -1,10 +1,10 @@
-//! Filters that generators need, beside those of Jinja.
+//! Filters for code generation in addition to those of Jinja.
 
 use minijinja::{Environment, Error, ErrorKind, Value};
 
 use crate::{escape, names};
 
-/// Makes them known.
+/// Registers the filters.
 pub(super) fn add(environment: &mut Environment<'_>) {
     environment.add_filter("hex", hex);
     environment.add_filter("number", number);
@@ -16,8 +16,8 @@ pub(super) fn add(environment: &mut Environment<'_>) {
     environment.add_filter("toml_string", |text: &str| escape::toml_string(text));
 }
 
-/// A number in hexadecimal digits, with zeros in front up to a width: `4120|hex(8)` is `00001018`. Of a negative number, the
-/// bits that the width has room for.
+/// A number in hexadecimal, zero-padded to a width: `4120|hex(8)` is `00001018`. A negative number is shown
+/// as two's complement of that width.
 fn hex(value: &Value, width: Option<usize>) -> Result<String, Error> {
     let number = integer(value)?;
     let width = width.unwrap_or(0).min(32);
@@ -26,14 +26,14 @@ fn hex(value: &Value, width: Option<usize>) -> Result<String, Error> {
     }
     match (width, i128::BITS.checked_sub(4 * width as u32)) {
         (1.., Some(unused)) if number >= (i128::MIN >> unused) => {
-            let bits = (number as u128) << unused >> unused; // the same bits, as many as there is room for
+            let bits = (number as u128) << unused >> unused; // same bits, truncated to the width
             Ok(format!("{bits:0width$X}"))
         }
         _ => Err(wrong(format!("`{number}` is negative: `hex` needs a width with room for it"))),
     }
 }
 
-/// The number of a text such as `0x1018`, which is how indexes stand in the JSON.
+/// Parses a text such as `0x1018`, the form of indexes in the JSON.
 fn number(value: &Value) -> Result<i128, Error> {
     integer(value)
 }

@@ -1,4 +1,4 @@
-//! The target `template`: whatever the user's own template makes of a device.
+//! The target `template`: output of a custom template.
 
 mod context;
 mod filters;
@@ -14,16 +14,16 @@ use super::dictionary::Dictionary;
 use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile, Sizes};
 use crate::model::Device;
 
-/// Steps of a template, so that one that never ends does: so many, and so many more for each entry.
+/// Instruction limit, so that endless templates stop: a base and an amount per entry.
 const FUEL: (u64, u64) = (1_000_000, 2_000);
 
-/// Bytes of the output.
+/// Maximum size of the output in bytes.
 const LONGEST: usize = 64 << 20;
 
-/// Bytes of a template.
+/// Maximum size of a template in bytes.
 const LONGEST_TEMPLATE: u64 = 4 << 20;
 
-/// The file of a template of the user's own.
+/// A custom template file.
 pub(super) struct Template;
 
 impl Backend for Template {
@@ -74,7 +74,7 @@ fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>
     let syntax =
         SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build()?;
     environment.set_syntax(syntax);
-    environment.set_auto_escape_callback(|_| AutoEscape::None); // what is generated is seldom HTML
+    environment.set_auto_escape_callback(|_| AutoEscape::None); // generated files are rarely HTML
     environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
     environment.set_fuel(Some(fuel));
     filters::add(&mut environment);
@@ -84,7 +84,7 @@ fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>
     Ok(output.0)
 }
 
-/// The error with the line of the template; the cause of an error of the engine stands in a chain behind it.
+/// An error with the template line, including the chain of causes of the engine.
 fn explained(file: &str, error: &minijinja::Error) -> GenerateError {
     let mut message = error.kind().to_string();
     if let Some(detail) = error.detail() {
@@ -96,7 +96,7 @@ fn explained(file: &str, error: &minijinja::Error) -> GenerateError {
     GenerateError::UserTemplate { file: file.to_owned(), line: error.line(), message }
 }
 
-/// A file that does not grow without end.
+/// A writer with limited size.
 struct Bounded(Vec<u8>);
 
 impl Write for Bounded {

@@ -1,4 +1,4 @@
-//! What a zencan node answers, entry by entry, and where that is not what the description says.
+//! The SDO answers of a zencan node per entry, and their deviations from the description.
 
 use std::collections::BTreeMap;
 
@@ -7,34 +7,34 @@ use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::model::{Access, Place};
 use crate::resolve::Datum;
 
-/// All entries that the node has.
+/// All entries of the node.
 #[derive(Debug, Default)]
 pub(super) struct Answers(BTreeMap<(u16, u8), Answer>);
 
-/// What the node has for an entry.
+/// An entry of the node.
 #[derive(Debug)]
 pub(super) struct Answer {
     pub(super) access: Access,
     pub(super) tpdo: bool,
     pub(super) rpdo: bool,
-    /// Bytes at most.
+    /// Maximum size in bytes.
     pub(super) size: usize,
     pub(super) held: Held,
 }
 
-/// The value after start.
+/// The initial value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Held {
     /// These bytes.
     Bytes(Vec<u8>),
     /// The node-ID plus a number.
     Formula(u64),
-    /// What the application or zencan itself says.
+    /// A value provided by the application or by zencan.
     Served,
 }
 
 impl Answer {
-    /// A number that no PDO may carry.
+    /// A number that cannot be mapped.
     pub(super) fn number(access: Access, size: usize, number: u64) -> Self {
         let held = Held::Bytes(number.to_le_bytes().into_iter().take(size).collect());
         Self { access, tpdo: false, rpdo: false, size, held }
@@ -46,12 +46,12 @@ impl Answers {
         self.0.insert((index, sub), answer);
     }
 
-    /// Bytes of an entry at most; `None` where there is none.
+    /// Maximum size of an entry in bytes; `None` for a missing entry.
     pub(super) fn size(&self, index: u16, sub: u8) -> Option<usize> {
         self.0.get(&(index, sub)).map(|answer| answer.size)
     }
 
-    /// Where the node is not as the device is described.
+    /// Deviations of the node from the description.
     pub(super) fn differences(&self, dictionary: &Dictionary<'_>) -> Vec<Note> {
         let mut notes = Vec::new();
         let mut described = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The objects that zencan makes itself of settings, so that they must not stand among the objects.
+//! Objects that zencan creates from settings; they must not be listed as objects.
 
 use super::Maker;
 use super::answers::{Answer, Held};
@@ -7,23 +7,23 @@ use super::view::Head;
 use crate::model::{Access, Place};
 use crate::resolve::Datum;
 
-/// The index of the objects that store values.
+/// The index of the object that stores values.
 pub(super) const STORE: u16 = 0x1010;
 
-/// Whether zencan makes the object of a setting.
+/// Whether zencan creates the object from a setting.
 pub(super) fn is_made_by_zencan(index: u16) -> bool {
     matches!(index, 0x1000 | 0x1001 | 0x1008..=0x100A | STORE | 0x1017 | 0x1018 | 0x1400..=0x1BFF)
 }
 
-/// Whether zencan means something of its own by the index: the switch `autostart`, or the boot loader.
+/// Whether zencan reserves the index: for the setting `autostart`, or the boot loader.
 pub(super) fn is_reserved(index: u16) -> bool {
     matches!(index, 0x5000 | 0x5500 | 0x5510..=0x551F)
 }
 
 impl Maker<'_> {
-    /// The settings of the device, and the objects that they become.
+    /// The settings of the device; records the objects that zencan creates from them.
     pub(super) fn head(&mut self) -> Head {
-        self.number(0x1000, 0, 4, 0); // zencan knows no device type
+        self.number(0x1000, 0, 4, 0); // zencan does not support a device type
         self.number(0x1001, 0, 1, 0);
         let [device_name, hardware_version, software_version] =
             [0x1008, 0x1009, 0x100A].map(|index| self.name(index));
@@ -76,7 +76,7 @@ impl Maker<'_> {
         Some(&object.entries.iter().find(|entry| entry.sub == sub)?.resolved.default)
     }
 
-    /// The number of an entry; 0 where there is none or it is too large.
+    /// The number of an entry; 0 if it is missing or too large.
     pub(super) fn described(&self, index: u16, sub: u8, most: u64) -> u64 {
         match self.datum(index, sub) {
             Some(Datum::Word(number)) if *number <= most => *number,
@@ -84,7 +84,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The text of an object; `None` where there is no such object, empty where it is no text.
+    /// The text of an object; `None` without the object, empty if it is not a text.
     fn name(&self, index: u16) -> Option<String> {
         match self.datum(index, 0)? {
             Datum::Bytes(bytes) => {

@@ -1,7 +1,9 @@
-//! The target `zencan`: the device configuration in TOML of which the crate zencan-build 0.0.5 makes a node.
+//! The target `zencan`: the device configuration in TOML from which the crate zencan-build 0.0.5 generates a
+//! node.
 //!
-//! zencan makes some objects itself and has its own idea of sub-index 0, so what it answers is computed together with what is
-//! written (`answers`), and compared with the description at the end: whatever differs is a note.
+//! zencan creates some objects itself and handles sub-index 0 differently. So the SDO answers are computed
+//! together with the output (`answers`) and compared with the description at the end; each difference becomes
+//! a note.
 
 mod answers;
 mod fixed;
@@ -33,7 +35,7 @@ impl Backend for Zencan {
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        // a DOMAIN needs no room, and no note about it: the application serves it
+        // a DOMAIN needs no capacity and no note about it: the application provides it
         let room = Options { domain_capacity: 1, ..options.clone() };
         let dictionary = Dictionary::new(device, &room)?;
         let mut maker = Maker::new(&dictionary, &room);
@@ -51,7 +53,7 @@ impl Backend for Zencan {
     }
 }
 
-/// Makes a configuration, and on the way what zencan will answer, and notes.
+/// Builds a configuration, the SDO answers of zencan, and notes.
 struct Maker<'a> {
     dictionary: &'a Dictionary<'a>,
     options: &'a Options,
@@ -94,7 +96,7 @@ impl<'a> Maker<'a> {
         self.notes.push(Note::new(place, text));
     }
 
-    /// What is stored is mostly assumed.
+    /// Notes which values are assumed to be stored.
     fn persistence(&mut self) {
         if self.stores && self.options.groups.is_empty() {
             let text = "entries that SDOs can write and PDOs cannot map are stored (`persist`), unless the description states a storage group";

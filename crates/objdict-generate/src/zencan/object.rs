@@ -11,7 +11,7 @@ use crate::names::{Scope, words};
 use crate::resolve::Datum;
 
 impl Maker<'_> {
-    /// An object of the device's own.
+    /// A device-specific object.
     pub(super) fn object(&mut self, object: &ResolvedObject<'_>) -> ObjectView {
         let index = object.index;
         let name = toml_string(object.object.name());
@@ -19,7 +19,7 @@ impl Maker<'_> {
             let entry = self.entry(object, &object.entries[0]);
             return ObjectView { index, name, kind: ObjectContent::Var(entry) };
         }
-        // zencan says itself what sub-index 0 is, and FFh would count as the highest one
+        // zencan generates sub-index 0, and FFh would count as the highest one
         let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
         let mut fields = Scope::of_lower_case("flags sub0");
         let subs: Vec<SubView> = subs
@@ -80,7 +80,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Whether the entry belongs to what object 1010h stores.
+    /// Whether object 1010h stores the entry.
     fn is_stored(&self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> bool {
         let resolved = &entry.resolved;
         let described = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
@@ -95,7 +95,7 @@ impl Maker<'_> {
     }
 }
 
-/// zencan does not derive from the access whether an RPDO or a TPDO may carry the entry; `pdo_mapping` does.
+/// In zencan, `pdo_mapping` and not the access type determines whether an RPDO or a TPDO may map the entry.
 fn access(access: Access) -> &'static str {
     match access {
         Access::Ro => "ro",
@@ -105,7 +105,7 @@ fn access(access: Access) -> &'static str {
     }
 }
 
-/// Whether the sub-indexes go on from 1 without a gap and differ in names and values only.
+/// Whether the sub-indexes are consecutive from 1 on and differ only in names and values.
 fn are_alike(first: &SubView, rest: &[SubView]) -> bool {
     let shape = |sub: &SubView| {
         let EntryView { data_type, access, pdo_mapping, persist, .. } = &sub.entry;

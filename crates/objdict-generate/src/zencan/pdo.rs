@@ -1,4 +1,4 @@
-//! The defaults of the PDOs, and the parameter objects that zencan makes of them.
+//! The defaults of the PDOs, and the parameter objects that zencan creates from them.
 
 use super::Maker;
 use super::answers::{Answer, Held};
@@ -6,13 +6,13 @@ use super::view::{Mapping, Pdo, Pdos};
 use crate::model::{Access, CobId, Place};
 use crate::resolve::Datum;
 
-/// Entries that a PDO of zencan maps (`N_MAPPING_PARAMS`).
+/// Number of mapped objects per PDO in zencan (`N_MAPPING_PARAMS`).
 const MAPPED: u64 = 8;
 
-/// PDOs in each direction: zencan counts them in eight bits.
+/// Number of PDOs per direction: zencan counts them in eight bits.
 const MOST: u16 = 255;
 
-/// Where the parameters of a direction start.
+/// Start of the parameters of a direction.
 #[derive(Clone, Copy)]
 struct Direction {
     name: &'static str,
@@ -43,7 +43,7 @@ impl Maker<'_> {
         Pdos { num_rpdo, num_tpdo, pdos }
     }
 
-    /// One more than the highest number of a PDO.
+    /// The highest PDO number plus one.
     fn count(&self, direction: Direction) -> u16 {
         let bases = [direction.communication, direction.mapping];
         let number =
@@ -67,7 +67,7 @@ impl Maker<'_> {
         let extended = cob_id & CobId::FRAME != 0;
         let mut can_id = cob_id & 0x1FFF_FFFF;
         if (!extended && can_id + 127 > 0xFFFF) || can_id + 127 > 0x1FFF_FFFF {
-            can_id &= 0x7FF; // of a CAN-ID, zencan adds up so many bits
+            can_id &= 0x7FF; // zencan adds only these bits of a CAN-ID
         }
         let pdo = Pdo {
             direction: direction.name,
@@ -84,7 +84,7 @@ impl Maker<'_> {
         pdo
     }
 
-    /// What the parameter objects of the PDO answer.
+    /// The SDO answers of a PDO's parameter objects.
     fn parameters(&mut self, communication: u16, mapping: u16, pdo: &Pdo) {
         let flag = |is_set: bool, bit: u32| if is_set { bit } else { 0 };
         let cob_id = pdo.cob_id
@@ -108,7 +108,7 @@ impl Maker<'_> {
         }
     }
 
-    /// What the PDO carries; `None`, with a note, where zencan cannot carry all of it.
+    /// The mapping of the PDO; `None`, with a note, if zencan does not support all of it.
     fn mappings(&mut self, index: u16) -> Option<Vec<Mapping>> {
         let count = self.described(index, 0, 0xFF);
         let off = "the PDO is not valid";

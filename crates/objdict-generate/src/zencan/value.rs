@@ -1,20 +1,20 @@
-//! Data types and defaults as zencan writes them in TOML.
+//! Data types and defaults in the TOML syntax of zencan.
 
 use super::answers::Held;
 use crate::escape::toml_string;
 use crate::model::{Access, DataType, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
-/// How zencan keeps an entry.
+/// The representation of an entry in zencan.
 pub(super) struct Kept {
     /// Such as `uint16`.
     pub(super) data_type: String,
-    /// A literal of TOML; `None` where zencan has zeros or nothing anyhow.
+    /// A TOML literal; `None` if the default of zencan (zeros or empty) applies.
     pub(super) default: Option<String>,
     pub(super) held: Held,
-    /// Bytes at most.
+    /// Maximum size in bytes.
     pub(super) size: usize,
-    /// What is not as the description says.
+    /// The deviation from the description.
     pub(super) loss: Option<String>,
 }
 
@@ -24,7 +24,7 @@ pub(super) fn text_of(bytes: &[u8]) -> Option<String> {
 }
 
 impl Kept {
-    /// An entry with the value that it has on the node `node_id`.
+    /// An entry with its value for the node `node_id`.
     pub(super) fn of(resolved: &Resolved, node_id: Option<u8>) -> Self {
         let writable = resolved.access.is_writable();
         match (resolved.shape, &resolved.default) {
@@ -32,7 +32,7 @@ impl Kept {
                 let word = match (datum, node_id) {
                     (Datum::Formula(offset), Some(node_id)) => offset.wrapping_add(node_id.into()),
                     (Datum::Word(word) | Datum::Formula(word), _) => *word,
-                    (Datum::Bytes(_), _) => 0, // only of other shapes
+                    (Datum::Bytes(_), _) => 0, // bytes have other shapes
                 };
                 Self::word(data_type, resolved.shape.size(), word, writable)
             }
@@ -60,7 +60,7 @@ impl Kept {
 
     fn word(data_type: DataType, size: usize, word: u64, writable: bool) -> Self {
         let bytes: Vec<u8> = word.to_le_bytes().into_iter().take(size).collect();
-        let signed = word as i64; // the same bits; zencan casts them back
+        let signed = word as i64; // same bits; zencan casts them back
         let kind = data_type.kind();
         let (name, default) = match kind {
             TypeKind::Boolean => ("uint8".to_owned(), Some(word.to_string())),
@@ -111,7 +111,7 @@ impl Kept {
         }
     }
 
-    /// Bytes, always as many: those of the default, where there is one.
+    /// Bytes of fixed length: that of the default, if there is one.
     fn octets(bytes: &[u8], room: usize, access: Access) -> Self {
         let size = if bytes.is_empty() && access != Access::Const { room } else { bytes.len() };
         let text = text_of(bytes).unwrap_or_default();
@@ -128,14 +128,14 @@ impl Kept {
     }
 }
 
-/// zencan reads 64 bits and rounds them: the shortest digits, unless they would come out as another number.
+/// zencan parses 64-bit numbers and rounds them: the shortest digits that give the same number.
 fn real32(number: f32) -> Option<String> {
     let short = format!("{number:?}");
     let comes_back = short.parse::<f64>().is_ok_and(|wide| (wide as f32).to_bits() == number.to_bits());
     if comes_back { number.is_finite().then_some(short) } else { real64(number.into()) }
 }
 
-/// zencan-build knows no infinity and no NaN.
+/// zencan-build does not support infinity and NaN.
 fn real64(number: f64) -> Option<String> {
     number.is_finite().then(|| format!("{number:?}"))
 }

@@ -1,4 +1,4 @@
-//! What templates/zencan/device.toml shows.
+//! View of templates/zencan/device.toml.
 
 use askama::Template;
 
@@ -34,7 +34,7 @@ pub(super) struct Pdos {
     pub(super) pdos: Vec<Pdo>,
 }
 
-/// A PDO after start.
+/// The initial state of a PDO.
 pub(super) struct Pdo {
     /// `rpdo` or `tpdo`.
     pub(super) direction: &'static str,
@@ -49,21 +49,21 @@ pub(super) struct Pdo {
     pub(super) mappings: Vec<Mapping>,
 }
 
-/// What a PDO carries.
+/// The mapping of a PDO.
 pub(super) struct Mapping {
     pub(super) index: u16,
     pub(super) sub: u8,
     pub(super) bits: u8,
 }
 
-/// An object. Names are literals of TOML.
+/// An object. Names are TOML literals.
 pub(super) struct ObjectView {
     pub(super) index: u16,
     pub(super) name: String,
     pub(super) kind: ObjectContent,
 }
 
-/// What an object is made of.
+/// The content of an object.
 pub(super) enum ObjectContent {
     Var(EntryView),
     Array { entry: EntryView, size: usize },
@@ -74,7 +74,7 @@ pub(super) enum ObjectContent {
 pub(super) struct SubView {
     pub(super) sub: u8,
     pub(super) name: String,
-    /// An identifier of Rust.
+    /// A Rust identifier.
     pub(super) field: String,
     pub(super) entry: EntryView,
 }
@@ -83,7 +83,7 @@ pub(super) struct SubView {
 pub(super) struct EntryView {
     pub(super) data_type: String,
     pub(super) access: &'static str,
-    /// A literal of TOML.
+    /// A TOML literal.
     pub(super) default: Option<String>,
     pub(super) pdo_mapping: &'static str,
     pub(super) persist: bool,
