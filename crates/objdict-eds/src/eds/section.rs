@@ -183,7 +183,7 @@ fn odd_object(name: &str) -> Option<SectionName> {
     let part = match suffix_of(rest)? {
         Suffix::None if text.len() <= 4 => Part::Object(index),
         Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub.strip_prefix("0x").unwrap_or(sub))?),
-        // that of a data type, which has no links: not the zeros are the mistake
+        // a data type has no links, so the section itself is the mistake and not its leading zeros
         Suffix::Links if !decorated => return Some(SectionName::standard(Part::Links(index))),
         _ => return None,
     };

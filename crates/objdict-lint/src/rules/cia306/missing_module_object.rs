@@ -42,7 +42,7 @@ fn check_sub_indexes(device: &Device, modules: &Modules, findings: &mut Findings
     let mut fixed: BTreeMap<u16, &Object> = BTreeMap::new();
     for module in connected {
         for (&index, extension) in &module.extensions {
-            // bits and what goes on in the next object are not counted
+            // shared bits and extensions that continue in the next object add no fixed number
             if let (Some(ExtensionCount::Subs(count)), None | Some(0)) =
                 (extension.count, extension.obj_extend)
             {
