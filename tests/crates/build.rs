@@ -1,4 +1,4 @@
-//! Generates each device for each crate, as the build script of a firmware would.
+//! Generates each device for each crate, like a build script of a firmware.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -38,8 +38,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Tables in plain Rust that derive the traits of other crates: with those of defmt for the library, which is compiled and not
-/// linked, for that needs a logger; with those of serde for a test.
+/// Rust tables that derive traits of other crates: with defmt for the library, which is compiled but not
+/// linked because linking needs a logger; with serde for a test.
 fn derived(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let (mut defmt, mut serde, mut list) = (String::new(), String::new(), String::new());
     for (name, device) in devices::devices() {
@@ -66,7 +66,7 @@ fn derived(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Generates into a folder; the path of the file, of which there is one.
+/// Generates into a folder; returns the path of the only file.
 fn written(
     folder: &Path,
     device: &Device,

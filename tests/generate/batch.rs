@@ -1,4 +1,5 @@
-//! Programs in Rust that are compiled at once: a start of the compiler and of the linker takes longer than a generated table.
+//! Rust programs compiled together: starting compiler and linker takes longer than compiling a generated
+//! table.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -9,13 +10,13 @@ use tempfile::TempDir;
 
 use crate::compile::{rustc, succeed};
 
-/// What the program of all begins with. Tables have to do without the standard library; the drivers around them need not.
+/// Header of the combined program. Tables must work without the standard library; the drivers may use it.
 const ROOT: &str = "#![no_std]\n#[macro_use]\nextern crate std;\n";
 
-/// What each program begins with.
+/// Header of each program.
 const PRELUDE: &str = "#[allow(unused_imports)]\nuse std::{string::String, vec::Vec};\n";
 
-/// Modules of one program, each with a `main`; its first argument says whose is called.
+/// Modules of one program, each with a `main` function selected by the first argument.
 pub(crate) struct Batch {
     folder: TempDir,
     modules: String,
@@ -29,8 +30,8 @@ impl Batch {
         Self { folder, modules: ROOT.to_owned(), calls: String::new(), count: 0 }
     }
 
-    /// Adds a program by a name, which what the compiler complains of has in its path. What was generated stands beside it,
-    /// so it takes a table in with `include!("od.rs")`.
+    /// Adds a program; its name is in the path of compiler errors. The generated files are in the same
+    /// folder, so the program can use `include!("od.rs")`.
     pub(crate) fn add(&mut self, name: &str, generated: &Generated, source: &str) {
         let module = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
         let module = format!("of_{}_{module}", self.count);
@@ -46,7 +47,7 @@ impl Batch {
         self.count += 1;
     }
 
-    /// Compiles all of them.
+    /// Compiles all programs.
     pub(crate) fn build(&self, flags: &[&str]) {
         let Self { modules, calls, .. } = self;
         let all = format!(
@@ -58,7 +59,7 @@ impl Batch {
         built.unwrap_or_else(|error| panic!("{error}"));
     }
 
-    /// What a program prints.
+    /// Returns the output of a program.
     pub(crate) fn run(&self, name: &str, input: &str) -> Result<String, String> {
         succeed(Command::new(self.path().join("all")).arg(name), input)
     }

@@ -1,4 +1,4 @@
-//! The table that benches/speed/lookup.rs measures is what the generator writes today.
+//! The table used by benches/speed/lookup.rs is the current output of the generator.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value}
 
 use crate::compile::generate_into;
 
-/// 76 objects with 157 entries, as many as the dictionary has that the project's figures are about.
+/// 76 objects with 157 entries, like the dictionary used for the project's figures.
 fn device() -> Device {
     let entry = |name: String, access, number| Entry {
         name: name.into(),
@@ -37,7 +37,7 @@ fn device() -> Device {
     device
 }
 
-/// `OBJDICT_BLESS=1 cargo test --test generate bench_table` writes the table anew.
+/// `OBJDICT_BLESS=1 cargo test --test generate bench_table` updates the table.
 #[test]
 fn the_table_of_the_benchmark_is_up_to_date() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/speed/lookup/od.rs");

@@ -7,18 +7,18 @@ use std::process::{Command, Stdio};
 use objdict::generate::{Generated, Options, Target, generate};
 use objdict::model::Device;
 
-/// The flags that generated C has to bear.
+/// Generated C must compile without warnings with these flags.
 const C_FLAGS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
-/// Where a driver stands.
+/// The path of a driver.
 pub(crate) fn driver(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/drivers").join(name)
 }
 
-/// The driver of plain tables in Rust.
+/// The driver of Rust tables.
 pub(crate) const DRIVER: &str = include_str!("drivers/driver.rs");
 
-/// The compiler for C; `None`, with a word about it, where there is none and that is no failure.
+/// The C compiler; `None`, with a message, if there is none and none is required.
 pub(crate) fn c_compiler() -> Option<String> {
     let name = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
     let runs = Command::new(&name).arg("--version").output().is_ok_and(|output| output.status.success());
@@ -34,7 +34,7 @@ pub(crate) fn generate_into(folder: &Path, device: &Device, target: &str) -> Gen
     generate_with(folder, device, target, &Options::default())
 }
 
-/// Generates into a folder as somebody asked for it.
+/// Generates into a folder with options.
 pub(crate) fn generate_with(folder: &Path, device: &Device, target: &str, options: &Options) -> Generated {
     let target = Target::named(target).unwrap();
     let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
@@ -59,7 +59,7 @@ pub(crate) fn cc(compiler: &str, folder: &Path) -> Command {
     command
 }
 
-/// Runs a command that has to succeed; what it printed on its output.
+/// Runs a command that must succeed; returns its output.
 pub(crate) fn succeed(command: &mut Command, input: &str) -> Result<String, String> {
     let command = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().map_err(|error| format!("{command:?}: {error}"))?;

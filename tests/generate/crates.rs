@@ -1,5 +1,5 @@
-//! What is generated for crates of others, as a text: always the same, well-formed, and no name of a description changes
-//! what it says. That it means what it shall is proved with the crates themselves, in tests/crates.
+//! The text generated for third-party crates: deterministic, well-formed, and no description name changes its
+//! meaning. The meaning itself is tested with the crates in tests/crates.
 
 use std::process::Command;
 
@@ -21,7 +21,7 @@ fn text(generated: &Generated) -> &str {
     std::str::from_utf8(&generated.files[0].contents).unwrap()
 }
 
-/// A device like another, but for its names, which are an attack.
+/// A copy of a device with malicious names.
 fn hostile(plain: &Device) -> Device {
     let attack = "x */ } \"); system(\"id\"); // \u{202E} ??/ \\\n#error `\n\"\"\"\n]]\n'''";
     let mut hostile = plain.clone();
@@ -83,7 +83,7 @@ fn canopen_rs_of_a_small_device() {
     insta::assert_snapshot!(text(&generated(&minimal, "canopen-rs")).replace(version, "objdict [version]"));
 }
 
-/// The function is an identifier, whatever the module is called.
+/// The function name is an identifier for any module name.
 #[test]
 fn canopen_rs_has_the_name_of_the_module() {
     let minimal = device(&support::fixtures().join("eds/minimal.eds"));
@@ -107,7 +107,7 @@ fn toml_of(device: &Device) -> toml::Table {
     text(&generated(device, "zencan")).parse().unwrap()
 }
 
-/// TOML without the names, of which there are as many as before.
+/// The TOML without names; their number must not change.
 fn without_names(mut table: toml::Table) -> toml::Table {
     let objects = table.get_mut("objects").and_then(toml::Value::as_array_mut).unwrap();
     for object in objects.iter_mut().filter_map(toml::Value::as_table_mut) {

@@ -1,4 +1,5 @@
-//! The constants of identity and services: those that follow from the values of the objects, bit by bit, and no others.
+//! Constants of identity and services: exactly those that follow from the objects' values, compared bit by
+//! bit.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -12,13 +13,13 @@ use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, succeed};
 use crate::{devices, for_all};
 
-/// The nodes that functions are asked for.
+/// The node-IDs used to call functions.
 const NODES: [u8; 3] = [1, 5, 127];
 
-/// What a constant should be.
+/// The expected constant.
 #[derive(Debug, PartialEq)]
 enum Expected {
-    /// On each of the nodes.
+    /// For each of the nodes.
     OfNode([u32; 3]),
     Flag(bool),
     Number(u32),
@@ -28,7 +29,7 @@ enum Expected {
 /// The constants of a device, by name.
 struct Constants<'a> {
     device: &'a Device,
-    /// What the table has.
+    /// The entries of the table.
     entries: BTreeSet<(u16, u8)>,
     expected: BTreeMap<String, Expected>,
 }
@@ -91,7 +92,7 @@ impl Constants<'_> {
         let Some(numbers) = NODES.iter().map(|&node| on(node)).collect::<Option<Vec<u32>>>() else { return };
         let [first, second, last] = numbers[..] else { unreachable!() };
         if first >> 29 != last >> 29 {
-            return; // the flags depend on the node
+            return; // the flags depend on the node-ID
         }
         let bits = if first >> 29 & 1 == 1 { 29 } else { 11 };
         self.put(&format!("{name}_cob_id"), Expected::OfNode([first, second, last]));
@@ -130,7 +131,7 @@ fn names(text: &str, marks: &[&str]) -> Vec<String> {
     names
 }
 
-/// A program that compares the constants; fails when they are not those that there should be.
+/// A program that compares the constants; fails if the set of constants differs from the expected one.
 fn in_rust(text: &str, expected: &BTreeMap<String, Expected>) -> Result<String, String> {
     let (_, rest) = text.split_once("pub mod defaults {\n").ok_or("no module")?;
     let module = rest.split_once("\n}\n").ok_or("no end")?.0;
@@ -217,7 +218,7 @@ fn check_c(
     succeed(&mut Command::new(folder.join("in-c")), "").map(drop)
 }
 
-/// A device with services as no fixture has them, and names that are like those of the constants.
+/// A device with services that no fixture has, and names similar to those of the constants.
 fn odd() -> Device {
     let mut device = Device::default();
     let entry = |name: &str, data_type, default| Entry {

@@ -1,4 +1,4 @@
-//! The devices that everything is tried on.
+//! The test devices.
 
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -20,8 +20,8 @@ pub(crate) fn device(path: &Path) -> Device {
     format::open(path, &SourceOptions::default()).unwrap().into_device()
 }
 
-/// Every healthy fixture, the hostile ones, and a device with everything that no fixture has; where the variable
-/// `OBJDICT_CORPUS_DIR` names a folder, also every description below it in which the check finds no error.
+/// Every valid fixture, the hostile ones, and a device with everything that no fixture has. If
+/// `OBJDICT_CORPUS_DIR` names a folder, also every description below it without errors.
 pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut paths = support::good_devices();
     paths.push(support::fixtures().join("broken/hostile-unicode.eds"));
@@ -36,7 +36,7 @@ pub(crate) fn devices() -> Vec<(String, Device)> {
     devices
 }
 
-/// Adds every description below a folder without an error finding.
+/// Adds every description below a folder that has no error.
 fn further(folder: &Path, devices: &mut Vec<(String, Device)>) {
     let mut paths: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
@@ -56,7 +56,7 @@ fn further(folder: &Path, devices: &mut Vec<(String, Device)>) {
     }
 }
 
-/// Calls `check` for each item on as many threads as there are cores; fails with all messages.
+/// Calls `check` for each item on one thread per core; fails with all messages.
 pub(crate) fn for_all<T: Sync>(items: &[T], check: impl Fn(&T) -> Result<(), String> + Sync) {
     let next = AtomicUsize::new(0);
     let failures = Mutex::new(Vec::new());
@@ -76,7 +76,7 @@ pub(crate) fn for_all<T: Sync>(items: &[T], check: impl Fn(&T) -> Result<(), Str
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
 }
 
-/// Arbitrary devices from which something can be generated; always the same ones.
+/// Arbitrary but reproducible devices that can be generated.
 pub(crate) fn arbitrary_devices(count: usize) -> Vec<(String, Device)> {
     let mut runner = TestRunner::deterministic();
     let strategy = support::devices::device(support::devices::Texts::Any);

@@ -1,4 +1,4 @@
-//! Names, and the parts that a product may leave out: every combination compiles without a warning, and what is there works.
+//! Names, and optional parts: every combination compiles without warnings, and the included parts work.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,7 +10,7 @@ use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, succeed};
 use crate::{device, for_all, odd, support};
 
-/// What can be left out: the feature of Rust, the macro of C.
+/// The optional parts: Rust feature and C macro.
 const GATES: [(&str, &str); 3] =
     [("od-names", "OD_NO_NAMES"), ("od-pdo", "OD_NO_PDO"), ("od-limits", "OD_NO_LIMITS")];
 
@@ -37,7 +37,7 @@ fn generate_with(
     generated.files.into_iter().map(|file| String::from_utf8(file.contents).unwrap()).collect()
 }
 
-/// What a name looks like as text: one line of harmless characters.
+/// Whether a text is a name with unsafe characters replaced, on one line.
 fn is_name_of(shown: &str, name: &str) -> bool {
     let is_plain = |c: char| c == ' ' || c.is_ascii_graphic() || c.is_alphanumeric();
     match name.chars().all(is_plain) && name.chars().count() <= 100 {
@@ -46,7 +46,7 @@ fn is_name_of(shown: &str, name: &str) -> bool {
     }
 }
 
-/// The names of all entries, one in each line.
+/// Checks the names of all entries, one per line.
 fn check_names(output: &str, device: &Device) -> Result<(), String> {
     let names = device.objects.iter().flat_map(|(&index, object)| {
         object.entries().map(move |(sub, entry)| ((index, sub), entry.name.to_string())).collect::<Vec<_>>()
@@ -100,7 +100,7 @@ int main(void)
 }
 "#;
 
-/// What is chosen of the gates, a bit each.
+/// The optional parts of a combination, one bit each.
 fn chosen(combination: usize) -> impl Iterator<Item = (bool, &'static str, &'static str)> {
     GATES.iter().enumerate().map(move |(bit, &(feature, name))| (combination >> bit & 1 == 1, feature, name))
 }

@@ -1,5 +1,5 @@
-//! Hooks are called for the entries that they are asked for and no others, before a read and after a write, and what they
-//! answer comes through.
+//! Hooks are called exactly for the requested entries, before reads and after writes, and their results are
+//! returned.
 
 use std::process::Command;
 
@@ -47,30 +47,30 @@ fn options(hooks: &[&str]) -> Options {
 
 const HOOKS: [&str; 8] = ["2000", "0x2001:2", "2002", "2003", "2004", "2005", "2006", "2008"];
 
-/// What is done, and what the program shall print: the calls of hooks, then the answer.
+/// Operations and the expected output: the hook calls, then the answer.
 const SESSION: &[(&str, &[&str])] = &[
-    // before_read() counts, and what it counted is read
+    // before_read() counts, and the count is read
     ("r 2000 00", &["before 2000 00", "ok 0100"]),
     ("r 2000 00", &["before 2000 00", "ok 0200"]),
     // after_write() sees the new value
     ("w 2000 00 0A00", &["after 2000 00 10", "ok -"]),
     ("r 2000 00", &["before 2000 00", "ok 0B00"]),
-    // refused: the old value is back
+    // rejected: the old value is restored
     ("w 2000 00 0D00", &["after 2000 00 13", "abort 06040043"]),
     ("r 2000 00", &["before 2000 00", "ok 0C00"]),
-    // what the dictionary refuses, no hook hears of
+    // writes that the dictionary rejects do not call hooks
     ("w 2000 00 0A", &["abort 06070013"]),
     ("r 2009 00", &["abort 06020000"]),
     ("w 2003 00 01000000", &["abort 06010002"]),
     ("r 2008 00", &["abort 06010001"]),
-    // one entry of an object only
+    // only one entry of an object has a hook
     ("w 2001 01 05000000", &["ok -"]),
     ("w 2001 02 05000000", &["after 2001 02 12", "ok -"]),
     ("r 2001 01", &["ok 05000000"]),
     ("r 2001 02", &["before 2001 02", "ok 05000000"]),
     ("r 2001 03", &["ok 00000000"]),
     ("w 2007 00 0D00", &["ok -"]),
-    // values that are no numbers come back whole
+    // values other than numbers are restored completely
     ("w 2002 00 6E6577", &["after 2002 00 12", "ok -"]),
     ("w 2002 00 626164206F6E6573", &["after 2002 00 12", "abort 08000022"]),
     ("r 2002 00", &["before 2002 00", "ok 6E6577"]),
@@ -78,10 +78,10 @@ const SESSION: &[(&str, &[&str])] = &[
     ("w 2005 00 FFFFFFFFFFFF", &["after 2005 00 12", "abort 08000021"]),
     ("r 2005 00", &["before 2005 00", "ok 010203040506"]),
     ("w 2008 00 FFFFFF", &["after 2008 00 12", "ok -"]),
-    // an upload is aborted
+    // an aborted upload
     ("r 2004 00", &["before 2004 00", "abort 06060000"]),
     ("r 2003 00", &["before 2003 00", "ok 07000000"]),
-    // no room: the application transfers it
+    // no capacity: the application provides the value
     ("r 2006 00", &["abort 08000024"]),
     ("w 2006 00 01", &["abort 08000020"]),
 ];
@@ -114,7 +114,7 @@ impl od::Hooks for Application {
     }
 }
 
-/// Hears of nothing.
+/// Hooks without requested entries.
 struct Silent;
 
 impl od::Hooks for Silent {}
@@ -236,7 +236,7 @@ fn hooks_are_called_for_what_they_are_asked_for() {
     }
 }
 
-/// With hooks that nobody defines, and with values in groups, everything answers as without.
+/// Undefined hooks and storage groups do not change any answers.
 #[test]
 fn answers_are_the_same_with_hooks_and_groups() {
     let chosen = ["odd", "constant", "all-types.eds"];

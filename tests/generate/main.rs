@@ -1,5 +1,5 @@
-//! What is generated compiles without a warning and, run, answers as the description says: for every healthy fixture,
-//! the answers of the Rust and of the C table are compared with those that follow from the model, and so with each other.
+//! Generated code compiles without warnings and answers as described: for every valid fixture, the answers of
+//! the Rust and the C table are compared with those expected from the model, and thus with each other.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -38,7 +38,7 @@ use devices::{arbitrary_devices, device, devices, for_all};
 use processors::build;
 use script::Script;
 
-/// The first answers that differ from what was expected.
+/// The first answers that differ from the expected ones.
 fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<(), String> {
     let answers: Vec<&str> = output.lines().collect();
     let pairs = script.expected.iter().map(String::as_str).zip(answers.iter().copied());
@@ -90,7 +90,8 @@ fn rust_and_c_answer_as_the_description_says() {
     assert!(answers > 150_000, "only {answers} answers were compared");
 }
 
-/// Damaged files and arbitrary devices too give code that compiles, unless nothing can be generated, and that is said.
+/// Code generated from malformed files and arbitrary devices compiles too, unless generation fails with an
+/// error.
 #[test]
 fn what_damaged_and_arbitrary_descriptions_give_compiles() {
     let folder = tempfile::tempdir().unwrap();
@@ -101,7 +102,7 @@ fn what_damaged_and_arbitrary_descriptions_give_compiles() {
     let devices: Vec<(String, Device)> = damaged.chain(arbitrary_devices(60)).collect();
     let (mut modules, mut sources) = (String::from("#![no_std]\n"), Vec::new());
     for (number, (name, device)) in devices.iter().enumerate() {
-        // the name is in the path of what a compiler complains of
+        // the name is in the path of compiler errors
         let stem = name.rsplit('/').next().unwrap().replace(|c: char| !c.is_ascii_alphanumeric(), "_");
         let folder = folder.path().join(format!("{number}-{stem}"));
         std::fs::create_dir(&folder).unwrap();

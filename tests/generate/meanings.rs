@@ -1,4 +1,4 @@
-//! Enumerations and bit fields: what the compiled code says of values and words is what the model says, bit by bit.
+//! Enumerations and bit fields: the compiled code agrees with the model, bit by bit.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -15,7 +15,7 @@ use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, succeed};
 use crate::{device, for_all, support};
 
-/// Words to try.
+/// Test words.
 const WORDS: [u64; 6] =
     [0, u64::MAX, 0x5555_5555_5555_5555, 0x1234_5678_9ABC_DEF0, 0x8000_8000_8080_8080, 0xD05];
 
@@ -27,7 +27,7 @@ fn devices() -> Vec<(String, Device)> {
     devices
 }
 
-/// A device with meanings as no fixture has them.
+/// A device with named values that no fixture has.
 fn odd() -> Device {
     let mut device = Device::default();
     let mut process = ApplicationProcess::default();
@@ -179,7 +179,7 @@ fn var(data_type: DataType, parameter: Parameter) -> Object {
     Object { main, ..Object::default() }
 }
 
-/// The addresses that a comment ends with.
+/// The addresses at the end of a comment.
 fn addresses(comment: &str) -> Vec<(u16, u8)> {
     let list = comment.rsplit(": ").next().unwrap_or_default();
     let hex = |text: &str| {
@@ -194,10 +194,10 @@ fn addresses(comment: &str) -> Vec<(u16, u8)> {
     list.split(", ").filter_map(address).collect()
 }
 
-/// Something of each entry.
+/// Data per entry.
 type OfEntries<T> = Vec<((u16, u8), T)>;
 
-/// All enumerations and words of a device, the enumerations of parts among them.
+/// All enumerations and words of a device, including the enumerations of bit fields.
 fn model(device: &Device) -> (OfEntries<Enumeration<'_>>, OfEntries<BitStruct<'_>>) {
     let meanings = device.meanings();
     let (mut enums, mut words) = (Vec::new(), Vec::new());
@@ -220,7 +220,7 @@ fn model(device: &Device) -> (OfEntries<Enumeration<'_>>, OfEntries<BitStruct<'_
     (enums, words)
 }
 
-/// The value of a part, and the word with another one, worked out bit by bit.
+/// The value of a bit field, and the word with another value, computed bit by bit.
 fn part_of(word: u64, first: u8, bits: u8, is_signed: bool) -> i128 {
     let set = |bit: u8| i128::from(word >> (first + bit) & 1);
     let number: i128 = (0..bits).map(|bit| set(bit) << bit).sum();
@@ -251,7 +251,7 @@ fn rust_type(data_type: DataType) -> String {
     }
 }
 
-/// The names of a module: each with the comment above it.
+/// The names of modules, each with the comment above it.
 fn modules(text: &str, mark: &str) -> Vec<(String, String)> {
     let mut comment = "";
     let mut found = Vec::new();
@@ -269,7 +269,7 @@ fn part_of_text<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
     text.split_once(from).and_then(|(_, rest)| rest.split_once(to)).map_or("", |(module, _)| module)
 }
 
-/// A program that compares them; fails when they are not those that there should be.
+/// A program that compares them; fails if they are not the expected ones.
 fn in_rust(text: &str, device: &Device) -> Result<String, String> {
     let (enums, words) = model(device);
     let mut program = String::from(
@@ -279,7 +279,7 @@ fn in_rust(text: &str, device: &Device) -> Result<String, String> {
     for (at, of_model) in &enums {
         let type_ = rust_type(of_model.data_type);
         let numbers: Vec<i128> = of_model.values.iter().map(|value| value.number).collect();
-        // of the enumerations that the entry has, one knows exactly these values
+        // one of the entry's enumerations has exactly these values
         let mut checks = Vec::new();
         for (name, _) in generated.iter().filter(|(_, comment)| addresses(comment).contains(at)) {
             let (low, high) = of_model.data_type.integer_range().unwrap_or_default();
@@ -337,7 +337,7 @@ fn in_rust(text: &str, device: &Device) -> Result<String, String> {
     Ok(program)
 }
 
-/// The macros below each comment of a part of the header.
+/// The macros below each comment of a bit field in the header.
 fn macros(text: &str) -> Vec<(String, Vec<String>)> {
     let mut found: Vec<(String, Vec<String>)> = Vec::new();
     for line in text.lines() {
@@ -369,7 +369,7 @@ fn in_c(folder: &Path, text: &str, compiler: &str, device: &Device) -> Result<()
         numbers.dedup();
         let is_signed = enumeration.data_type.integer_range().is_some_and(|(low, _)| low < 0);
         for name in names {
-            // which of them it is
+            // selects one of them
             let terms = numbers.iter().map(|number| {
                 let literal = match *number {
                     number if number == i128::from(i64::MIN) => "INT64_MIN".to_owned(),

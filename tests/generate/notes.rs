@@ -1,4 +1,4 @@
-//! What a table cannot express is named with its place, or nothing is generated.
+//! Whatever a table cannot express is named in a note with its place, or generation fails.
 
 use objdict::generate::{GenerateError, Generated, Options, Target, generate};
 use objdict::model::{
@@ -10,7 +10,7 @@ use crate::odd;
 fn with(main: Entry) -> Device {
     let mut device = Device::default();
     device.objects.insert(0x2000, Object { main, ..Object::default() });
-    // there is always something to generate
+    // ensures that there is something to generate
     let main = Entry { data_type: Some(DataType::UNSIGNED8), access: Some(Access::Ro), ..Entry::default() };
     device.objects.insert(0x2001, Object { main, ..Object::default() });
     device

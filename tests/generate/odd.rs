@@ -1,4 +1,4 @@
-//! A device with everything that no fixture has, built here.
+//! A device with everything that no fixture has.
 
 use objdict::model::{
     Access, Compact, DataType, Device, DeviceInfo, Entry, Object, ObjectType, PdoMapping, Time, Value,
@@ -28,7 +28,7 @@ fn limited(entry: Entry, low: Option<Value>, high: Option<Value>) -> Entry {
     Entry { low_limit: low, high_limit: high, ..entry }
 }
 
-/// A device without anything that can change.
+/// A device with constant values only.
 pub(crate) fn constant() -> Device {
     let mut device = Device::default();
     let byte = entry("Byte", DataType::UNSIGNED8, Access::Const, Some(Value::NodeId(3)));
@@ -56,7 +56,7 @@ pub(crate) fn device() -> Device {
     device
 }
 
-/// Types of the device's own, and what has them.
+/// Device-specific types and entries that use them.
 fn definitions(put: &mut impl FnMut(u16, Object)) {
     let length = |bits| entry("Length", DataType::UNSIGNED32, Access::Ro, Some(Value::Unsigned(bits)));
     let definition = |bits| Entry { object_type: Some(ObjectType::DefType), ..length(bits) };
@@ -91,7 +91,7 @@ fn definitions(put: &mut impl FnMut(u16, Object)) {
     put(0x3008, of_type(ObjectType::Record, "Nothing in it", []));
 }
 
-/// Formulas as defaults and limits, of entries in RAM and in flash.
+/// Formulas as defaults and limits, for entries in RAM and in flash.
 fn formulas(put: &mut impl FnMut(u16, Object)) {
     let formula = |offset| Some(Value::NodeId(offset));
     put(0x3100, var(entry("In flash", DataType::UNSIGNED32, Access::Const, formula(0x180))));
@@ -106,7 +106,7 @@ fn formulas(put: &mut impl FnMut(u16, Object)) {
     put(0x3107, of_type(ObjectType::Array, "Elements", [(1, sub(0)), (2, sub(0x8000_0000)), (3, sub(7))]));
 }
 
-/// One limit or both, on every kind of number; limits that contradict each other.
+/// One or both limits for every kind of number; contradictory limits.
 fn limits(put: &mut impl FnMut(u16, Object)) {
     let mut index = 0x3200;
     let mut next = |entry: Entry| {
@@ -140,7 +140,7 @@ fn limits(put: &mut impl FnMut(u16, Object)) {
     next(limited(entry("Always false", DataType::BOOLEAN, Access::Rw, None), None, truth(false)));
 }
 
-/// Arrays with gaps, of mixed shapes, with sub-index FFh, of strings and times; compact ones.
+/// Arrays with gaps, of mixed shapes, with sub-index FFh, of strings and times; compact storage.
 fn arrays(put: &mut impl FnMut(u16, Object)) {
     let text =
         |text: &str| entry("Text", DataType::VISIBLE_STRING, Access::Rw, Some(Value::Text(text.into())));
@@ -194,7 +194,7 @@ fn mappings(put: &mut impl FnMut(u16, Object)) {
     }
 }
 
-/// Names that collide with each other and with what the templates use.
+/// Names that collide with each other and with names in the templates.
 fn names(put: &mut impl FnMut(u16, Object)) {
     let byte = |name: &str| entry(name, DataType::UNSIGNED8, Access::Rw, None);
     let words = [

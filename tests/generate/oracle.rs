@@ -1,21 +1,21 @@
-//! What a dictionary answers, worked out from the model alone and in the plainest way: limits are compared as 128-bit
-//! integers and floating-point numbers, lengths are looked up, nothing is packed.
+//! The expected answers of a dictionary, derived from the model alone in the simplest way: limits are
+//! compared as 128-bit integers and floating-point numbers, lengths are looked up, nothing is packed.
 
 use std::collections::BTreeMap;
 
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, TypeKind, Value};
 
-/// Room for strings whose default is shorter, see docs/generate.md.
+/// Capacity of strings with a shorter default, see docs/generate.md.
 const STRING_ROOM: usize = 32;
 
-/// A dictionary on a node.
+/// The dictionary of a node.
 pub(crate) struct Dictionary {
     node_id: u8,
     facts: BTreeMap<(u16, u8), Facts>,
     values: BTreeMap<(u16, u8), Vec<u8>>,
 }
 
-/// Bytes, or the code of an abort.
+/// Bytes, or the abort code.
 pub(crate) type Answer = Result<Vec<u8>, u32>;
 
 impl Dictionary {
@@ -64,13 +64,13 @@ impl Dictionary {
         facts.check(bytes, self.node_id)?;
         let mut value = bytes.to_vec();
         if matches!(facts.kind, Some(TypeKind::TimeOfDay | TypeKind::TimeDifference)) {
-            value[3] &= 0x0F; // void bits
+            value[3] &= 0x0F; // unused bits
         }
         self.values.insert((index, sub), value);
         Ok(Vec::new())
     }
 
-    /// The bytes of a value, whoever may read it.
+    /// The bytes of a value, regardless of its access type.
     pub(crate) fn value(&self, index: u16, sub: u8) -> &[u8] {
         &self.values[&(index, sub)]
     }
@@ -81,7 +81,7 @@ impl Dictionary {
     }
 }
 
-/// All entries of a device that a table has.
+/// All entries of a device in a table.
 pub(crate) fn facts_of(device: &Device) -> impl Iterator<Item = ((u16, u8), Facts)> + '_ {
     let is_disabled =
         |object: &Object| object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true));
@@ -94,14 +94,14 @@ pub(crate) fn facts_of(device: &Device) -> impl Iterator<Item = ((u16, u8), Fact
     })
 }
 
-/// What counts of an entry.
+/// The relevant data of an entry.
 pub(crate) struct Facts {
     pub(crate) data_type: DataType,
-    /// `None` for a type of the device's own.
+    /// `None` for a device-specific type.
     pub(crate) kind: Option<TypeKind>,
     pub(crate) access: Access,
     pub(crate) mapping: PdoMapping,
-    /// Bytes, at most.
+    /// Maximum size in bytes.
     pub(crate) size: usize,
     value: Option<Value>,
     pub(crate) low: Option<Value>,
@@ -109,7 +109,7 @@ pub(crate) struct Facts {
 }
 
 impl Facts {
-    /// `None` for what a table does not have.
+    /// `None` if a table does not contain it.
     fn new(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Option<Self> {
         if entry.object_type == Some(ObjectType::Null) {
             return None;
@@ -148,7 +148,7 @@ impl Facts {
         Some(facts)
     }
 
-    /// Whether another entry takes and refuses the same values.
+    /// Whether another entry accepts the same values.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let facts =
             |facts: &Self| (facts.data_type, facts.access, facts.size, facts.low.clone(), facts.high.clone());
@@ -169,7 +169,7 @@ impl Facts {
         self.kind == Some(TypeKind::Domain) && self.size == 0
     }
 
-    /// The bytes of the default on a node.
+    /// The bytes of the default for a node.
     pub(crate) fn default_on(&self, node_id: u8) -> Vec<u8> {
         let zeros = vec![
             0;
@@ -189,7 +189,7 @@ impl Facts {
         }
     }
 
-    /// What is wrong with a value, given as bytes of the right length.
+    /// Checks a value given as bytes of the right length.
     fn check(&self, bytes: &[u8], node_id: u8) -> Result<(), u32> {
         if !self.data_type.is_numeric() {
             return Ok(());
@@ -228,7 +228,7 @@ impl Facts {
             formula,
         ];
         let flags: String = flags.map(|flag| if flag { '1' } else { '0' }).iter().collect();
-        let default = self.default_on(0); // a formula stands without the node-ID
+        let default = self.default_on(0); // a formula without the node-ID
         let limit = |limit: &Option<Value>| {
             let Some(limit) = limit else { return "-".to_owned() };
             match limit.resolve(self.data_type, node_id).unwrap() {
@@ -242,14 +242,14 @@ impl Facts {
     }
 }
 
-/// Bytes of a type that the device defines.
+/// Size of a type defined by the device.
 fn defined_length(device: &Device, data_type: DataType) -> Option<usize> {
     let definition = device.object(data_type.0)?;
     let bits = definition.entry(0)?.value()?.as_integer()?;
     (definition.object_type() == ObjectType::DefType).then_some(usize::try_from(bits).ok()?.div_ceil(8))
 }
 
-/// The bytes of a number in decimal or hex, zeros if it is none.
+/// The bytes of a decimal or hexadecimal number; zeros if it is not valid.
 fn raw_bytes(text: &str, size: usize) -> Vec<u8> {
     let number = match text.strip_prefix("0x") {
         Some(hex) => u64::from_str_radix(hex, 16),

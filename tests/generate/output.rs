@@ -1,5 +1,5 @@
-//! The text of the output: what it looks like, that it is always the same, that the tools of Rust accept it, and that no
-//! text of a description changes what it says.
+//! The text of the output: its form, reproducibility, acceptance by Rust tools, and that no text of a
+//! description changes its meaning.
 
 use std::process::Command;
 
@@ -10,7 +10,7 @@ use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succee
 use crate::processors::build;
 use crate::{device, devices, support};
 
-/// All files that the targets of tables give.
+/// All files of the table targets.
 fn files(device: &Device, options: &Options) -> Vec<OutputFile> {
     let targets = ["rust", "c"].map(|name| Target::named(name).unwrap());
     targets.into_iter().flat_map(|target| generate(device, target, options).unwrap().files).collect()
@@ -49,7 +49,7 @@ fn output_is_always_the_same_and_well_formed() {
     }
 }
 
-/// The same device, but for its names, gives the same code: names only stand in comments and identifiers.
+/// The same device with other names gives the same code: names only affect comments and identifiers.
 #[test]
 fn no_name_changes_the_code() {
     let plain = device(&support::fixtures().join("eds/io-401.eds"));
@@ -59,7 +59,7 @@ fn no_name_changes_the_code() {
         object.main.name = attack.into();
         object.subs.iter_mut().for_each(|(_, entry)| entry.name = attack.into());
     }
-    // which are texts of the program, see `gates`
+    // which are strings in the program, see `gates`
     let mut options = Options::default();
     options.entry_names = false;
     for (plain, hostile) in files(&plain, &options).iter().zip(files(&hostile, &options)) {
@@ -71,7 +71,7 @@ fn no_name_changes_the_code() {
     }
 }
 
-/// Lines without comments, identifiers and what the order of C's fields decides.
+/// Lines without comments, identifiers and the order of C fields.
 pub(crate) fn bare(text: &str) -> Vec<String> {
     let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let without_comment = lines
@@ -110,7 +110,7 @@ fn a_node_id_is_named_as_the_default() {
     assert_eq!(lines(&device, &Options::default()), (true, true));
 }
 
-/// Places of 32 bits where 16 are too few.
+/// 32-bit offsets where 16 bits are too few.
 #[test]
 fn large_dictionaries_get_longer_places() {
     let mut device = device(&support::fixtures().join("eds/minimal.eds"));
@@ -131,7 +131,7 @@ fn large_dictionaries_get_longer_places() {
     assert!(self::text(&large[1]).contains(in_c), "two fields of 60,000 bytes");
 }
 
-/// Whether a tool that Rust comes with is there; a word about it where it is not and that is no failure.
+/// Whether a tool of the Rust distribution is installed; prints a message if it is not and not required.
 pub(crate) fn has(tool: &mut Command) -> bool {
     let runs = tool.arg("--version").output().is_ok_and(|output| output.status.success());
     assert!(runs || std::env::var("CI").as_deref() != Ok("true"), "no {tool:?}");
@@ -203,7 +203,7 @@ fn clippy_finds_nothing() {
     succeed(clippy, "").unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// The examples of the documentation, with the table that they are about.
+/// The examples of the documentation with their tables.
 #[test]
 fn the_examples_of_the_documentation_run() {
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/generate.md")).unwrap();

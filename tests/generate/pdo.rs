@@ -1,4 +1,4 @@
-//! The structs of PDOs: packed as CiA 301 says, bit by bit, and the same frame again after unpacking.
+//! The structs of PDOs: packed bit by bit as CiA 301 defines, and unpacking gives the same frame.
 
 use std::fmt::Write;
 use std::rc::Rc;
@@ -14,26 +14,26 @@ use crate::oracle::{Facts, facts_of, hex};
 use crate::processors::build;
 use crate::{devices, for_all};
 
-/// The node that everything is packed for.
+/// The node-ID for all frames.
 const NODE_ID: u8 = 5;
 
-/// A PDO as it should be packed, worked out bit by bit.
+/// The expected packing of a PDO, computed bit by bit.
 struct Expected {
     name: String,
     bytes: usize,
     cob_id: Option<u32>,
-    /// Each mapped bit that means something: its place in the frame, and where it comes from.
+    /// Each used bit of the frame: its position and its source.
     bits: Vec<(usize, Source)>,
 }
 
-/// Where a bit of a frame comes from.
+/// The source of a frame bit.
 struct Source {
     facts: Rc<Facts>,
     bit: usize,
 }
 
 impl Expected {
-    /// `None` for a PDO that has no struct.
+    /// `None` for a PDO without a struct.
     fn new(device: &Device, pdo: &Pdo<'_>) -> Option<Self> {
         if pdo.is_multiplexed() || pdo.bit_length() > 64 {
             return None;
@@ -60,7 +60,7 @@ impl Expected {
         })
     }
 
-    /// The frame of the defaults.
+    /// The frame of the default values.
     fn defaults(&self) -> Vec<u8> {
         self.frame(|_, source| {
             let value = source.facts.default_on(NODE_ID);
@@ -68,12 +68,12 @@ impl Expected {
         })
     }
 
-    /// What is left of a frame: the bits that mean something.
+    /// The frame after unpacking: only used bits remain.
     fn unpacked(&self, frame: &[u8]) -> Vec<u8> {
         self.frame(|at, _| frame[at / 8] >> (at % 8) & 1 == 1)
     }
 
-    /// What is left of a frame after it went through the dictionary: constants have their value.
+    /// The frame after a round trip through the dictionary: constants keep their value.
     fn stored(&self, frame: &[u8]) -> Option<Vec<u8>> {
         let is_kept = self.bits.iter().all(|(_, source)| source.facts.access.is_writable());
         is_kept.then(|| self.unpacked(frame))
@@ -90,7 +90,7 @@ impl Expected {
     }
 }
 
-/// The bits of a field, and what is in it; `None` for what is no field.
+/// The bits and the entry of a field; `None` if it is not a field.
 fn field(device: &Device, object: MappedObject) -> Option<(usize, Facts)> {
     let (_, facts) = facts_of(device).find(|(address, _)| *address == (object.index, object.sub))?;
     let (mapped, size) = (usize::from(object.bits), facts.size * 8);
@@ -104,7 +104,7 @@ fn field(device: &Device, object: MappedObject) -> Option<(usize, Facts)> {
     Some((bits?, facts))
 }
 
-/// Frames to try: all bits, each other bit, and some without order.
+/// Test frames: all bits, alternating bits, and some irregular ones.
 fn frames(bytes: usize) -> Vec<Vec<u8>> {
     let mut state = 0x1234_5678_u32;
     let mut random = || {
@@ -116,7 +116,8 @@ fn frames(bytes: usize) -> Vec<Vec<u8>> {
     frames
 }
 
-/// A device whose PDOs carry what no fixture's do: single bits, parts of integers, gaps, and values across bytes.
+/// A device with mappings that no fixture has: single bits, parts of integers, gaps, and values across byte
+/// boundaries.
 fn odd() -> Device {
     let mut device = Device::default();
     let var = |name: &str, data_type, access, default: Option<Value>| Object {
@@ -202,7 +203,7 @@ fn record(mapped: &[u32]) -> Object {
     Object { main, subs: std::iter::once((0, count)).chain(subs).collect(), ..Object::default() }
 }
 
-/// A program that prints frames, in Rust and in C, and the lines that it shall print.
+/// A program that prints frames, in Rust and in C, and the expected lines.
 struct Session {
     rust: String,
     c: String,
@@ -220,7 +221,7 @@ impl Session {
         session
     }
 
-    /// The defaults, then each frame unpacked, packed, and through the dictionary.
+    /// Prints the defaults, then each frame unpacked, packed, and after a round trip through the dictionary.
     fn pdo(&mut self, pdo: &Expected) {
         let name = &pdo.name;
         let type_ = format!("od::pdo::{}{}", name[..1].to_uppercase(), &name[1..]);
@@ -311,7 +312,7 @@ int main(void)
 {
 ";
 
-/// A device, what is asked for, and the session with its frames.
+/// A device, the options, and the session with its frames.
 struct Case {
     name: String,
     device: Device,
@@ -333,7 +334,7 @@ impl Case {
     }
 }
 
-/// Every device with its frames, and one once more with what frames carry in structs of storage groups.
+/// All devices with their frames, and one of them again with mapped entries in structs of storage groups.
 #[test]
 fn frames_are_packed_as_the_description_says() {
     let mut grouped = Options::default();

@@ -1,5 +1,5 @@
-//! The processors that generated C is compiled for: the one that the tests run on, one of 32 bits that it can run as well,
-//! and a Cortex-M4. What is not installed is left out with a word about it, but not where `CI` is `true`.
+//! The processors for generated C: the host, a 32-bit variant of the host, and a Cortex-M4. Missing compilers
+//! are skipped with a message, except with `CI=true`.
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -11,13 +11,13 @@ use crate::compile::succeed;
 /// The compiler for a Cortex-M4.
 pub(crate) const CORTEX_M4: &str = "arm-none-eabi-gcc";
 
-/// The flags for it, to make object files.
+/// The flags for its object files.
 pub(crate) const CORTEX_M4_FLAGS: [&str; 3] = ["-mcpu=cortex-m4", "-mthumb", "-c"];
 
-/// A program that shows whether a compiler has all that the tests need.
+/// A program that checks whether a compiler has all features for the tests.
 const TRIAL: &str = "#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\nint main(void) { return puts(\"\") < 0; }\n";
 
-/// Whether a compiler makes something of a program.
+/// Whether a compiler accepts a program.
 fn works(what: &str, compiler: &OsStr, flags: &[&str]) -> bool {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("trial.c"), TRIAL).unwrap();
@@ -31,20 +31,20 @@ fn works(what: &str, compiler: &OsStr, flags: &[&str]) -> bool {
     works
 }
 
-/// Whether programs of 32 bits can be built here.
+/// Whether 32-bit programs can be built on this machine.
 pub(crate) fn builds_for_32_bits(compiler: &OsStr) -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
     *WORKS.get_or_init(|| works("32 bits", compiler, &["-m32"]))
 }
 
-/// Whether files can be compiled for a Cortex-M4 here.
+/// Whether files can be compiled for a Cortex-M4 on this machine.
 pub(crate) fn compiles_for_cortex_m4() -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
     *WORKS.get_or_init(|| works("a Cortex-M4", OsStr::new(CORTEX_M4), &CORTEX_M4_FLAGS))
 }
 
-/// Builds the program of a compiler's command, which has its name behind `-o`; once more for 32 bits where that works, and
-/// compiles its files for a Cortex-M4.
+/// Builds the program of a compiler command with its name after `-o`. Builds it again for 32 bits if
+/// possible, and compiles its files for a Cortex-M4.
 pub(crate) fn build(cc: &Command) -> Result<Programs, String> {
     let folder = cc.get_current_dir().unwrap();
     let arguments: Vec<&OsStr> = cc.get_args().collect();
@@ -70,17 +70,17 @@ fn for_32_bits(name: &OsStr) -> OsString {
     [name, OsStr::new("-32")].into_iter().collect()
 }
 
-/// A program for each processor that runs here.
+/// A program for each processor that can run on this machine.
 pub(crate) struct Programs(Vec<PathBuf>);
 
 impl Programs {
-    /// What [`build`] made of a name.
+    /// The programs that [`build`] created for a name.
     pub(crate) fn at(path: &Path) -> Self {
         let other = path.with_file_name(for_32_bits(path.file_name().unwrap()));
         Self([path.to_owned(), other].into_iter().filter(|path| path.exists()).collect())
     }
 
-    /// Runs them; what one prints, all have to print.
+    /// Runs them; all must print the same.
     pub(crate) fn run(&self, arguments: &[&str], input: &str) -> Result<String, String> {
         let run = |program: &PathBuf| succeed(Command::new(program).args(arguments), input);
         let (first, others) = self.0.split_first().unwrap();

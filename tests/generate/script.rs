@@ -1,4 +1,4 @@
-//! What the drivers are asked, and what they shall answer.
+//! Test operations for the drivers, and the expected answers.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -7,14 +7,14 @@ use objdict::model::{Device, TypeKind, Value};
 
 use crate::oracle::{Answer, Dictionary, Facts, facts_of, hex};
 
-/// Operations for a driver and the lines that it shall print.
+/// Operations for a driver and the expected lines.
 #[derive(Default)]
 pub(crate) struct Script {
     pub(crate) input: String,
     pub(crate) expected: Vec<String>,
 }
 
-/// Asks everything about a device, on a node and on another.
+/// All operations on a device, for two node-IDs.
 pub(crate) fn of(device: &Device) -> Script {
     let mut script = Script::default();
     for node_id in [5, 127] {
@@ -32,14 +32,14 @@ pub(crate) fn of(device: &Device) -> Script {
         }
         script.missing(&mut dictionary, &entries);
         for &(index, sub) in entries.keys() {
-            script.read(&dictionary, index, sub, 0xFFFF).ok(); // no write went to another entry
+            script.read(&dictionary, index, sub, 0xFFFF).ok(); // no write changed another entry
         }
     }
     script
 }
 
 impl Script {
-    /// Everything about an entry.
+    /// All operations on an entry.
     fn entry(&mut self, dictionary: &mut Dictionary, index: u16, sub: u8, facts: &Facts) {
         let default = self.read(dictionary, index, sub, 0xFFFF).unwrap_or_default();
         if !default.is_empty() {
@@ -59,14 +59,14 @@ impl Script {
         self.write(dictionary, index, sub, &default);
     }
 
-    /// The least about an element of an array: the first and the last, which are like it, are asked everything.
+    /// A few operations on an array element; only the first and the last one get all operations.
     fn element(&mut self, dictionary: &mut Dictionary, index: u16, sub: u8, facts: &Facts) {
         self.read(dictionary, index, sub, 0xFFFF).ok();
         self.write(dictionary, index, sub, &vec![sub & 1; facts.size + 1]);
         self.write(dictionary, index, sub, &vec![sub & 1; facts.size]);
     }
 
-    /// Sub-indexes and indexes that do not exist, around those that do.
+    /// Missing sub-indexes and indexes next to existing ones.
     fn missing(&mut self, dictionary: &mut Dictionary, entries: &BTreeMap<(u16, u8), Facts>) {
         let mut addresses = vec![(0, 0), (0xFFFF, 0xFF)];
         for &(index, sub) in entries.keys() {
@@ -150,7 +150,7 @@ pub(crate) fn edges(facts: &Facts) -> Vec<Vec<u8>> {
         }
         _ => {
             let Some((least, greatest)) = facts.data_type.integer_range() else { return Vec::new() };
-            // where a limit is a formula, its value on both nodes of the script
+            // if a limit is a formula, its value for both node-IDs of the script
             let limits = limits.flat_map(|limit| [limit.integer_for(5), limit.integer_for(127)]).flatten();
             let around = limits.flat_map(|limit| [limit - 1, limit, limit + 1]);
             let numbers = around.chain([least, -1, 0, 1, greatest / 3, greatest]);

@@ -1,4 +1,4 @@
-//! The report of sizes says what the compilers make of the tables.
+//! The size report agrees with the compilers.
 
 use std::process::Command;
 
@@ -9,7 +9,7 @@ use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, succeed};
 use crate::{device, odd, support};
 
-/// Prints the bytes of the rows and of the values.
+/// Prints the sizes of rows and values.
 pub(crate) const RUST: &str = r#"
 mod od {
     include!("od.rs");
@@ -20,7 +20,7 @@ fn main() {
 }
 "#;
 
-/// Prints the bytes in flash and in RAM.
+/// Prints the sizes in flash and in RAM.
 pub(crate) const C: &str = r#"
 #include <stdio.h>
 #include "od.c"
@@ -69,7 +69,7 @@ fn sizes_are_those_of_the_compilers() {
         let output = succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
         assert_eq!(output.trim(), format!("{} {}", in_c.flash, in_c.ram), "{name}, C");
         let rows: usize = report(&device, "c").objects.iter().map(|object| object.entries).sum();
-        let rows_in_c = in_c.flash - rom; // the same defaults and limits in both
+        let rows_in_c = in_c.flash - rom; // defaults and limits are the same in both
         assert!(
             [10, 16].contains(&(rows_in_c / rows)) && rows_in_c.is_multiple_of(rows),
             "{name}: {rows_in_c}"

@@ -1,5 +1,5 @@
-//! Images of storage groups: byte by byte as docs/generate.md describes them, the same in Rust and in C, and refused when
-//! anything about them is wrong.
+//! Images of storage groups: byte by byte as described in docs/generate.md, equal in Rust and C, and rejected
+//! if any part is invalid.
 
 use std::fmt::Write;
 use std::process::Command;
@@ -14,7 +14,7 @@ use crate::oracle::{Dictionary, Facts, facts_of, hex};
 use crate::script::edges;
 use crate::{odd, support};
 
-/// A group as it is in code.
+/// A group in generated code.
 #[derive(Clone, Copy)]
 struct Group {
     /// The member of the struct of values.
@@ -35,7 +35,7 @@ const GROUPS: [Group; 3] = [
     group("a_1", "A1", 0x6000, 0x9FFF),
 ];
 
-/// Groups, and hooks as well.
+/// Options with groups and hooks.
 pub(crate) fn options() -> Options {
     let mut options = Options::default();
     options.hooks = ["3000", "3300:1"].map(|hook| hook.parse().unwrap()).into();
@@ -44,7 +44,7 @@ pub(crate) fn options() -> Options {
     options
 }
 
-/// The entries of a group whose values can change.
+/// The entries of a group with values that can change.
 fn members(device: &Device, group: Group) -> Vec<(u16, u8, Facts)> {
     let entries = facts_of(device).filter(|((index, _), _)| (group.first..=group.last).contains(index));
     let entries = entries.filter(|((index, sub), facts)| {
@@ -57,7 +57,7 @@ fn members(device: &Device, group: Group) -> Vec<(u16, u8, Facts)> {
     entries.map(|((index, sub), facts)| (index, sub, facts)).collect()
 }
 
-/// The remainder of a division of polynomials, bit by bit.
+/// The remainder of a polynomial division, bit by bit.
 fn crc(bytes: &[u8]) -> [u8; 2] {
     let mut register = 0_u32;
     let bits = bytes.iter().chain(&[0, 0]).flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1));
@@ -75,7 +75,7 @@ fn the_crc_is_that_of_block_transfers() {
     assert_eq!(crc(b"123456789"), [0xC3, 0x31]);
 }
 
-/// The image of a group, worked out from the description.
+/// The expected image of a group, computed from the description.
 fn image(members: &[(u16, u8, Facts)], values: &Dictionary) -> Vec<u8> {
     let mut hash = 0x811C_9DC5_u32;
     let mut bytes = Vec::new();
@@ -96,7 +96,7 @@ fn image(members: &[(u16, u8, Facts)], values: &Dictionary) -> Vec<u8> {
     sealed([hash.to_le_bytes().to_vec(), bytes].concat())
 }
 
-/// With the CRC behind.
+/// Appends the CRC.
 fn sealed(mut image: Vec<u8>) -> Vec<u8> {
     image.extend(crc(&image));
     image
@@ -106,7 +106,7 @@ fn has_length(facts: &Facts) -> bool {
     facts.kind.is_some() && facts.data_type.byte_length().is_none()
 }
 
-/// What is done, and what is answered.
+/// Operations and the expected answers.
 #[derive(Default)]
 struct Session {
     input: String,
@@ -127,7 +127,7 @@ impl Session {
         self.line(format_args!("l {} {}", group.field, hex(image)), answer.to_string());
     }
 
-    /// Images of defaults and of other values on one node, taken over by another; then damaged ones.
+    /// Images of defaults and of other values from one node, loaded by another; then corrupted ones.
     fn of(device: &Device, groups: &[Group], writes: bool) -> Self {
         let mut session = Self::default();
         let all: Vec<(Group, Vec<_>)> = groups.iter().map(|&group| (group, members(device, group))).collect();
@@ -181,7 +181,7 @@ impl Session {
     }
 }
 
-/// The same values, with bits of times that mean nothing.
+/// The same values with unused bits of times set.
 fn with_void_bits(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<u8> {
     let mut body = image[..image.len() - 2].to_vec();
     let mut at = 4;
@@ -194,7 +194,7 @@ fn with_void_bits(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<u8> {
     sealed(body)
 }
 
-/// Images that are wrong, and what they are refused for.
+/// Corrupted images and the expected errors.
 fn damaged(image: &[u8], members: &[(u16, u8, Facts)]) -> Vec<(Vec<u8>, u8)> {
     let flipped = |at: usize| {
         let mut image = image.to_vec();
@@ -313,7 +313,7 @@ int main(void)
         memset(image, 0xEE, sizeof image);
 "#;
 
-/// Programs that do what the lines of a session say.
+/// Programs that execute the lines of a session.
 fn programs(groups: &[Group], has_write: bool) -> (String, String) {
     let (mut rust, mut c) = (RUST.to_owned(), C.to_owned());
     if has_write {
@@ -403,7 +403,7 @@ fn run(cases: &[Case]) {
     });
 }
 
-/// Each language saves what the description says and loads what the other one saved, which is the same.
+/// Each language saves the expected image and loads the image of the other language.
 #[test]
 fn images_are_the_same_in_both_languages() {
     let chosen = ["odd", "all-types.eds", "io-401.eds"];
@@ -417,7 +417,7 @@ fn images_are_the_same_in_both_languages() {
     run(&cases);
 }
 
-/// Groups that the description states, with names that are no identifiers, keywords, or taken.
+/// Groups stated in the description with names that are not identifiers, are keywords, or are taken.
 #[test]
 fn stated_groups_get_names_of_their_own() {
     let mut device = odd::device();
@@ -475,7 +475,7 @@ fn what_belongs_to_no_struct_or_should_not_is_reported() {
     insta::assert_snapshot!("group_notes", notes.join("\n"));
 }
 
-/// The report of sizes knows the structs.
+/// The size report includes the structs of groups.
 #[test]
 fn sizes_are_those_of_the_compilers() {
     let press = device(&support::fixtures().join("xdd/press-402.xdd"));
@@ -514,7 +514,7 @@ fn sizes_are_those_of_the_compilers() {
     }
 }
 
-/// The examples of the documentation, with the tables that they are about.
+/// The examples of the documentation with their tables.
 #[test]
 fn the_examples_of_the_documentation_run() {
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/storage.md")).unwrap();

@@ -1,4 +1,4 @@
-//! Templates of the user's own: the one of docs/targets/template.md is rendered, compiled and run.
+//! Custom templates: renders the template of docs/targets/template.md, compiles it and runs it.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::oracle::{facts_of, hex};
 use crate::processors::build;
 use crate::support;
 
-/// The template of the page.
+/// The template on the page.
 fn example() -> String {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/targets/template.md");
     let page = std::fs::read_to_string(page).unwrap();
@@ -25,7 +25,7 @@ fn render(template: &Path, device: &Device) -> Result<Generated, GenerateError> 
     generate(device, Target::named("template")?, &options)
 }
 
-/// What a template makes of a small device.
+/// Renders a template for a small device.
 fn rendered(name: &str, source: &str) -> Result<String, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
@@ -35,7 +35,7 @@ fn rendered(name: &str, source: &str) -> Result<String, String> {
     Ok(String::from_utf8(generated.files[0].contents.clone()).unwrap())
 }
 
-/// Prints the rows as the test expects them.
+/// Prints the rows in the format of the test.
 const MAIN: &str = r#"#include <stdint.h>
 #include <stdio.h>
 typedef struct { uint16_t index; uint8_t sub; uint8_t plus_node_id; uint32_t length; const uint8_t *bytes; const char *name; } row_t;

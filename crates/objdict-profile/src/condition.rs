@@ -1,12 +1,13 @@
-//! Conditions of profiles: when an object has to be there, as a text that people write and the program evaluates.
+//! Conditions of profiles, which decide whether an object is mandatory: a text form for authors, and its
+//! evaluation.
 //!
 //! ```text
 //! 6040h                      the object is described
-//! 1A00h:2                    the sub-index is
+//! 1A00h:2                    the sub-index is described
 //! 1000h[16]                  the bit of its value is set
-//! 1000h[16..31] in 1..5, 10  the bits make one of these numbers
+//! 1000h[16..31] in 1..5, 10  the value of the bits is one of these numbers
 //! 6401h:0 > 4                the value is greater
-//! 6206h and not 6207h        both; `or`, and brackets
+//! 6206h and not 6207h        both; also `or` and brackets
 //! ```
 
 mod words;
@@ -18,34 +19,34 @@ use std::ops::RangeInclusive;
 use super::{device_type_index, index_in};
 use crate::model::{Device, Value};
 
-/// When a demand holds.
+/// A condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
     text: Cow<'static, str>,
     terms: Cow<'static, [Term]>,
 }
 
-/// A piece of a condition; what it joins or compares with stands behind it.
+/// A term of a condition; its operands follow it.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Term {
-    /// All of so many terms hold.
+    /// This number of terms are all true.
     All(u32),
-    /// One of so many terms holds.
+    /// At least one of this number of terms is true.
     OneOf(u32),
-    /// A term does not hold.
+    /// A term is false.
     Not,
     /// The object or sub-index is described.
     Described(u16, Option<u8>),
-    /// The bits of a value, from the lowest to the highest, are in one of so many ranges.
+    /// The value of the bits, from the lowest to the highest, is in one of this number of ranges.
     BitsIn(u16, u8, [u8; 2], u32),
-    /// The value is in one of so many ranges.
+    /// The value is in one of this number of ranges.
     ValueIn(u16, u8, u32),
-    /// A range of numbers, from the smallest to the greatest.
+    /// A range of numbers, both limits included.
     Range(i128, i128),
 }
 
-/// Why a text is no condition.
+/// Why a text is not a valid condition.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("expected {expected} {}", Found(.found))]
 pub struct ConditionError {
@@ -64,29 +65,29 @@ impl fmt::Display for Found<'_> {
     }
 }
 
-/// Brackets and `not` may lie in each other so deep.
+/// Maximum nesting depth of brackets and `not`.
 const MAX_DEPTH: u8 = 16;
 
 impl Condition {
-    /// One that was read before.
+    /// A condition parsed at build time.
     #[doc(hidden)]
     pub const fn constant(text: &'static str, terms: &'static [Term]) -> Self {
         Self { text: Cow::Borrowed(text), terms: Cow::Borrowed(terms) }
     }
 
-    /// What it was read as.
+    /// The parsed terms.
     #[doc(hidden)]
     pub fn terms(&self) -> &[Term] {
         &self.terms
     }
 
-    /// Whether it holds for a logical device, counted from 0; `None` where the description does not say. 1000h stands for
-    /// the device type of the logical device.
+    /// Whether the condition is true for a logical device, counted from 0; `None` if the description does not
+    /// determine it. 1000h means the device type of the logical device.
     pub fn holds(&self, device: &Device, block: u8) -> Option<bool> {
         Terms { rest: &self.terms, device, block }.next()
     }
 
-    /// The described objects that the condition names, in its order; with the sub-index where it names a value.
+    /// The described objects in the condition, in its order; with the sub-index if it refers to a value.
     pub fn causes(&self, device: &Device, block: u8) -> impl Iterator<Item = (u16, Option<u8>)> {
         let named = self.terms.iter().filter_map(|term| match *term {
             Term::Described(index, sub) => Some((index, sub)),
@@ -117,7 +118,7 @@ impl fmt::Display for Condition {
     }
 }
 
-/// The index that a condition means for a logical device: 1000h is its device type.
+/// The index that a condition means in a logical device: 1000h is its device type.
 fn place_of(index: u16, device: &Device, block: u8) -> u16 {
     match index {
         0x1000 => device_type_index(device, block),
@@ -125,7 +126,7 @@ fn place_of(index: u16, device: &Device, block: u8) -> u16 {
     }
 }
 
-/// Terms, and the logical device that they are asked of.
+/// Terms, and the logical device for which they are evaluated.
 struct Terms<'a> {
     rest: &'a [Term],
     device: &'a Device,
@@ -133,7 +134,7 @@ struct Terms<'a> {
 }
 
 impl Terms<'_> {
-    /// Whether the next term holds, which is taken with all that belongs to it.
+    /// Evaluates the next term and consumes it with its operands.
     fn next(&mut self) -> Option<bool> {
         let (term, rest) = self.rest.split_first()?;
         self.rest = rest;
@@ -161,7 +162,7 @@ impl Terms<'_> {
         }
     }
 
-    /// `deciding` when one of the next terms is it, else the opposite when all are known.
+    /// Returns `deciding` if one of the next terms has that value, else the opposite if all are known.
     fn decided(&mut self, count: u32, deciding: bool) -> Option<bool> {
         let (mut known, mut decided) = (true, false);
         for _ in 0..count {
@@ -206,7 +207,7 @@ impl Parser<'_> {
         self.joined("and", Term::All, Self::one)
     }
 
-    /// One part or several with a word between them.
+    /// One part, or several separated by a word.
     fn joined(
         &mut self,
         word: &str,
@@ -278,7 +279,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The numbers that a comparison accepts; `None` when there is none.
+    /// The numbers that a comparison accepts; `None` without a comparison.
     fn comparison(&mut self) -> Result<Option<Vec<RangeInclusive<i128>>>, ConditionError> {
         let number = "a number";
         Ok(Some(if self.symbol(">=") {
@@ -312,7 +313,7 @@ impl Parser<'_> {
         Ok(first..=last)
     }
 
-    /// A number in decimal or, behind `0x`, in hexadecimal; of at most 64 bits.
+    /// A decimal number, or a hexadecimal one after `0x`; at most 64 bits.
     fn number(&mut self, expected: &'static str) -> Result<i128, ConditionError> {
         let (negative, text) = match self.rest.strip_prefix('-') {
             Some(rest) => (true, rest),
@@ -329,7 +330,7 @@ impl Parser<'_> {
         Ok(if negative { -i128::from(number) } else { i128::from(number) })
     }
 
-    /// A number in hexadecimal, with `h` behind it or without.
+    /// A hexadecimal number, with or without the suffix `h`.
     fn hex<T: TryFrom<u32>>(&mut self, expected: &'static str) -> Result<T, ConditionError> {
         let end = self.rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(self.rest.len());
         let (digits, rest) = self.rest.split_at(end);
@@ -360,7 +361,7 @@ impl Parser<'_> {
     }
 }
 
-/// How many ranges a comparison has; a text has room for far less than 4 thousand million.
+/// The number of ranges; a text cannot contain 2³² of them.
 fn count(ranges: &[RangeInclusive<i128>]) -> u32 {
     u32::try_from(ranges.len()).unwrap_or(u32::MAX)
 }

@@ -1,4 +1,4 @@
-//! The bits of a value in words.
+//! Meanings of bits in words.
 
 use std::ops::Range;
 
@@ -6,10 +6,10 @@ use super::{BitField, EntryFacts, ObjectFacts, Profile, for_all, of_number};
 use crate::model::{Device, Value};
 
 impl EntryFacts<'_> {
-    /// What the bits of a number say, as far as the document knows: groups of bits with what their value means, single bits
-    /// that are set by their names. A negative number counts as its two's complement. `None` where it says nothing.
+    /// The meaning of a number as defined by the document: bit fields with their meaning, and the names of
+    /// single bits that are set. Negative numbers use two's complement. `None` if nothing is defined.
     pub fn meaning(&self, number: i128) -> Option<String> {
-        // what lies beyond 64 bits has no fields
+        // there are no fields beyond 64 bits
         let value = (number & i128::from(u64::MAX)) as u64;
         let parts: Vec<String> = self.bits().filter_map(|field| part(field, value)).collect();
         match parts.is_empty() {
@@ -20,7 +20,7 @@ impl EntryFacts<'_> {
     }
 }
 
-/// What a group of bits says; `None` for one that is 0 and has no word for that.
+/// The meaning of a bit field; `None` if it is 0 and has no meaning for 0.
 fn part(field: BitField<'_>, value: u64) -> Option<String> {
     let number = field.of(value);
     match (field.meaning(value), number) {
@@ -31,16 +31,16 @@ fn part(field: BitField<'_>, value: u64) -> Option<String> {
     }
 }
 
-/// The area of a dictionary that is the manufacturer's (CiA 301 §7.4.1).
+/// The manufacturer-specific area of the dictionary (CiA 301 §7.4.1).
 const MANUFACTURER: Range<u16> = 0x2000..0x6000;
 
-/// What the documents that a device follows say of an object: its device profile, then those for all devices. Each is
-/// what it says of the object in the logical device that `index` lies in.
+/// The definitions of an object in the documents that apply to a device: its device profile, then those for
+/// all devices. Each is the definition for the logical device of `index`.
 pub fn of_object(
     device: &Device,
     index: u16,
 ) -> impl Iterator<Item = (&'static Profile, ObjectFacts<'static>)> {
-    // no document of CiA describes what is the manufacturer's
+    // CiA documents do not define manufacturer-specific objects
     let blocks = if MANUFACTURER.contains(&index) { 0..0 } else { 0..super::MAX_BLOCKS };
     let own = blocks.clone().filter_map(move |block| {
         let number = super::number_of(device, if device.profile() == Some(0xFFFF) { block } else { 0 })?;
@@ -51,8 +51,8 @@ pub fn of_object(
     own.chain(for_it.filter_map(move |profile| Some((profile, profile.object(index)?))))
 }
 
-/// What documents say of the bits of an entry, the lowest first: all that the first one of them says, and of the others
-/// what is about bits that no document before speaks of.
+/// The bit fields of an entry in several documents, the lowest first: all of the first document, and from the
+/// others only those for bits not yet defined.
 pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -> Vec<BitField<'a>> {
     let mut fields: Vec<BitField<'a>> = Vec::new();
     for entry in documents.into_iter().filter_map(|facts| facts.entry(sub)) {
@@ -66,8 +66,8 @@ pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -
     fields
 }
 
-/// What the bits of an entry's value say, after the documents that the device follows. Of CiA 301, `Decoder` of
-/// `objdict-document` says it, in sentences.
+/// The meaning of an entry's bits in the documents that apply to the device. For CiA 301, `Decoder` of
+/// `objdict-document` provides it in sentences.
 pub fn meaning(device: &Device, index: u16, sub: u8, value: &Value) -> Option<String> {
     let number = value.as_integer()?;
     let documents = of_object(device, index).filter(|(profile, _)| profile.group != "cia301");

@@ -1,8 +1,8 @@
-//! The default mapping of an I/O module (CiA 401): which PDO carries which channels when nobody has configured it.
+//! The default mapping of an I/O module (CiA 401): the channels in each PDO of an unconfigured module.
 
 use crate::model::{MappedObject, PdoKind};
 
-/// Entries of the arrays that hold the channels of an I/O module.
+/// The numbers of I/O channels: entries of the channel arrays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Channels {
     /// Bytes of digital inputs, 6000h.
@@ -15,26 +15,27 @@ pub struct Channels {
     pub analog_outputs: u8,
 }
 
-/// A PDO with what it carries.
+/// A PDO with its mapping.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PdoMap {
-    /// Direction.
+    /// The direction.
     pub kind: PdoKind,
-    /// Number, from 1.
+    /// The PDO number, from 1.
     pub number: u16,
-    /// What it carries, in the order of the frame.
+    /// The mapped objects in frame order.
     pub mapped: Vec<MappedObject>,
 }
 
-/// Entries that PDO 1, and PDOs 2 to 4 together, carry: 8 bytes, and 12 words.
+/// Number of entries in PDO 1, and in PDOs 2 to 4 together: 8 bytes, and 12 words.
 const DIGITAL_IN_FIRST: usize = 8;
 const WORDS_A_PDO: usize = 4;
 /// PDOs 2 to 4 are for analogue channels.
 const ANALOG_PDOS: usize = 3;
 
-/// The PDOs of a module: PDO 1 carries the first 8 bytes of digital channels, PDOs 2 to 4 the first 12 words of analogue
-/// ones; PDOs without channels are left out. What they have no room for is in PDO 5 and above, as CiA 301 lets a device
-/// number them: analogue channels first, then digital ones. CiA 401 §6.2, figures of the default mapping.
+/// The default PDOs of a module: PDO 1 maps the first 8 bytes of digital channels, PDOs 2 to 4 map the first
+/// 12 words of analogue channels; PDOs without channels are omitted. Further channels follow in PDO 5 and
+/// above, numbered as CiA 301 allows: analogue channels first, then digital ones. CiA 401 §6.2, figures of
+/// the default mapping.
 pub fn of_channels(channels: &Channels) -> Vec<PdoMap> {
     let mut pdos =
         of_direction(PdoKind::Rpdo, (0x6200, channels.digital_outputs), (0x6411, channels.analog_outputs));

@@ -1,4 +1,4 @@
-//! What a document says of an object and of its entries.
+//! Definitions of objects and entries in a document.
 
 use std::ops::RangeInclusive;
 
@@ -6,71 +6,73 @@ use super::Condition;
 use super::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Tables};
 use crate::model::{Access, DataType, Device, ObjectType, Value};
 
-/// What a document says of an object, or of a range of alike ones.
+/// The definition of an object, or of a range of similar ones.
 #[derive(Clone, Copy, Debug)]
 pub struct ObjectFacts<'a> {
     /// First index.
     pub first: u16,
-    /// Last index; the first one for a single object.
+    /// Last index; equal to `first` for a single object.
     pub last: u16,
     /// Name in the document.
     pub name: &'a str,
-    /// The object type, then others that real devices have and that do no harm; empty where any may be.
+    /// The object type, followed by alternatives that real devices use and that do no harm; empty if any is
+    /// allowed.
     pub object_types: &'a [ObjectType],
-    /// Whether a device has to have it.
+    /// Whether the object is mandatory.
     pub need: Need<'a>,
-    /// When it makes sense at all; always, without.
+    /// The condition under which the object is meaningful; `None`: always.
     pub only: Option<&'a Condition>,
-    /// Objects that it has as many elements as: the first ones of those that are there. Empty where the document does not
-    /// say.
+    /// Objects with the same number of elements, of which the first existing ones apply. Empty if the
+    /// document does not state any.
     pub as_many_as: &'a [u16],
-    /// Where the document says so, or who else does.
+    /// The section of the document, or another source.
     pub source: Option<&'a str>,
-    /// What it is for, in one English sentence of our own.
+    /// Its purpose in one English sentence, in the words of this project.
     pub about: Option<&'a str>,
     entries: &'a [EntryRow],
     tables: &'a Tables,
 }
 
-/// What a document says of a sub-index, or of a range of alike ones.
+/// The definition of a sub-index, or of a range of similar ones.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryFacts<'a> {
     /// First sub-index.
     pub first: u8,
-    /// Last sub-index; the first one for a single entry.
+    /// Last sub-index; equal to `first` for a single entry.
     pub last: u8,
     /// Name in the document; empty for the value of a VAR.
     pub name: &'a str,
-    /// The data type, then others that editions know; empty where any may be.
+    /// The data type, followed by alternatives from other editions; empty if any is allowed.
     pub data_types: &'a [DataType],
-    /// The access type, then others that editions allow; empty where any may be. See [`EntryFacts::accepts_access`].
+    /// The access type, followed by alternatives from other editions; empty if any is allowed. See
+    /// [`EntryFacts::accepts_access`].
     pub access: &'a [Access],
-    /// Whether the entry is there whenever the object is.
+    /// Whether the entry is mandatory if the object exists.
     pub need: Need<'a>,
-    /// Whether a PDO may carry it; `None` where the document does not say.
+    /// The PDOs that may map it; `None` if the document does not state it.
     pub mapping: Option<Mapping>,
-    /// The values that it may have; empty for all of the data type.
+    /// The allowed values; empty for all values of the data type.
     pub values: &'a [RangeInclusive<i128>],
-    /// The value that it has when the device comes from its maker.
+    /// The default value as delivered by the vendor.
     pub default: Option<&'a Value>,
-    /// The unit of its value, such as `ms`; `None` where it has none or the device chooses it.
+    /// The unit of its value, such as `ms`; `None` if there is none or the device chooses it.
     pub unit: Option<&'a str>,
     bits: &'a [BitRow],
     tables: &'a Tables,
 }
 
-/// Whether something has to be there.
+/// Whether an object or entry is mandatory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Need<'a> {
-    /// It may be there.
+    /// Optional.
     Optional,
-    /// It has to be.
+    /// Mandatory.
     Mandatory,
-    /// It has to be when something holds.
+    /// Mandatory under a condition.
     When(&'a Condition),
 }
 
-/// Which PDOs may carry an entry.
+/// The PDOs that may map an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mapping {
     /// None.
@@ -83,14 +85,14 @@ pub enum Mapping {
     Any,
 }
 
-/// A group of bits of a value.
+/// A bit field of a value.
 #[derive(Clone, Copy, Debug)]
 pub struct BitField<'a> {
     /// Lowest bit, counted from 0.
     pub first: u8,
     /// Highest bit.
     pub last: u8,
-    /// What it is.
+    /// Its name.
     pub name: &'a str,
     meanings: &'a [MeaningRow],
     texts: &'a str,
@@ -105,7 +107,7 @@ impl<'a> Need<'a> {
         }
     }
 
-    /// Whether a logical device, see [`Condition::holds`], surely needs what has this need.
+    /// Whether the object or entry is certainly mandatory for a logical device, see [`Condition::holds`].
     pub fn is_there(&self, device: &Device, block: u8) -> bool {
         match self {
             Self::Optional => false,
@@ -132,41 +134,42 @@ impl<'a> ObjectFacts<'a> {
         }
     }
 
-    /// Whether the object is surely one for a logical device, see [`Condition::holds`], and not only for others.
+    /// Whether the object certainly applies to a logical device, see [`Condition::holds`], and not only to
+    /// others.
     pub fn is_for(&self, device: &Device, block: u8) -> bool {
         self.only.is_none_or(|only| only.holds(device, block) == Some(true))
     }
 
-    /// Whether a logical device has to have the object.
+    /// Whether the object is mandatory for a logical device.
     pub fn is_demanded(&self, device: &Device, block: u8) -> bool {
         self.need.is_there(device, block) && self.is_for(device, block)
     }
 
-    /// The object type that the document gives it; VAR where it does not say.
+    /// The object type in the document; VAR if it is not stated.
     pub fn object_type(&self) -> ObjectType {
         self.object_types.first().copied().unwrap_or(ObjectType::Var)
     }
 
-    /// Whether the document says of what object type it is.
+    /// Whether the document states the object type.
     pub fn states_type(&self) -> bool {
         !self.object_types.is_empty()
     }
 
-    /// The sub-indexes that it may have, in ascending order; 0 for the value of a VAR. None where the document says nothing
-    /// of them.
+    /// The allowed sub-indexes in ascending order; 0 for the value of a VAR. Empty if the document does not
+    /// define any.
     pub fn entries(&self) -> impl ExactSizeIterator<Item = EntryFacts<'a>> + use<'a> {
         let tables = self.tables;
         self.entries.iter().map(move |row| EntryFacts::of(row, tables))
     }
 
-    /// What it says of a sub-index; `None` for one that the object does not have.
+    /// The definition of a sub-index; `None` if the object does not have it.
     pub fn entry(&self, sub: u8) -> Option<EntryFacts<'a>> {
         let at = self.entries.partition_point(|entry| entry.last < sub);
         let row = self.entries.get(at).filter(|entry| entry.first <= sub);
         row.map(|row| EntryFacts::of(row, self.tables))
     }
 
-    /// The highest sub-index that it may have.
+    /// The highest allowed sub-index.
     pub fn highest_sub(&self) -> u8 {
         self.entries.last().map_or(0, |entry| entry.last)
     }
@@ -190,7 +193,7 @@ impl<'a> EntryFacts<'a> {
         }
     }
 
-    /// What its bits mean.
+    /// The bit fields.
     pub fn bits(&self) -> impl ExactSizeIterator<Item = BitField<'a>> + use<'a> {
         let tables = self.tables;
         self.bits.iter().map(move |row| BitField {
@@ -207,8 +210,8 @@ impl<'a> EntryFacts<'a> {
         self.data_types.is_empty() || self.data_types.contains(&data_type)
     }
 
-    /// Whether an entry may have this access type. `ro` and `const` stand for each other, for the editions of CiA 301
-    /// exchanged them; `rwr` and `rww` say more than `rw` and are no other access.
+    /// Whether an entry may have this access type. `ro` and `const` are interchangeable, because they are
+    /// swapped between editions of CiA 301; `rwr` and `rww` are more specific forms of `rw`.
     pub fn accepts_access(&self, access: Access) -> bool {
         let stands_for = |allowed: Access| match allowed {
             Access::Ro | Access::Const => matches!(access, Access::Ro | Access::Const),
@@ -223,12 +226,12 @@ impl<'a> EntryFacts<'a> {
         self.values.is_empty() || self.values.iter().any(|range| range.contains(&value))
     }
 
-    /// Whether a PDO may carry it, as far as the document says.
+    /// Whether PDOs may map it, as far as the document states it.
     pub fn is_mappable(&self) -> bool {
         self.mapping.is_some_and(|mapping| mapping != Mapping::No)
     }
 
-    /// Whether the entry is there whenever the object is.
+    /// Whether the entry is mandatory if the object exists.
     pub fn is_mandatory(&self) -> bool {
         self.need == Need::Mandatory
     }
@@ -247,20 +250,20 @@ impl Mapping {
 }
 
 impl<'a> BitField<'a> {
-    /// Its part of a value.
+    /// The value of its bits.
     pub fn of(&self, value: u64) -> u64 {
         let width = u32::from(self.last.saturating_sub(self.first)) + 1;
         let mask = u64::MAX.checked_shr(64u32.saturating_sub(width)).unwrap_or(0);
         value.checked_shr(self.first.into()).unwrap_or(0) & mask
     }
 
-    /// What its values mean.
+    /// The meanings of its values.
     pub fn meanings(&self) -> impl ExactSizeIterator<Item = (RangeInclusive<u64>, &'a str)> + use<'a> {
         let texts = self.texts;
         self.meanings.iter().map(move |row| (row.first..=row.last, row.text.of_text(texts)))
     }
 
-    /// What its part of a value means, where the document says so.
+    /// The meaning of its bits in a value, if the document defines it.
     pub fn meaning(&self, value: u64) -> Option<&'a str> {
         let part = self.of(value);
         self.meanings().find(|(range, _)| range.contains(&part)).map(|(_, meaning)| meaning)

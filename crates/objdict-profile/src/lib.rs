@@ -1,8 +1,8 @@
-//! What documents demand of objects, as data: one TOML file a document (`data/`), of which `cargo xtask profiles` makes
-//! constants (`constants/`), and custom profiles, which are read in the same form. Rules, generators and the command
-//! ask here and know no table themselves.
+//! Requirements of CiA documents as data: one TOML file per document (`data/`), from which `cargo xtask
+//! profiles` generates constants (`constants/`), and custom profiles in the same format. Rules, generators
+//! and the command query these tables and contain none of their own.
 //!
-//! `docs/profiles.md` describes the form.
+//! `docs/profiles.md` describes the format.
 
 mod condition;
 mod constants;
@@ -36,30 +36,30 @@ use objdict_model::{diagnostic, source};
 use self::tables::Tables;
 use crate::model::Device;
 
-/// The index at which the objects of a profile begin; each further logical device of a module lies behind the others.
+/// The first index of profile objects; further logical devices of a module follow at fixed offsets.
 const FIRST_INDEX: u16 = 0x6000;
-/// Indexes that a logical device has (CiA 301 §7.4.1).
+/// Number of indexes of a logical device (CiA 301 §7.4.1).
 const BLOCK: u16 = 0x800;
-/// So many logical devices a module may have.
+/// Maximum number of logical devices in a module.
 pub const MAX_BLOCKS: u8 = 8;
 
-/// What a document demands of a device.
+/// The requirements of a document.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    /// The group of the rules that hold a device against it: `cia401`; `custom` for a profile that was loaded.
+    /// The group of the rules that check a device against it: `cia401`; `custom` for a loaded profile.
     pub group: &'static str,
-    /// The document as people call it: `CiA 401`.
+    /// The common name of the document: `CiA 401`.
     pub document: Cow<'static, str>,
-    /// What it is about.
+    /// Its subject.
     pub title: Cow<'static, str>,
     /// The edition.
     pub version: Option<Cow<'static, str>>,
-    /// The device profile number: the low word of 1000h of a device that follows it. Without it, the document is for
-    /// devices of any profile.
+    /// The device profile number: the low word of 1000h. Without it, the document applies to devices of any
+    /// profile.
     pub number: Option<u16>,
-    /// Whether a module may have several logical devices of it, 800h indexes apart (CiA 301 §7.4.1).
+    /// Whether a module may contain several of its logical devices, 800h indexes apart (CiA 301 §7.4.1).
     pub repeats: bool,
-    /// What it says of objects.
+    /// Its object definitions.
     #[doc(hidden)]
     pub tables: Tables,
 }
@@ -70,15 +70,15 @@ impl Profile {
         self.tables.objects.iter().map(|row| ObjectFacts::of(row, &self.tables))
     }
 
-    /// What it says of an object of the first logical device; `None` for one that it does not define.
+    /// The definition of an object of the first logical device; `None` if it is not defined.
     pub fn object(&self, index: u16) -> Option<ObjectFacts<'_>> {
         let at = self.tables.objects.partition_point(|row| row.last < index);
         let row = self.tables.objects.get(at).filter(|row| row.first <= index);
         row.map(|row| ObjectFacts::of(row, &self.tables))
     }
 
-    /// What it says of an object that a logical device has at `index`, counted from 0. Communication objects belong to
-    /// the first.
+    /// The definition of the object at `index` for a logical device, counted from 0. Communication objects
+    /// belong to the first logical device.
     pub fn object_in(&self, block: u8, index: u16) -> Option<ObjectFacts<'_>> {
         match block {
             0 => self.object(index),
@@ -91,13 +91,13 @@ impl Profile {
     }
 }
 
-/// The index that an object of the first logical device has in another one, counted from 0.
+/// Converts an index of the first logical device to another one, counted from 0.
 pub const fn index_in(block: u8, index: u16) -> u16 {
     if index < FIRST_INDEX { index } else { index.saturating_add(BLOCK.saturating_mul(block as u16)) }
 }
 
-/// Where the device type of a logical device stands: 1000h or, when that says that there are several (FFFFh in its low
-/// word), 67FFh and each 800h behind it (CiA 301 §7.5.2.1).
+/// The index of a logical device's device type: 1000h or, if it indicates several logical devices (FFFFh in
+/// its low word), 67FFh plus multiples of 800h (CiA 301 §7.5.2.1).
 pub fn device_type_index(device: &Device, block: u8) -> u16 {
     match device.profile() {
         Some(0xFFFF) => index_in(block, 0x67FF),
@@ -105,7 +105,7 @@ pub fn device_type_index(device: &Device, block: u8) -> u16 {
     }
 }
 
-/// The device profile number that a logical device states.
+/// The device profile number of a logical device.
 pub fn number_of(device: &Device, block: u8) -> Option<u16> {
     let value = device.object(device_type_index(device, block))?.value(0)?.as_integer()?;
     u16::try_from(value & 0xFFFF).ok()

@@ -1,4 +1,4 @@
-//! Opens a profile by its number or by the path of its file.
+//! Opens profiles by number or by file path.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -22,15 +22,15 @@ pub enum OpenError {
     /// The file is not a valid profile.
     #[error("`{}` is not a valid profile: {error}", source_file.name())]
     Invalid {
-        /// The file.
+        /// The invalid profile.
         source_file: Box<SourceFile>,
-        /// What is wrong.
+        /// The error.
         error: ProfileError,
     },
 }
 
 impl OpenError {
-    /// What to do about it.
+    /// How to fix it.
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Unknown { .. } => Some(format!(
@@ -49,16 +49,16 @@ fn numbers() -> String {
 }
 
 impl Profile {
-    /// The number of a document as people call it: `401`.
+    /// The number in the common name of a document: `401`.
     pub fn document_number(&self) -> &str {
         self.group.trim_start_matches("cia")
     }
 }
 
-/// The profile of a number such as `401` or `CiA 401`, or that of a file with a path from `folder` on.
+/// Opens the profile with a number such as `401` or `CiA 401`, or a file with a path relative to `folder`.
 ///
 /// # Errors
-/// If there is no profile of this name, or the file cannot be read or is not a valid profile.
+/// Fails if there is no such profile, or if the file cannot be read or is not a valid profile.
 pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
     if let Some(profile) = named(name) {
         return Ok(Arc::new(profile.clone()));

@@ -1,4 +1,4 @@
-//! The documents that come with the program.
+//! The built-in documents.
 
 use std::ops::RangeInclusive;
 
@@ -6,28 +6,28 @@ use super::Profile;
 use super::constants::DOCUMENTS;
 use crate::model::Device;
 
-/// Documents below this number are for devices of any profile (CiA 301 and its additions).
+/// Documents below this number apply to devices of any profile (CiA 301 and its additions).
 const FIRST_DEVICE_PROFILE: u16 = 400;
 
-/// All documents that come with the program, in the order of their numbers.
+/// All built-in documents in ascending order.
 pub fn standard() -> impl Iterator<Item = &'static Profile> {
     DOCUMENTS.iter().map(|&(_, profile)| profile)
 }
 
-/// The document of a number, as `401`, `CiA 401` or `cia401` name it.
+/// The document with a number, given as `401`, `CiA 401` or `cia401`.
 pub fn named(name: &str) -> Option<&'static Profile> {
     let digits = name.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == ' ' || c == '-');
     let number: u16 = digits.parse().ok()?;
     DOCUMENTS.iter().find(|(of, _)| *of == number).map(|&(_, profile)| profile)
 }
 
-/// The document of a device profile number.
+/// The document for a device profile number.
 pub fn of_number(number: u16) -> Option<&'static Profile> {
     standard().find(|profile| profile.number == Some(number))
 }
 
-/// The documents that hold for a device whatever its profile is. That of network managers says nothing of a device that
-/// has nothing of one.
+/// The documents that apply to a device regardless of its profile. The document for network managers applies
+/// only to devices with at least one of its objects.
 pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
     let is_manager = device.objects.range(OF_MANAGERS).next().is_some();
     let for_all = DOCUMENTS.iter().filter(|(number, _)| *number < FIRST_DEVICE_PROFILE);
@@ -35,10 +35,10 @@ pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
     for_it.map(|&(_, profile)| profile)
 }
 
-/// All that CiA 302 describes lies here, and nothing of it is demanded of a device that has nothing else of it.
+/// The objects of CiA 302, which are only required if the device has at least one of them.
 const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
 
-/// What an object was for that CiA 301 had before version 4 and has given up since.
+/// The former purpose of an object removed from CiA 301 in version 4.
 pub fn obsolete(index: u16) -> Option<&'static str> {
     Some(match index {
         0x1004 => "number of PDOs supported",

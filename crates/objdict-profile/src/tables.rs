@@ -1,6 +1,6 @@
-//! How a profile is stored: rows that name what belongs to them by its position. So the tables of the documents that come
-//! with the program are plain data without pointers, of which a check touches what it looks at; custom ones are made
-//! when its TOML is read.
+//! Storage of profiles: rows refer to their lists by position. So the tables of built-in documents are plain
+//! data without pointers, and a check only touches the parts it uses; tables of custom profiles are built
+//! when their TOML is read.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -9,16 +9,16 @@ pub use super::condition::Term;
 use super::{Condition, Mapping};
 use crate::model::{Access, DataType, ObjectType, Value};
 
-/// So many items of a list, from a position on.
+/// A sub-list: position and number of items.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Part(pub u32, pub u32);
 
-/// What a profile says of objects.
+/// The object definitions of a profile.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tables {
     /// The objects, in ascending order of their indexes.
     pub objects: Cow<'static, [ObjectRow]>,
-    /// The entries of objects. Objects with the same entries share them, and so do all lists here.
+    /// The entries of objects. Objects with the same entries share them; so do all lists below.
     pub entries: Cow<'static, [EntryRow]>,
     /// The bits of entries.
     pub bits: Cow<'static, [BitRow]>,
@@ -38,11 +38,11 @@ pub struct Tables {
     pub defaults: Cow<'static, [Value]>,
     /// Indexes of objects.
     pub indexes: Cow<'static, [u16]>,
-    /// All names, one behind the other.
+    /// All texts, concatenated.
     pub texts: Cow<'static, str>,
 }
 
-/// An object, or a range of alike ones; see [`ObjectFacts`](super::ObjectFacts).
+/// An object, or a range of similar ones; see [`ObjectFacts`](super::ObjectFacts).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectRow {
     /// First index.
@@ -53,7 +53,7 @@ pub struct ObjectRow {
     pub name: Part,
     /// In the object types.
     pub object_types: Part,
-    /// Whether it has to be there.
+    /// Whether it is mandatory.
     pub need: NeedRow,
     /// The position of a condition.
     pub only: Option<u32>,
@@ -61,22 +61,22 @@ pub struct ObjectRow {
     pub as_many_as: Part,
     /// In the entries.
     pub entries: Part,
-    /// In the texts; empty where nothing is said.
+    /// In the texts; empty if not stated.
     pub source: Part,
-    /// In the texts; empty where nothing is said.
+    /// In the texts; empty if not stated.
     pub about: Part,
 }
 
-/// An entry, or a range of alike ones; see [`EntryFacts`](super::EntryFacts).
+/// An entry, or a range of similar ones; see [`EntryFacts`](super::EntryFacts).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EntryRow {
     /// First sub-index.
     pub first: u8,
     /// Last sub-index.
     pub last: u8,
-    /// Which PDOs may carry it.
+    /// The PDOs that may map it.
     pub mapping: Option<Mapping>,
-    /// Whether it has to be there.
+    /// Whether it is mandatory.
     pub need: NeedRow,
     /// In the texts.
     pub name: Part,
@@ -88,24 +88,24 @@ pub struct EntryRow {
     pub values: Part,
     /// The position of a default.
     pub default: Option<u32>,
-    /// In the texts; empty where the value has none.
+    /// In the texts; empty if there is none.
     pub unit: Part,
     /// In the bits.
     pub bits: Part,
 }
 
-/// Whether something has to be there; see [`Need`](super::Need).
+/// Whether an object or entry is mandatory; see [`Need`](super::Need).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NeedRow {
-    /// It may be there.
+    /// Optional.
     Optional,
-    /// It has to be.
+    /// Mandatory.
     Mandatory,
-    /// It has to be when the condition at this position holds.
+    /// Mandatory under the condition at this position.
     When(u32),
 }
 
-/// A group of bits; see [`BitField`](super::BitField).
+/// A bit field; see [`BitField`](super::BitField).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BitRow {
     /// Lowest bit.
@@ -118,7 +118,7 @@ pub struct BitRow {
     pub values: Part,
 }
 
-/// What some values of bits mean.
+/// The meaning of some values of a bit field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MeaningRow {
     /// First value.
@@ -130,20 +130,20 @@ pub struct MeaningRow {
 }
 
 impl Tables {
-    /// A text that may be missing.
+    /// An optional text.
     pub(super) fn stated(&self, text: Part) -> Option<&str> {
         Some(text.of_text(&self.texts)).filter(|text| !text.is_empty())
     }
 }
 
 impl Part {
-    /// The items of a list; none where it is shorter.
+    /// The items of a list; empty if they are out of bounds.
     pub fn of<T>(self, list: &[T]) -> &[T] {
         let from = list.get(self.0 as usize..);
         from.and_then(|items| items.get(..self.1 as usize)).unwrap_or_default()
     }
 
-    /// The part of a text; empty where that is shorter.
+    /// The part of a text; empty if it is out of bounds.
     pub fn of_text(self, text: &str) -> &str {
         let from = text.get(self.0 as usize..);
         from.and_then(|text| text.get(..self.1 as usize)).unwrap_or_default()

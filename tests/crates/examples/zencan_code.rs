@@ -1,5 +1,5 @@
-//! Makes the code of a node of each device configuration `*.toml` in a folder, beside it, as zencan-build does for a build
-//! script; prints those that it refuses. A chore of the repository calls it, see `cargo xtask targets`.
+//! Generates the node code for each device configuration `*.toml` in a folder, next to it, like zencan-build
+//! in a build script; prints those that it rejects. Called by `cargo xtask targets`.
 
 #![allow(clippy::print_stdout, reason = "what is printed is the result")]
 

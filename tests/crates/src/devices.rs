@@ -1,4 +1,4 @@
-//! The devices that are generated, for the build script and for the tests.
+//! The devices for the build script and for the tests.
 
 use std::path::Path;
 
@@ -6,10 +6,10 @@ use objdict::format;
 use objdict::model::Device;
 use objdict::source::SourceOptions;
 
-#[path = "odd.rs"] // a link: also the build script has this module
+#[path = "odd.rs"] // a symbolic link, because the build script also includes this module
 pub(crate) mod odd;
 
-/// Fixtures, by the stems of their names, which are identifiers of Rust when `-` becomes `_`.
+/// Fixtures by file stem, which becomes a Rust identifier if `-` is replaced by `_`.
 const FIXTURES: [&str; 11] = [
     "broken/hostile-unicode.eds",
     "dcf/io-401-node5.dcf",
@@ -29,7 +29,7 @@ pub(crate) fn fixtures() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
 }
 
-/// Names, which are identifiers, and devices.
+/// Names, which are valid identifiers, and devices.
 pub(crate) fn devices() -> Vec<(String, Device)> {
     let read = |file: &str| {
         let path = fixtures().join(file);

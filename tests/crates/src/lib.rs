@@ -1,5 +1,5 @@
-//! Tables that derive the traits of defmt: that they compile is all that is tried, for a program needs a logger. Everything else
-//! is in `tests`.
+//! Tables that derive the traits of defmt. They are only compiled, because a program needs a logger. All
+//! other tests are in `tests`.
 #![allow(unsafe_code, reason = "the macros of defmt write it")]
 
 include!(concat!(env!("OUT_DIR"), "/defmt.rs"));

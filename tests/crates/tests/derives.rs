@@ -1,4 +1,4 @@
-//! Values go through serde and come back, whatever their types are.
+//! Values of all types survive a round trip through serde.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 
 include!(concat!(env!("OUT_DIR"), "/serde.rs"));
 
-/// Bytes and back: the same bytes again, for not every REAL equals itself.
+/// Compares bytes after a round trip, because some REAL values are not equal to themselves.
 fn round<T: Serialize + DeserializeOwned>(values: T) {
     let bytes = postcard::to_stdvec(&values).unwrap();
     let back: T = postcard::from_bytes(&bytes).unwrap();

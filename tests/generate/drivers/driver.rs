@@ -1,9 +1,9 @@
-// Executes operations from the standard input on the table of od.rs, one a line:
-//   i NN            all values become the defaults of the node NN
+// Executes operations from standard input on the table of od.rs, one per line:
+//   i NN            sets all values to the defaults of the node NN
 //   r IIII SS NNNN  reads into a buffer of NNNN bytes
 //   w IIII SS BYTES writes; `-` for no bytes
 //   t               prints the table
-// All numbers are hexadecimal. Answers are `ok BYTES` or `abort CODE`, one a line.
+// All numbers are hexadecimal. Answers are `ok BYTES` or `abort CODE`, one per line.
 
 mod od {
     include!("od.rs");

@@ -1,5 +1,5 @@
-//! What targets make of the entries of a device, side by side: a column for each target, a row for each entry. Two cells of
-//! a row are equal, or one of the two targets has a note at the entry that says why not.
+//! The entries of a device in all targets side by side: a column per target, a row per entry. Two cells of a
+//! row are equal, or one of the two targets has a note for the entry that explains the difference.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,10 +8,10 @@ use objdict::model::Part;
 
 use crate::stacks::truth::Row;
 
-/// What a cell tells.
+/// The properties in a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Aspect {
-    /// That there is the entry.
+    /// Existence of the entry.
     Entry,
     Type,
     Size,
@@ -20,22 +20,22 @@ pub(crate) enum Aspect {
     Default,
 }
 
-/// What is compared of an entry that both targets have.
+/// The properties compared if both targets have an entry.
 const ASPECTS: [Aspect; 5] = [Aspect::Type, Aspect::Size, Aspect::Access, Aspect::Mapping, Aspect::Default];
 
-/// What a target made of the entries.
+/// The entries of a target.
 pub(crate) struct Column {
     pub(crate) target: &'static str,
-    /// What the tables of the target do not tell of any entry, as its page says: there is nothing to compare.
+    /// Properties that the tables of the target do not contain for any entry, as its page says; not compared.
     pub(crate) untold: &'static [Aspect],
-    /// What may be otherwise, where a note with these words is about the entry.
+    /// Properties that may differ if a note with this text applies to the entry.
     pub(crate) excuses: &'static [(Aspect, &'static str)],
     pub(crate) notes: Vec<Note>,
     pub(crate) cells: BTreeMap<(u16, u8), [String; 5]>,
 }
 
 impl Column {
-    /// Of a dump, as [`Row`] prints it.
+    /// Parses a dump in the format of [`Row`].
     pub(crate) fn of_dump(target: &'static str, dump: &str, notes: Vec<Note>) -> Self {
         let cells = dump.lines().map(cell).collect::<Option<_>>();
         let cells = cells.unwrap_or_else(|| panic!("{target}: no dump\n{dump}"));
@@ -47,7 +47,7 @@ impl Column {
         Self::of_dump(target, &dump, notes)
     }
 
-    /// Whether a note of the target says why something of an entry is otherwise.
+    /// Whether a note of the target explains a difference.
     fn is_excused(&self, (index, sub): (u16, u8), aspect: Aspect) -> bool {
         let is_about = |part: &Part, message: &str| match *part {
             Part::Entry(of, at) => (of, at) == (index, sub),
@@ -79,7 +79,7 @@ fn cell(line: &str) -> Option<((u16, u8), [String; 5])> {
     words.next().is_none().then_some(((index, sub), cell.map(str::to_owned)))
 }
 
-/// What two columns have not in common and no note excuses.
+/// Differences between two columns without a note.
 fn differences(a: &Column, b: &Column) -> Vec<String> {
     let rows: BTreeSet<(u16, u8)> = a.cells.keys().chain(b.cells.keys()).copied().collect();
     let mut differences = Vec::new();
@@ -105,7 +105,7 @@ fn differences(a: &Column, b: &Column) -> Vec<String> {
     differences
 }
 
-/// Compares each column with each other; how many pairs of cells there were.
+/// Compares all columns with each other; returns the number of compared cells.
 pub(crate) fn agree(name: &str, columns: &[Column]) -> Result<usize, String> {
     let mut all = Vec::new();
     let mut pairs = 0;

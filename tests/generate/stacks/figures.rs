@@ -1,5 +1,5 @@
-//! What the plain table in C costs on a processor of 32 bits, beside that of CANopenNode for the same description: one of
-//! 76 objects with 157 entries, as many as the device has that the project's figures are about.
+//! The size of the plain C table on a 32-bit processor compared with CANopenNode for the same description: 76
+//! objects with 157 entries, like the device used for the project's figures.
 
 use std::path::Path;
 
@@ -11,8 +11,8 @@ use crate::processors::build;
 use crate::stacks::beside;
 use crate::stacks::measure::{Measured, tools};
 
-/// What CANopenNode's own generator makes of that device takes on a Cortex-M4, in bytes: constants, and the values with the
-/// list of objects. Values that do not begin with zeros are in flash too.
+/// Size of the output of CANopenNode's own generator for that device on a Cortex-M4, in bytes: constants, and
+/// values with the list of objects. Values with a non-zero initial value are also in flash.
 const CONSTANTS: usize = 1_716;
 const VALUES: usize = 1_376;
 
@@ -24,7 +24,7 @@ const TYPES: [DataType; 5] = [
     DataType::INTEGER32,
 ];
 
-/// An entry of one of the types, each third with limits.
+/// An entry with one of the types; every third one has limits.
 fn entry(name: String, number: u16) -> Entry {
     let mut entry = Entry {
         name: name.into(),
@@ -41,7 +41,7 @@ fn entry(name: String, number: u16) -> Entry {
     entry
 }
 
-/// So many VARs, and so many RECORDs with three members and their number.
+/// This number of VARs, and of RECORDs with three members and sub-index 0.
 fn device(vars: u16, records: u16) -> Device {
     let mut device = Device::default();
     for number in 0..vars {
@@ -89,14 +89,15 @@ fn the_plain_table_takes_no_more_than_that_of_canopennode() {
         succeed(&mut cc, "").unwrap();
         tools.measure(folder.path()).unwrap()
     };
-    // tables only: what serves them is in the stack of the one, and in `od.c` of the other, once for any number of entries
+    // tables only: the code is part of the stack or of `od.c`, and its size does not depend on the number of
+    // entries
     let plain = measured("c", &["od.c", "data.c"]);
     let stack = measured("canopennode", &["OD.c"]);
     assert!(plain.flash <= stack.flash && plain.ram <= stack.ram, "{plain:?}, {stack:?}");
     assert!(plain.flash <= CONSTANTS + VALUES && plain.ram <= VALUES, "{plain:?}");
     assert!(plain.flash <= 16 * entries, "{plain:?}");
     let all = |measured: Measured| measured.flash + measured.ram + measured.code;
-    assert!(all(plain) <= all(stack), "{plain:?}, {stack:?}"); // even with the code that serves it
+    assert!(all(plain) <= all(stack), "{plain:?}, {stack:?}"); // even including the code
 }
 
 const COUNTS: &str = r#"
@@ -123,7 +124,7 @@ int main(void)
 }
 "#;
 
-/// A copy of the source counts how often it orders two keys; that they are equal is asked once more at the end.
+/// A copy of the source counts comparisons of two keys; equality is checked once more at the end.
 #[test]
 fn an_entry_is_found_with_log2_of_n_comparisons() {
     let Some(compiler) = c_compiler() else { return };

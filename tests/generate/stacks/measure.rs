@@ -1,5 +1,5 @@
-//! What the compiler makes of generated files for a processor of 32 bits: a Cortex-M4 where its compiler is installed, else
-//! the one that the tests run on, told to align as a Cortex-M4 does.
+//! The compiled size of generated files for a 32-bit processor: a Cortex-M4 if its compiler is installed,
+//! else the host with the alignment of a Cortex-M4.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -8,25 +8,25 @@ use std::process::Command;
 use crate::compile::{c_compiler, succeed};
 use crate::processors::{CORTEX_M4, CORTEX_M4_FLAGS, builds_for_32_bits, compiles_for_cortex_m4};
 
-/// Bytes of object files.
+/// Sizes in object files, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Measured {
-    /// Of constants and of what variables begin with.
+    /// Constants and initial values.
     pub(crate) flash: usize,
-    /// Of variables.
+    /// Variables.
     pub(crate) ram: usize,
-    /// Of functions, with the tables that the compiler makes for their `switch` statements.
+    /// Functions, including the tables of `switch` statements.
     pub(crate) code: usize,
 }
 
-/// A compiler for 32 bits and its tools.
+/// A 32-bit compiler and its tools.
 pub(crate) struct Tools {
     compiler: Box<dyn Fn(&Path) -> Command + Sync>,
     nm: &'static str,
     objdump: &'static str,
 }
 
-/// Those for a Cortex-M4, else for 32 bits; `None` where there are neither.
+/// The tools for a Cortex-M4, else for 32 bits; `None` if neither is installed.
 pub(crate) fn tools() -> Option<Tools> {
     if compiles_for_cortex_m4() {
         let compiler = Box::new(|folder: &Path| {
@@ -54,14 +54,14 @@ pub(crate) fn tools() -> Option<Tools> {
 }
 
 impl Tools {
-    /// The compiler, which makes an object file of each source.
+    /// The compiler command that creates an object file of each source.
     pub(crate) fn cc(&self, folder: &Path) -> Command {
         let mut command = (self.compiler)(folder);
-        command.arg("-DOD_NO_NAMES"); // which a linker leaves out, too
+        command.arg("-DOD_NO_NAMES"); // which a linker also removes
         command
     }
 
-    /// All object files of a folder.
+    /// Measures all object files of a folder.
     pub(crate) fn measure(&self, folder: &Path) -> Result<Measured, String> {
         let files = std::fs::read_dir(folder).map_err(|error| error.to_string())?;
         let objects: Vec<_> = files
@@ -84,7 +84,7 @@ impl Measured {
         let &[_, size, kind, name] = words.as_slice() else { return };
         let size = usize::from_str_radix(size, 16).unwrap();
         match kind.to_ascii_lowercase().as_str() {
-            // what images of groups look like is a part of the functions that serve them: some of it is put into these
+            // layouts of images belong to the functions, because the compiler inlines parts of them
             "r" if name.starts_with("CSWTCH") || name.ends_with("_kept") => self.code += size,
             "r" => self.flash += size,
             "d" => {

@@ -1,4 +1,4 @@
-//! One description, one truth: the dumps of all targets that compile here are compared with each other.
+//! All targets agree: compares the dumps of all targets that compile on this machine.
 
 use std::path::Path;
 use std::process::Command;
@@ -14,10 +14,10 @@ use crate::stacks::columns::{Aspect, Column, agree};
 use crate::stacks::truth::truth;
 use crate::stacks::{c_structs, canopen_stack, canopennode, microcanopen, objdict_macros};
 
-/// The node that everything runs on.
+/// The node-ID of all tests.
 const NODE_ID: u8 = 5;
 
-/// The devices with the most unlike entries; each target by itself is tried on all.
+/// The most different devices; each target is tested with all devices separately.
 const DEVICES: [&str; 9] = [
     "all-types.eds",
     "constant",
@@ -30,7 +30,7 @@ const DEVICES: [&str; 9] = [
     "odd",
 ];
 
-/// A line of the drivers of the plain targets as one of a dump; a formula of their tables stands without the node-ID.
+/// Converts a line of the plain drivers to a dump line; formulas in their tables are without the node-ID.
 fn dumped(line: &str) -> Option<String> {
     let words: Vec<&str> = line.split(' ').collect();
     let [index, sub, data_type, flags, size, default, ..] = words[..] else { return None };
@@ -51,12 +51,12 @@ fn dumped(line: &str) -> Option<String> {
     Some(format!("{index} {sub} {data_type} {size} {access} {default}\n"))
 }
 
-/// What the driver of a plain target is asked for.
+/// The input of a plain driver.
 fn table() -> String {
     format!("i {NODE_ID:02X}\nt\n")
 }
 
-/// What it prints then.
+/// Parses its output.
 fn plain(target: &'static str, printed: &str, notes: Vec<Note>) -> Result<Column, String> {
     let dump: Option<String> = printed.lines().map(dumped).collect();
     Ok(Column::of_dump(target, &dump.ok_or("the driver prints no table")?, notes))
@@ -86,7 +86,7 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     let mut column = Column::of_dump("canopen-stack", &dump, notes);
     for (_, cell) in column.cells.iter_mut().filter(|((index, sub), _)| *index == 0x1003 && *sub > 0) {
         if cell[4] == "-" {
-            cell[4] = "00000000".to_owned(); // an error history of zeros is one without errors, which cannot be read
+            cell[4] = "00000000".to_owned(); // an error history of zeros contains no errors and cannot be read
         }
     }
     columns.push(Column { untold: &[Aspect::Type], excuses: OF_CANOPEN_STACK, ..column });

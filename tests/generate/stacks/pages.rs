@@ -1,4 +1,4 @@
-//! The examples on the pages of the targets compile with what is generated.
+//! The examples on the target pages compile with the generated files.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,18 +10,18 @@ use crate::devices::device;
 use crate::stacks::beside;
 use crate::support::fixtures;
 
-/// What the examples of a page are about.
+/// The subject of a page's examples.
 struct Page {
     name: &'static str,
     fixture: &'static str,
-    /// Under which name the fixture is generated from.
+    /// The file stem used to generate the fixture.
     stem: &'static str,
     table: CTable,
-    /// Where the declarations of the stack are.
+    /// The folder with the declarations of the stack.
     stack: Option<&'static str>,
-    /// What stands around an example that is no file by itself; it is compiled between the two.
+    /// Text before and after an example that is not a complete file.
     around: Option<(&'static str, &'static str)>,
-    /// What the example prints, where it is a program.
+    /// The expected output of an example that is a program.
     prints: Option<&'static str>,
 }
 
@@ -67,7 +67,7 @@ fn page(name: &str) -> String {
     std::fs::read_to_string(path).unwrap()
 }
 
-/// The examples of a page in a language.
+/// The examples of a page in one language.
 fn examples<'t>(page: &'t str, language: &str) -> Vec<&'t str> {
     let fence = format!("```{language}\n");
     page.split(&fence).skip(1).filter_map(|rest| rest.split("```").next()).collect()
@@ -97,7 +97,7 @@ fn the_examples_of_the_pages_compile() {
         assert!(!examples.is_empty(), "{}: no example", about.name);
         for example in examples {
             if about.around.is_none() && !example.contains("#include") {
-                // a piece of the output
+                // an excerpt of the output
                 for line in example.lines().filter(|line| !line.is_empty()) {
                     assert!(text.contains(line), "{}: `{line}` is not in the output", about.name);
                 }
@@ -124,7 +124,8 @@ fn the_examples_of_the_pages_compile() {
     }
 }
 
-/// A page with an example in C is one of those above; the crates of others are compiled in tests/crates, with the examples.
+/// Every page with a C example is in the list above; examples for third-party crates are compiled in
+/// tests/crates.
 #[test]
 fn every_example_is_tried() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/targets");
@@ -147,7 +148,7 @@ fn every_example_is_tried() {
     }
 }
 
-/// What the lines of an example call, as far as it is the same in every program: up to the first argument.
+/// The calls in an example up to the first argument, which are the same in every program.
 fn calls(example: &str) -> impl Iterator<Item = &str> {
     let lines = example.lines().map(str::trim).filter(|line| !line.starts_with("//"));
     let called = lines.filter_map(|line| Some(line.split_once('(')?.0));

@@ -1,4 +1,4 @@
-//! The report of sizes says what the compiler makes of the tables, to the byte, for every target of C.
+//! The size report agrees with the compiler to the byte, for every C target.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::beside;
 use crate::stacks::measure::{Measured, Tools, tools};
 
-/// A target with options: how it is called, and the folder of its declarations.
+/// A target with options, and the folder of its declarations.
 struct Case {
     target: &'static str,
     declarations: &'static str,
@@ -57,7 +57,8 @@ impl Case {
         options
     }
 
-    /// What the compiler makes of the files; of plain `c`, with a variable for the values, which the application has.
+    /// The compiled size of the files; for plain `c`, including a variable for the values, which the
+    /// application defines.
     fn measured(
         &self,
         tools: &Tools,
@@ -102,7 +103,7 @@ fn the_report_is_what_the_compiler_makes_of_the_files() {
             let measured = case.measured(&tools, folder.path(), device, &options).map_err(fail)?;
             let mut total = report(device, case.target, &options).total;
             if options.limits && total.flash == measured.flash + ONLY_LIMIT {
-                total.flash = measured.flash; // the compiler puts the only row into the code
+                total.flash = measured.flash; // the compiler inlines the only row
             }
             if (total.flash, total.ram) != (measured.flash, measured.ram) {
                 return Err(fail(format!("{total:?} reported, {measured:?} measured")));
@@ -112,7 +113,7 @@ fn the_report_is_what_the_compiler_makes_of_the_files() {
     });
 }
 
-/// Of some targets nobody knows, and that is said.
+/// Some targets report why their sizes are unknown.
 #[test]
 fn where_sizes_are_not_known_the_reason_is() {
     let device = crate::odd::device();

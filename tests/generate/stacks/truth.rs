@@ -1,4 +1,4 @@
-//! The entries of a device as every stack shall have them, from the model alone.
+//! The expected entries of a device in every stack, derived from the model alone.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -12,21 +12,22 @@ use crate::oracle::{facts_of, hex};
 pub(crate) struct Row {
     pub(crate) index: u16,
     pub(crate) sub: u8,
-    /// The code of the data type in CiA 301; 0 for a type of the device's own, `None` where a stack does not tell.
+    /// The code of the data type in CiA 301; 0 for a device-specific type, `None` if the stack does not store
+    /// it.
     pub(crate) data_type: Option<u16>,
-    /// `None` for a type of the device's own.
+    /// `None` for a device-specific type.
     pub(crate) kind: Option<TypeKind>,
-    /// Bytes of a value, at most; `None` where a stack does not tell.
+    /// Maximum size of a value in bytes; `None` if the stack does not store it.
     pub(crate) size: Option<usize>,
     pub(crate) read: bool,
     pub(crate) write: bool,
     pub(crate) tpdo: bool,
     pub(crate) rpdo: bool,
-    /// The value after start, little-endian; `None` where a stack does not tell.
+    /// The initial value, little-endian; `None` if the stack does not store it.
     pub(crate) default: Option<Vec<u8>>,
 }
 
-/// `index sub type size access default`, with `-` for what is not told or empty: `2000 00 07 4 rwtp 01000000`.
+/// `index sub type size access default`, with `-` for missing or empty values: `2000 00 07 4 rwtp 01000000`.
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let data_type = self.data_type.map_or("-".to_owned(), |code| format!("{code:02X}"));
@@ -38,17 +39,17 @@ impl fmt::Display for Row {
     }
 }
 
-/// Something that a stack cannot express, and what it has instead. The table of a stack is as short as it can be.
+/// A property that a stack cannot express, and its replacement. The table of a stack is as short as possible.
 pub(crate) struct Lack {
-    /// In words, for whoever reads the table.
+    /// The description for readers of the table.
     pub(crate) what: &'static str,
-    /// Which entries it is about.
+    /// Selects the affected entries.
     pub(crate) of: fn(&Row) -> bool,
-    /// What the stack has instead; `None` for nothing.
+    /// The replacement; `None` for nothing.
     pub(crate) instead: fn(Row) -> Option<Row>,
 }
 
-/// All entries of a device on a node, by index and sub-index.
+/// All entries of a device for a node, by index and sub-index.
 pub(crate) fn truth(device: &Device, node_id: u8) -> Vec<Row> {
     facts_of(device)
         .map(|((index, sub), facts)| {
@@ -71,7 +72,7 @@ pub(crate) fn truth(device: &Device, node_id: u8) -> Vec<Row> {
         .collect()
 }
 
-/// The entries as a stack has them that lacks something.
+/// The expected entries of a stack with limitations.
 pub(crate) fn without(lacks: &[Lack], rows: Vec<Row>) -> Vec<Row> {
     assert!(lacks.iter().all(|lack| !lack.what.is_empty()));
     let instead = |row: Row| {
@@ -80,7 +81,7 @@ pub(crate) fn without(lacks: &[Lack], rows: Vec<Row>) -> Vec<Row> {
     rows.into_iter().filter_map(instead).collect()
 }
 
-/// The first lines of a harness that are not those of the entries.
+/// Reports the first lines of a harness that differ from the expected entries.
 pub(crate) fn compare(name: &str, expected: &[Row], output: &str) -> Result<(), String> {
     let expected: Vec<String> = expected.iter().map(Row::to_string).collect();
     let dumped: Vec<&str> = output.lines().collect();

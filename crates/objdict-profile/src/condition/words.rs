@@ -1,4 +1,4 @@
-//! Conditions in the words of CiA documents: `1000h bit 16 is set and bit 23 is not`.
+//! Conditions in the wording of CiA documents: `1000h bit 16 is set and bit 23 is not`.
 
 use super::{Condition, Term, place_of};
 use crate::model::Device;
@@ -12,18 +12,18 @@ impl Condition {
     }
 }
 
-/// A condition while it is written.
+/// A condition being written.
 struct Words<'a> {
     rest: &'a [Term],
     device: &'a Device,
     block: u8,
     text: String,
-    /// The object of the clause before and what that clause says of it.
+    /// Object and predicate of the previous clause.
     last: Option<(u16, &'static str)>,
 }
 
 impl Words<'_> {
-    /// Writes the next term, or its opposite. Alternatives need brackets among terms that all hold.
+    /// Writes the next term or its negation. Alternatives need brackets among terms joined by "and".
     fn term(&mut self, holds: bool, in_all: bool) {
         let Some((term, rest)) = self.rest.split_first() else { return };
         self.rest = rest;
@@ -93,7 +93,7 @@ impl Words<'_> {
         }
     }
 
-    /// A subject and what is said of it. What the clause before says already is not repeated.
+    /// A subject and its predicate, without what the previous clause already contains.
     fn clause(&mut self, index: u16, part: Option<&str>, is: &'static str) {
         let index = place_of(index, self.device, self.block);
         let before = self.last.filter(|(other, _)| *other == index).map(|(_, is)| is);
@@ -107,7 +107,7 @@ impl Words<'_> {
         self.last = Some((index, is));
     }
 
-    /// The next ranges, with a blank before.
+    /// The next ranges, preceded by a space.
     fn ranges(&mut self, count: u32) -> String {
         let (ranges, rest) = self.rest.split_at_checked(count as usize).unwrap_or_default();
         self.rest = rest;

@@ -1,4 +1,4 @@
-//! The values of keys in profiles, as TOML has them.
+//! TOML values of the keys in profiles.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -9,7 +9,7 @@ use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 use crate::model::{Access, DataType, ObjectType};
 use crate::{Condition, Mapping};
 
-/// A number in decimal or, behind `0x`, in hexadecimal.
+/// A decimal number, or a hexadecimal one after `0x`.
 pub(super) fn number(text: &str) -> Option<u64> {
     match text.strip_prefix("0x") {
         Some(digits) => u64::from_str_radix(digits, 16).ok(),
@@ -46,10 +46,10 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
     }
 }
 
-/// A word that names something.
+/// A keyword for a value.
 struct Named<T>(T);
 
-/// What words of profiles name.
+/// Types with keywords in profiles.
 trait Word: Sized {
     const EXPECTED: &'static str;
     fn of(word: &str) -> Option<Self>;
@@ -148,7 +148,7 @@ impl<'de> Deserialize<'de> for ConditionText {
     }
 }
 
-/// Numbers and pairs of the smallest and the largest number.
+/// Numbers, and pairs of a smallest and a largest number.
 #[derive(Default)]
 pub(super) struct Ranges(pub Vec<RangeInclusive<i128>>);
 
@@ -159,7 +159,7 @@ impl<'de> Deserialize<'de> for Ranges {
     }
 }
 
-/// Bits from the lowest to the highest.
+/// A range of bits, lowest first.
 pub(super) struct BitRange(pub RangeInclusive<u8>);
 
 impl<'de> Deserialize<'de> for BitRange {
@@ -208,7 +208,7 @@ impl<'de> Deserialize<'de> for NumberOrPair {
     }
 }
 
-/// What the values of bits mean: `{ 0 = "…", "1..3" = "…" }`.
+/// Meanings of a bit field's values: `{ 0 = "…", "1..3" = "…" }`.
 #[derive(Default)]
 pub(super) struct Meanings(pub Vec<(RangeInclusive<u64>, String)>);
 

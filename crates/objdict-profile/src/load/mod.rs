@@ -1,5 +1,5 @@
-//! Profiles from TOML. The form is the same for the documents that come with the program and for custom ones;
-//! `docs/profiles.md` describes it.
+//! Profiles from TOML. Built-in documents and custom profiles use the same format, described in
+//! `docs/profiles.md`.
 
 mod fields;
 mod pack;
@@ -20,15 +20,15 @@ use crate::diagnostic::nearest;
 use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
 use crate::source::Span;
 
-/// Why a text is no profile.
+/// Why a text is not a valid profile.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ProfileError {
-    /// What is wrong.
+    /// The message.
     pub message: String,
-    /// Where, in bytes of the text.
+    /// The position in bytes of the text.
     pub span: Option<Span>,
-    /// What was probably meant, or how it is done.
+    /// A suggestion or an instruction.
     pub help: Option<String>,
 }
 
@@ -39,8 +39,8 @@ impl ProfileError {
     }
 }
 
-/// What was meant by the word that a message calls unknown: one of the words that the message has behind it, or the name
-/// of a data type.
+/// A suggestion for a word reported as unknown: one of the words listed in the message, or the name of a data
+/// type.
 fn meant(message: &str) -> Option<&str> {
     let mut words = message.split('`').skip(1).step_by(2);
     let unknown = words.next().filter(|_| message.contains("unknown"))?;
@@ -49,10 +49,10 @@ fn meant(message: &str) -> Option<&str> {
 }
 
 impl Profile {
-    /// The profile that a TOML text describes, for rules of the group `custom`.
+    /// Parses a profile in TOML for rules of the group `custom`.
     ///
     /// # Errors
-    /// When the text is no TOML, has a key that profiles do not have, or a value that is none of its key.
+    /// Fails on invalid TOML, unknown keys and invalid values.
     pub fn from_toml(text: &str) -> Result<Self, ProfileError> {
         let file: ProfileFile = toml::from_str(text)
             .map_err(|error| ProfileError::new(error.message().to_owned(), error.span().map(span)))?;
@@ -81,7 +81,7 @@ impl Profile {
     }
 }
 
-/// A range of bytes as toml gives it; an offset beyond 4 GB is cut, the text is refused long before.
+/// Converts a byte range of toml; offsets beyond 4 GB are cut, but such a text is rejected long before.
 fn span(range: std::ops::Range<usize>) -> Span {
     let offset = |offset: usize| u32::try_from(offset).unwrap_or(u32::MAX);
     Span::new(offset(range.start), offset(range.end))
@@ -116,7 +116,7 @@ struct ObjectTable {
     as_many_as: Vec<u16>,
     entries: Option<Vec<EntryTable>>,
     elements: Option<NumberOrPair>,
-    // of the value of a VAR
+    // applies to the value of a VAR
     #[serde(default, deserialize_with = "data_types")]
     data_type: Vec<DataType>,
     #[serde(default, deserialize_with = "access_types")]
@@ -261,8 +261,8 @@ impl EntryTable {
     }
 }
 
-/// The entries of an ARRAY of alike elements: their number in sub-index 0, the first one, which is always there, and the
-/// others; all of them are, where the number is fixed.
+/// The entries of an ARRAY with similar elements: their number in sub-index 0, the first one, which is
+/// mandatory, and the others, which are mandatory if the number is fixed.
 fn elements(
     number: RangeInclusive<i128>,
     element: EntryRow,
@@ -297,7 +297,7 @@ fn elements(
     Ok([count, EntryRow { need, ..first }].into_iter().chain(others).collect())
 }
 
-/// A default value of a data type; without one, a whole number.
+/// A default value of a data type, or an integer without a data type.
 fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, String> {
     let wrong = || {
         let of = data_type.map_or_else(|| "a number".to_owned(), |data_type| data_type.to_string());

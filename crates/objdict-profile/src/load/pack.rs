@@ -1,4 +1,4 @@
-//! Making tables: lists behind each other, each of them once.
+//! Packing of tables: concatenated lists without duplicates.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use crate::Condition;
 use crate::model::{Access, DataType, ObjectType, Value};
 use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Part, Tables};
 
-/// Lists of one kind, behind each other.
+/// Concatenated lists of one type.
 pub(super) struct Lists<T> {
     items: Vec<T>,
     known: HashMap<Box<[T]>, Part>,
@@ -23,7 +23,7 @@ impl<T> Default for Lists<T> {
 }
 
 impl<T: Clone + Eq + Hash> Lists<T> {
-    /// Where a list stands.
+    /// The position of a list; appends it if necessary.
     pub(super) fn part(&mut self, list: &[T]) -> Part {
         if list.is_empty() {
             return Part::default();
@@ -38,12 +38,12 @@ impl<T: Clone + Eq + Hash> Lists<T> {
     }
 }
 
-/// A position or a count as tables have it; no text is long enough for more.
+/// A table position or count; a text cannot contain more.
 fn number(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
-/// The position of an item, which is added where it is not there yet.
+/// The position of an item, which is appended if it is new.
 fn position<T>(items: &mut Vec<T>, known: &mut HashMap<String, u32>, key: String, item: T) -> u32 {
     *known.entry(key).or_insert_with(|| {
         items.push(item);
@@ -51,7 +51,7 @@ fn position<T>(items: &mut Vec<T>, known: &mut HashMap<String, u32>, key: String
     })
 }
 
-/// Tables that are being made.
+/// Tables under construction.
 #[derive(Default)]
 pub(super) struct Packer {
     pub(super) entries: Lists<EntryRow>,

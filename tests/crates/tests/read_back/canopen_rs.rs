@@ -1,4 +1,4 @@
-//! canopen-rs: the function makes an `ObjectDictionary`, and the crate's node answers from it.
+//! canopen-rs: the function creates an `ObjectDictionary`, and the node of the crate answers from it.
 
 use canopen_rs::node::Node;
 use canopen_rs::{
@@ -11,15 +11,15 @@ use crate::{counted, devices, generated, noted};
 
 include!(concat!(env!("OUT_DIR"), "/canopen_rs.rs"));
 
-/// Makes the node of a device with a node-ID.
+/// Creates the node of a device with a node-ID.
 type Start = fn(u8) -> Box<dyn Served>;
 
-/// A dictionary of any size, in the node that serves it.
+/// A node with a dictionary of any size.
 pub(crate) trait Served {
     fn capacity(&self) -> usize;
     fn entry(&self, index: u16, sub: u8) -> Option<Entry>;
     fn refuses_more(&mut self) -> bool;
-    /// What an SDO upload gives; the code of the abort if it fails.
+    /// The result of an SDO upload, or the abort code.
     fn upload(&mut self, index: u16, sub: u8, data_type: DataType) -> Result<Value, u32>;
 }
 
@@ -60,7 +60,7 @@ fn served<const N: usize>(od: ObjectDictionary<N>, node_id: u8) -> Box<dyn Serve
     Box::new(node)
 }
 
-/// What becomes of the entries of a device.
+/// Results for the entries of a device.
 #[derive(Default)]
 struct Outcomes {
     same: usize,
@@ -128,7 +128,7 @@ fn every_entry_is_read_back_or_has_its_note() {
     assert!(same > 3000, "only {same} entries were compared");
 }
 
-/// What an SDO may write is what the description allows, but for the limits, which the notes name.
+/// SDO writes follow the description, except for limits, which the notes mention.
 #[test]
 fn limits_have_their_notes() {
     for (name, device) in devices::devices() {
@@ -141,7 +141,7 @@ fn limits_have_their_notes() {
     }
 }
 
-/// The page docs/targets/canopen-rs.md shows this.
+/// The example in docs/targets/canopen-rs.md.
 #[test]
 fn the_example_of_the_page() {
     use minimal::{address, od};

@@ -1,5 +1,5 @@
-//! Every entry of the devices is read back through the crate that it was generated for, and compared with what follows
-//! from the model alone. An entry that is not as it is described must have its note, and each note its entry.
+//! Reads back every entry of the devices through its crate and compares it with the value expected from the
+//! model. Each deviation must have a note, and each note a deviation.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -21,12 +21,12 @@ use devices::odd;
 use objdict::generate::{Generated, Note, Options, Target, generate};
 use objdict::model::{Device, Part};
 
-/// What is generated for a device.
+/// Generates a target for a device.
 fn generated(device: &Device, target: &str) -> Generated {
     generate(device, Target::named(target).unwrap(), &Options::default()).unwrap()
 }
 
-/// How many entries of each object the notes with a text are about: a note may stand for several.
+/// Number of entries per object in notes with a text; a note may apply to several entries.
 fn noted(notes: &[Note], text: &str) -> BTreeMap<u16, usize> {
     let mut noted = BTreeMap::new();
     for note in notes.iter().filter(|note| note.message.contains(text)) {
@@ -40,7 +40,7 @@ fn noted(notes: &[Note], text: &str) -> BTreeMap<u16, usize> {
     noted
 }
 
-/// How many entries of each object there are among these.
+/// Number of entries per object.
 fn counted(entries: &[(u16, u8)]) -> BTreeMap<u16, usize> {
     let mut counted = BTreeMap::new();
     entries.iter().for_each(|(index, _)| *counted.entry(*index).or_default() += 1);

@@ -1,4 +1,4 @@
-//! zencan: zencan-build takes the configuration, and the objects of the node that it makes answer as the description says.
+//! zencan: zencan-build accepts the configuration, and the objects of its node answer as described.
 
 use std::collections::BTreeMap;
 
@@ -25,24 +25,24 @@ type Table = &'static [ODEntry<'static>];
 /// Starts the node of a device with a node-ID.
 type Start = fn(u8) -> Table;
 
-/// Starts a node, so that its PDOs have their defaults.
+/// Starts a node, so that its PDOs get their defaults.
 fn start(node_id: u8, mbox: &'static NodeMbox, state: &'static NodeState<'static>, table: Table) -> Table {
     let _ = Node::new(NodeId::new(node_id).unwrap(), Callbacks::new(), mbox, state, table);
     table
 }
 
-/// What an SDO upload starts with.
+/// The data of an SDO upload.
 fn read(entry: &ODEntry<'_>, sub: u8) -> Result<Vec<u8>, AbortCode> {
     let mut buffer = [0; 882];
     let length = entry.data.read(sub, 0, &mut buffer)?;
     Ok(buffer[..length].to_vec())
 }
 
-/// Entries that are not as they are described, by what is different.
+/// Entries that differ from the description, by kind of difference.
 #[derive(Default)]
 struct Differences(BTreeMap<&'static str, Vec<(u16, u8)>>);
 
-/// The texts of the notes about each.
+/// The note texts for each kind.
 const KINDS: [&str; 9] = [
     "zencan has no such entry",
     "zencan adds the entry",
@@ -135,7 +135,7 @@ impl Differences {
             let mut observed = counted(self.0.get(kind).map_or(&[], Vec::as_slice));
             let mut noted = noted(notes, kind);
             if kind == "the value is " {
-                // nobody reads what is write-only
+                // write-only entries cannot be read
                 for row in rows.iter().filter(|row| !row.read) {
                     observed.remove(&row.index);
                     noted.remove(&row.index);
@@ -167,7 +167,7 @@ fn every_entry_is_read_back_or_has_its_note() {
     assert!(compared > 1000, "only {compared} entries were compared");
 }
 
-/// Why a BOOLEAN is no `boolean` of zencan: its SDO server reads into a buffer that is longer than a byte.
+/// Why a BOOLEAN cannot be a `boolean` in zencan: its SDO server uses a read buffer longer than one byte.
 #[test]
 fn zencan_reads_no_boolean_of_its_own() {
     let own = ScalarField::<bool>::new(true);
@@ -175,7 +175,7 @@ fn zencan_reads_no_boolean_of_its_own() {
     assert!(ScalarField::<u8>::new(1).read(0, &mut [0; 882]).is_ok());
 }
 
-/// The PDOs of a healthy device are those that it describes.
+/// The PDOs of a valid device are those of its description.
 #[test]
 fn pdos_have_their_defaults() {
     let table = nodes::DEVICES.iter().find(|(name, _)| *name == "io_401").map(|(_, start)| start(9)).unwrap();

@@ -1,4 +1,4 @@
-//! The target `c` with `--table structs`: it lacks nothing.
+//! The target `c` with `--table structs`: has no limitations.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::processors::{Programs, build};
 use crate::stacks::beside;
 use crate::stacks::truth::{compare, truth};
 
-/// A limit on a node, as the harness prints it.
+/// A limit for a node, as the harness prints it.
 fn limit(limit: Option<&Value>, data_type: DataType, node_id: u8) -> String {
     let Some(limit) = limit else { return "-".to_owned() };
     let on_node = limit.integer_for(node_id).and_then(|number| Value::from_integer(number, data_type));
@@ -30,7 +30,8 @@ fn with_limits(device: &Device, node_id: u8) -> Vec<String> {
     lines.collect()
 }
 
-/// The rows on a node, with names or without, a line each, and the notes; the program that prints them is `harness`.
+/// The rows for a node, with or without names, one per line, and the notes; `harness` is the program that
+/// prints them.
 pub(crate) fn dump(
     compiler: &str,
     folder: &Path,

@@ -11,7 +11,7 @@ use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
 use crate::stacks::{beside, checkout};
 
-/// What the rows of the stack do not tell.
+/// Data missing in the rows of the stack.
 const LACKS: [Lack; 5] = [
     Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
     Lack {
@@ -62,7 +62,7 @@ fn write(folder: &Path, device: &Device, options: &Options) -> Generated {
     generated
 }
 
-/// The rows that the stack shall have; without 1200h, its own.
+/// The expected rows of the stack; without 1200h, its default one.
 fn expected(device: &Device, node_id: u8) -> Vec<Row> {
     let mut rows = without(&LACKS, truth(device, node_id));
     if !rows.iter().any(|row| row.index == 0x1200) {
@@ -79,7 +79,7 @@ fn expected(device: &Device, node_id: u8) -> Vec<Row> {
     rows
 }
 
-/// The entries as the stack finds them, a line each, and the notes.
+/// The entries found by the stack, one per line, and the notes.
 pub(crate) fn dump(
     compiler: &str,
     folder: &Path,

@@ -19,10 +19,10 @@ use crate::script::edges;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
 use crate::stacks::{beside, checkout};
 
-/// The node that everything runs on.
+/// The node-ID of all tests.
 const NODE_ID: u8 = 5;
 
-/// What the stack does not have.
+/// Features that the stack does not support.
 const LACKS: &[Lack] = &[
     Lack {
         what: "the tables do not tell data types",
@@ -53,7 +53,7 @@ fn up_to_zeros(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// What the stack puts in the place of a COB-ID.
+/// The value that the stack uses for a COB-ID.
 fn predefined(row: &Row) -> Option<Vec<u8>> {
     let bytes: [u8; 4] = row.default.as_deref()?.try_into().ok()?;
     let value = u32::from_le_bytes(bytes);
@@ -68,7 +68,7 @@ fn predefined(row: &Row) -> Option<Vec<u8>> {
     (value & 0x7FF == function).then(|| (value + u32::from(NODE_ID)).to_le_bytes().to_vec())
 }
 
-/// The entries as the stack has them: objects have 255 at most.
+/// The entries in the stack: at most 255 per object.
 fn expected(device: &Device) -> Vec<Row> {
     let mut rows = truth(device, NODE_ID);
     let mut counts: BTreeMap<u16, usize> = BTreeMap::new();
@@ -86,14 +86,14 @@ fn generate_into(folder: &Path, device: &Device, options: &Options) -> Vec<Note>
     generated.notes
 }
 
-/// A compiler's command that finds our declarations and the generated files.
+/// A compiler command with the project's declarations and the generated files.
 fn with_declarations(compiler: &str, folder: &Path) -> Command {
     let mut command = cc(compiler, folder);
     command.arg("-I").arg(beside("canopennode", "include")).arg("-I.");
     command
 }
 
-/// The entries as the stack finds them, a line each, and the notes.
+/// The entries found by the stack, one per line, and the notes.
 pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(String, Vec<Note>), String> {
     let notes = generate_into(folder, device, &Options::default());
     let mut cc = with_declarations(compiler, folder);
@@ -130,7 +130,7 @@ fn with_limits() -> Options {
     options
 }
 
-/// Whether limits of an entry are kept: the stack writes communication parameters itself.
+/// Whether limits of an entry are enforced: the stack writes communication parameters itself.
 fn is_kept(index: u16, facts: &Facts) -> bool {
     index >= 0x2000 && facts.access.is_writable() && (facts.low.is_some() || facts.high.is_some())
 }
@@ -172,7 +172,7 @@ fn limits_are_kept_where_it_is_asked_for() {
     assert!(writes > 400, "only {writes} writes were compared");
 }
 
-/// A BOOLEAN that is neither true nor false, which the stack takes.
+/// A BOOLEAN that is neither true nor false, which the stack accepts.
 fn is_no_truth(facts: &Facts, bytes: &[u8]) -> bool {
     facts.kind == Some(TypeKind::Boolean) && bytes.iter().any(|&byte| byte > 1)
 }

@@ -1,4 +1,4 @@
-//! The files as they are, and what generators for the stack are known to get wrong.
+//! The output files, and known mistakes of generators for the stack.
 
 use objdict::generate::{Options, Target, generate};
 use objdict::model::Device;
@@ -19,8 +19,8 @@ fn the_files_of_a_small_device() {
     }
 }
 
-/// Texts with backslashes, a REAL as its bits, a negative number of 24 bits, two members of a record with one name, and a
-/// COB-ID that the stack does not work out.
+/// Texts with backslashes, a REAL as its bits, a negative 24-bit number, two record members with the same
+/// name, and a COB-ID that the stack does not compute.
 const TRAPS: &str = "\
 [DeviceInfo]
 VendorName=Traps
@@ -97,11 +97,11 @@ fn nothing_falls_into_the_known_traps() {
         let line = output.lines().find(|line| line.starts_with(address)).unwrap();
         line.rsplit(' ').next().unwrap().to_owned()
     };
-    assert_eq!(value("2000 00"), "433A5C6E65775C"); // C:\new\ and nothing behind it
+    assert_eq!(value("2000 00"), "433A5C6E65775C"); // C:\new\ without anything after it
     assert_eq!(value("2001 00"), "0000C03F"); // 1.5, not 1069547520
     assert_eq!(value("2002 00"), "FDFFFF");
     assert_eq!((value("2003 01"), value("2003 02")), ("01".to_owned(), "02".to_owned()));
-    assert_eq!(value("2004 00"), "85060000"); // of node 5
+    assert_eq!(value("2004 00"), "85060000"); // for node 5
     let header = std::fs::read_to_string(folder.path().join("OD.h")).unwrap();
     assert!(header.contains("uint8_t mode;") && header.contains("uint8_t mode_02;"), "{header}");
     let source = std::fs::read_to_string(folder.path().join("OD.c")).unwrap();
@@ -110,7 +110,7 @@ fn nothing_falls_into_the_known_traps() {
     assert!(apply.split("\n}").next().unwrap().contains("x2004_customCOB_ID"), "{apply}");
 }
 
-/// What the stack stops the compiler with, or does not start with, is a warning, which tells what to do.
+/// Problems that make the stack stop compilation or fail to start are warnings with a help text.
 #[test]
 fn what_the_stack_demands_is_a_warning() {
     let generated = generate(&traps(), Target::named("canopennode").unwrap(), &Options::default()).unwrap();

@@ -12,18 +12,18 @@ use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
 use crate::support::fixtures;
 
-/// Whether a value has as many bytes as its length says.
+/// Whether the stored length is the actual length of a value.
 fn is_text(row: &Row) -> bool {
     use TypeKind::{Domain, OctetString, UnicodeString, VisibleString};
     matches!(row.kind, Some(VisibleString | OctetString | UnicodeString | Domain))
 }
 
-/// Whether the entry is no part of the process image, so that nobody can write it.
+/// Whether the entry is not in the process image and therefore not writable.
 fn is_reply(row: &Row) -> bool {
     row.index < 0x2000 || is_text(row)
 }
 
-/// What the tables do not have.
+/// Data missing in the tables.
 const LACKS: [Lack; 5] = [
     Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
     Lack {
@@ -69,7 +69,7 @@ fn built(compiler: &str, folder: &Path) -> Result<Programs, String> {
     build(&cc)
 }
 
-/// The entries as the stack finds them, a line each, and the notes.
+/// The entries found by the stack, one per line, and the notes.
 pub(crate) fn dump(
     compiler: &str,
     folder: &Path,

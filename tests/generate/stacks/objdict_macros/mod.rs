@@ -11,7 +11,7 @@ use crate::processors::{Programs, build};
 use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
 
-/// What the rows do not have.
+/// Data missing in the rows.
 const LACKS: [Lack; 3] = [
     Lack { what: "no data types", of: |_| true, instead: |row| Some(Row { data_type: None, ..row }) },
     Lack {
@@ -46,7 +46,7 @@ fn mapping(device: &Device) -> String {
     text
 }
 
-/// The rows, a line each, and the notes; the program that prints them is `harness`.
+/// The rows, one per line, and the notes; `harness` is the program that prints them.
 pub(crate) fn dump(
     compiler: &str,
     folder: &Path,

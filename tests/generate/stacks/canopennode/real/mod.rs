@@ -1,5 +1,5 @@
-//! The real stack, where `OBJDICT_CANOPENNODE_DIR` names a checkout of it: it compiles with the tables, starts, and its SDO
-//! server answers what the description says.
+//! The real stack, if `OBJDICT_CANOPENNODE_DIR` names a checkout: it compiles with the tables, starts, and
+//! its SDO server answers as described.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,7 +16,7 @@ use crate::oracle::hex;
 use crate::stacks::truth::Row;
 use crate::stacks::{beside, checkout};
 
-/// The files of the stack beside `CANopen.c`, which do not see the tables.
+/// The files of the stack besides `CANopen.c`, which do not depend on the tables.
 const SOURCES: [&str; 12] = [
     "301/CO_Emergency",
     "301/CO_HBconsumer",
@@ -32,8 +32,8 @@ const SOURCES: [&str; 12] = [
     "storage/CO_storage",
 ];
 
-/// Compiles the tables with the headers of the real stack, and the stack with the tables: it compiles just where no note
-/// says that it does not.
+/// Compiles the tables with the headers of the real stack, and the stack with the tables: this fails exactly
+/// if a note says so.
 pub(super) fn compiles(compiler: &str, folder: &Path, stack: &Path, notes: &[Note]) -> Result<(), String> {
     let cc = |flags: &[&str]| {
         let mut cc = Command::new(compiler);
@@ -52,7 +52,7 @@ pub(super) fn compiles(compiler: &str, folder: &Path, stack: &Path, notes: &[Not
     }
 }
 
-/// A compiler's command for the stack with a port of ours.
+/// A compiler command for the stack with the project's port.
 fn with_port(compiler: &str, folder: &Path, stack: &Path) -> Command {
     let mut cc = Command::new(compiler);
     cc.current_dir(folder).args(["-std=c99", "-I."]).arg("-I").arg(beside("canopennode", "real"));
@@ -60,10 +60,10 @@ fn with_port(compiler: &str, folder: &Path, stack: &Path) -> Command {
     cc
 }
 
-/// What the SDO server answers to the upload of an entry; `None` where that is decided by the stack.
+/// The expected answer to an upload of an entry; `None` if the stack decides it.
 fn answer(row: &Row) -> Option<String> {
-    let is_unicode = row.kind == Some(TypeKind::UnicodeString); // cut at its first zero
-    // the history is empty, and the error register tells what the stack found wrong, the silence of other nodes among it
+    let is_unicode = row.kind == Some(TypeKind::UnicodeString); // truncated at the first zero
+    // the history is empty, and the error register contains errors found by the stack, such as missing nodes
     let lives = (row.index == 0x1003 && row.sub > 0) || row.index == 0x1001;
     let history = [0].to_vec();
     let default = match (row.index, row.sub) {
@@ -96,7 +96,7 @@ fn the_sdo_server_of_the_real_stack_answers_what_the_description_says() {
             note.severity > Severity::Note || note.message.contains("reports an error when it starts")
         };
         if notes.iter().any(is_grave) {
-            return Ok(()); // it does not start, or not as it is described, and that is said
+            return Ok(()); // does not start, or not as described, which a note reports
         }
         let mut cc = with_port(&compiler, folder, &stack);
         cc.args(["-Wall", "-Wextra", "-o", "node", "OD.c"]).arg(stack.join("CANopen.c"));
