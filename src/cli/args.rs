@@ -113,6 +113,9 @@ pub(super) struct CheckArgs {
     /// The form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
+    /// Report each finding on its own: by default those of one cause are one finding with places
+    #[arg(long)]
+    pub all: bool,
     /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json
     #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
     pub statistics: Option<Counting>,

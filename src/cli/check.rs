@@ -15,7 +15,7 @@ use super::settings::{Project, Settings};
 use super::{Failure, Outcome, note, report};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
-use crate::report::{Report, Subject, plural};
+use crate::report::{Report, Subject, grouped, plural};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -194,6 +194,8 @@ struct Reporter<'a> {
     has_failed: bool,
     fixing: Fixing,
     args: &'a FixArgs,
+    /// Whether each finding is reported on its own.
+    all: bool,
     /// How many files of a folder are no descriptions, by what they are.
     skipped: BTreeMap<String, usize>,
 }
@@ -207,6 +209,7 @@ impl<'a> Reporter<'a> {
             has_failed: false,
             fixing: Fixing::default(),
             args: &args.fixing,
+            all: args.all,
             skipped: BTreeMap::new(),
         })
     }
@@ -225,23 +228,24 @@ impl<'a> Reporter<'a> {
         let config = &project.config;
         self.has_failed |= !config.is_toml();
         let options = settings.options(config.source().name().as_ref(), Some(project));
-        let mut findings = options.severities.apply(project.findings.clone());
+        let findings = options.severities.apply(project.findings.clone());
         if findings.is_empty() {
             return Ok(());
         }
-        self.report_on(config.source().into(), &mut findings, settings.deny(Some(project)))
+        self.report_on(config.source().into(), findings, settings.deny(Some(project)))
     }
 
     fn report_on(
         &mut self,
         subject: Subject<'_>,
-        findings: &mut Findings,
+        mut findings: Findings,
         deny: Severity,
     ) -> Result<(), Failure> {
-        self.known.sift(subject, findings);
+        self.known.sift(subject, &mut findings);
+        let findings = if self.all { findings } else { grouped(subject, findings) };
         self.report.deny_from(deny);
         self.has_denied |= findings.worst() >= Some(deny);
-        Ok(self.report.file(subject, findings)?)
+        Ok(self.report.file(subject, &findings)?)
     }
 
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
@@ -252,11 +256,11 @@ impl<'a> Reporter<'a> {
                     self.fail(&failure)?;
                 }
                 let mut next = Some(description);
-                for (number, mut findings) in findings.into_iter().enumerate() {
+                for (number, findings) in findings.into_iter().enumerate() {
                     let Some(description) = next.and_then(|description| description.select(number)) else {
                         break;
                     };
-                    self.report_on((&description).into(), &mut findings, deny)?;
+                    self.report_on((&description).into(), findings, deny)?;
                     next = Some(description);
                 }
             }

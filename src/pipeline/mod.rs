@@ -31,7 +31,7 @@ use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
-use crate::report::{Location, Subject, listed};
+use crate::report::{Location, Subject, grouped, listed};
 use crate::source::hash;
 
 /// So many errors are shown of a file; the rest is counted.
@@ -150,7 +150,7 @@ impl Request {
         let (mut options, of_config) = (lint::Options::default(), Vec::new());
         options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
         let findings = match &described {
-            Described::Text(description) => crate::check_with(description, &options),
+            Described::Text(description) => grouped(&**description, crate::check_with(description, &options)),
             #[cfg(feature = "json")]
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };

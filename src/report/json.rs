@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::group::joint_fix;
 use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprints};
 use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text};
 use crate::source::Span;
@@ -35,14 +36,16 @@ struct Finding<'a> {
     help: Option<Cow<'a, str>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    places: Vec<Related<'a>>,
     fingerprint: Fingerprint,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Fix<'a>>,
+    fix: Option<Fix>,
 }
 
 #[derive(Serialize)]
-struct Fix<'a> {
-    title: Cow<'a, str>,
+struct Fix {
+    title: String,
     safety: Applicability,
     #[serde(skip_serializing_if = "Option::is_none")]
     encoding: Option<String>,
@@ -179,34 +182,44 @@ fn record<'a>(
     finding: &'a Diagnostic,
     fingerprint: Fingerprint,
 ) -> Finding<'a> {
-    let mut positions = Location::all(subject, finding).into_iter().map(|location| Position {
+    let mut positions = Location::all(subject, finding).into_iter().map(position);
+    let start =
+        || Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: Cow::Borrowed("") };
+    let place = |other: &'a Diagnostic| {
+        let at = other.labels.first().map_or_else(start, |label| position(Location::new(subject, label)));
+        Related { at, message: other.message.shown() }
+    };
+    Finding {
+        file,
+        rule: finding.rule.id,
+        severity: finding.severity,
+        at: positions.next().unwrap_or_else(start),
+        message: finding.message.shown(),
+        help: finding.help.as_ref().map(Text::shown),
+        related: positions.map(|at| Related { message: at.text.clone(), at }).collect(),
+        places: finding.also.iter().map(place).collect(),
+        fingerprint,
+        fix: fix(subject, finding),
+    }
+}
+
+fn position(location: Location<'_>) -> Position<'_> {
+    Position {
         line: location.start.line,
         column: location.start.column,
         end_line: location.end.line,
         end_column: location.end.column,
         place: location.place.map(ToString::to_string),
         text: location.text,
-    });
-    let start =
-        Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: Cow::Borrowed("") };
-    Finding {
-        file,
-        rule: finding.rule.id,
-        severity: finding.severity,
-        at: positions.next().unwrap_or(start),
-        message: finding.message.shown(),
-        help: finding.help.as_ref().map(Text::shown),
-        related: positions.map(|at| Related { message: at.text.clone(), at }).collect(),
-        fingerprint,
-        fix: fix(subject, finding),
     }
 }
 
 /// The fix of a finding, where this file can be changed so.
-fn fix<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<Fix<'a>> {
-    let (description, fix) = subject.description().zip(finding.fix.as_ref())?;
-    let encoding = description.encoding_of(fix).map(|encoding| encoding.to_string());
-    let edits = description.edits(fix);
+fn fix(subject: Subject<'_>, finding: &Diagnostic) -> Option<Fix> {
+    let description = subject.description()?;
+    let fix = joint_fix(description, finding)?;
+    let encoding = description.encoding_of(&fix).map(|encoding| encoding.to_string());
+    let edits = description.edits(&fix);
     if edits.is_none() && encoding.is_none() {
         return None;
     }
@@ -216,7 +229,7 @@ fn fix<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<Fix<'a>> {
         Edit { line: start.line, column: start.column, end_line: end.line, end_column: end.column, text }
     };
     let edits = edits.unwrap_or_default().into_iter().map(edit).collect();
-    Some(Fix { title: fix.title.shown(), safety: fix.safety, encoding, edits })
+    Some(Fix { title: fix.title.to_string(), safety: fix.safety, encoding, edits })
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ mod fingerprint;
 mod github;
 #[cfg(feature = "json")]
 mod gitlab;
+mod group;
 #[cfg(feature = "json")]
 mod json;
 #[cfg(feature = "xdd")]
@@ -37,6 +38,7 @@ pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use github::Github;
 #[cfg(feature = "json")]
 pub use gitlab::Gitlab;
+pub use group::grouped;
 #[cfg(feature = "json")]
 pub use json::Json;
 #[cfg(feature = "xdd")]
@@ -144,6 +146,8 @@ pub struct Tally {
     pub files: usize,
     /// Files with at least one finding.
     pub files_with_findings: usize,
+    /// Places of findings: each that is [joined](grouped) counts.
+    pub places: usize,
     /// Findings of severity error.
     pub errors: usize,
     /// Findings of severity warning.
@@ -162,6 +166,7 @@ impl Tally {
         self.files += 1;
         self.files_with_findings += usize::from(!findings.is_empty());
         for finding in findings {
+            self.places += 1 + finding.also.len();
             match finding.severity {
                 Severity::Error => self.errors += 1,
                 Severity::Warning => self.warnings += 1,
@@ -191,7 +196,11 @@ impl fmt::Display for Tally {
         if found.is_empty() {
             write!(f, "no findings in {}", plural(self.files, "file"))?;
         } else {
-            write!(f, "{} in ", found.join(", "))?;
+            f.write_str(&found.join(", "))?;
+            if self.places > self.at_least(Severity::Note) {
+                write!(f, " at {} places", self.places)?;
+            }
+            f.write_str(" in ")?;
             if self.files_with_findings < self.files {
                 write!(f, "{} of ", self.files_with_findings)?;
             }

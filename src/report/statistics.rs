@@ -105,9 +105,9 @@ impl Statistics {
     }
 }
 
-fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
-    let fix = subject.description().zip(finding.fix.as_ref());
-    fix.is_some_and(|(description, fix)| description.can_fix(fix))
+pub(super) fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
+    let fixes = || std::iter::once(finding).chain(&finding.also).filter_map(|one| one.fix.as_ref());
+    subject.description().is_some_and(|description| fixes().any(|fix| description.can_fix(fix)))
 }
 
 #[cfg(test)]

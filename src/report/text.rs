@@ -13,10 +13,10 @@ use miette::LabeledSpan;
 use self::excerpt::Excerpts;
 use self::printer::Printer;
 pub(crate) use self::problem::problem;
+use super::statistics::is_fixable;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use crate::diagnostic::visible;
 use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
-use crate::format::Description;
 
 /// The most characters of a message that are shown.
 const MAX_MESSAGE: usize = 600;
@@ -60,9 +60,9 @@ impl<W: Write> TextReport<W> {
 }
 
 impl<W> TextReport<W> {
-    fn count_fixes(&mut self, description: &Description, findings: &Findings) {
-        let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref());
-        for fix in fixes.filter(|fix| description.can_fix(fix)) {
+    fn count_fixes(&mut self, subject: Subject<'_>, findings: &Findings) {
+        let fixable = findings.iter().filter(|finding| is_fixable(subject, finding));
+        for fix in fixable.filter_map(|finding| finding.fix.as_ref()) {
             self.fixable[usize::from(fix.safety == Applicability::Unsafe)] += 1;
         }
     }
@@ -77,9 +77,7 @@ impl<W: Write> Report for TextReport<W> {
         if findings.is_empty() || !self.detail.has_findings() {
             return Ok(());
         }
-        if let Some(description) = subject.description() {
-            self.count_fixes(description, findings);
-        }
+        self.count_fixes(subject, findings);
         let excerpts = Excerpts::new(subject.source());
         let mut text = String::new();
         for finding in findings {

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
+use super::group::joint_fix;
 use super::path::{Base, uri};
 use super::utf16::Columns;
 use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints};
@@ -165,9 +166,13 @@ impl File<'_> {
     fn result(&mut self, finding: &Diagnostic, rule_index: usize, fingerprint: Fingerprint) -> Finding {
         let mut labels = finding.labels.iter();
         let primary = labels.next().map(|label| self.location(None, &label.at, &label.text.shown()));
-        let related =
-            labels.enumerate().map(|(id, label)| self.location(Some(id), &label.at, &label.text.shown()));
-        let related: Vec<Location> = related.collect();
+        let others = finding
+            .also
+            .iter()
+            .filter_map(|other| other.labels.first().map(|label| (&label.at, other.message.shown())));
+        let related = labels.map(|label| (&label.at, label.text.shown())).chain(others).enumerate();
+        let related: Vec<Location> =
+            related.map(|(id, (at, text))| self.location(Some(id), at, &text)).collect();
         let text = match &finding.help {
             Some(help) => format!("{}\nhelp: {help}", finding.message),
             None => finding.message.to_string(),
@@ -216,12 +221,13 @@ impl File<'_> {
 
     /// The fix of a finding, where this text can be changed so.
     fn fix(&mut self, finding: &Diagnostic) -> Option<Fix> {
-        let (description, fix) = self.subject.description().zip(finding.fix.as_ref())?;
+        let description = self.subject.description()?;
+        let fix = joint_fix(description, finding)?;
         let replacement = |(span, text): (Span, String)| Replacement {
             deleted_region: self.region(span),
             inserted_content: Some(text).filter(|text| !text.is_empty()).map(|text| Content { text }),
         };
-        let replacements = description.edits(fix)?.into_iter().map(replacement).collect();
+        let replacements = description.edits(&fix)?.into_iter().map(replacement).collect();
         Some(Fix {
             description: message(&fix.title.shown()),
             artifact_changes: [ArtifactChange { artifact_location: self.artifact.clone(), replacements }],

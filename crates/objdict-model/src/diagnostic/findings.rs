@@ -57,6 +57,13 @@ impl Findings {
         Self { kept, seen, suppressed }
     }
 
+    /// Changes the list of kept findings; the counts stay.
+    #[must_use]
+    pub fn rearrange(mut self, change: impl FnOnce(Vec<Diagnostic>) -> Vec<Diagnostic>) -> Self {
+        self.kept = change(self.kept);
+        self
+    }
+
     /// Removes the findings of rules, including those that were only counted.
     pub fn remove_rules(&mut self, mut is_removed: impl FnMut(&'static str) -> bool) {
         self.kept.retain(|finding| !is_removed(finding.rule.id));

@@ -103,6 +103,8 @@ pub struct Diagnostic {
     pub help: Option<Text>,
     /// The automatic fix, if there is one.
     pub fix: Option<Fix>,
+    /// Other findings of the same cause, where findings are joined for a report.
+    pub also: Vec<Diagnostic>,
 }
 
 impl Diagnostic {
@@ -115,6 +117,7 @@ impl Diagnostic {
             labels: vec![SourceLabel { at: at.into(), text: "".into() }],
             help: None,
             fix: None,
+            also: Vec::new(),
         }
     }
 

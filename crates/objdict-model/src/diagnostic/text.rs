@@ -78,6 +78,24 @@ impl Text {
         Self { words: Some(words), ..self }
     }
 
+    /// The text with another one behind it, in the same words.
+    #[must_use]
+    pub fn followed_by(self, rest: Self) -> Self {
+        let words = self.words;
+        Self { words, ..say!("{}{}", self, rest) }
+    }
+
+    /// What texts have in common that differ in numbers and in texts of the file only: the template, and the names of fields
+    /// and parts in it.
+    pub fn pattern(&self) -> String {
+        match &self.content {
+            Content::Plain(text) => text.clone().into_owned(),
+            Content::Template(template, arguments) => arguments
+                .iter()
+                .fold((*template).to_owned(), |pattern, argument| pattern + "\u{0}" + &argument.pattern()),
+        }
+    }
+
     /// The rendered text.
     pub fn shown(&self) -> Cow<'_, str> {
         match &self.content {
@@ -145,6 +163,21 @@ impl Argument {
     /// The value of a field.
     pub fn worth(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
         Self::Worth(field.borrow().clone(), cut(&value.to_string()))
+    }
+
+    /// See [`Text::pattern`].
+    fn pattern(&self) -> String {
+        match self {
+            Self::Number(_) | Self::Value(_) => String::new(),
+            Self::Key(field) | Self::Setting(field, _) | Self::Worth(field, _) => match field {
+                Field::Item(_) => String::new(),
+                field => field.name().into_owned(),
+            },
+            Self::Section(Part::Object(_) | Part::Entry(..) | Part::Module(..)) => String::new(),
+            Self::Section(part) => section_name(part).into(),
+            Self::Text(text) | Self::OfLists(text) => text.pattern(),
+            Self::Series(items, _) => items.first().map_or_else(String::new, Self::pattern),
+        }
     }
 
     fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
