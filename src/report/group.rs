@@ -173,21 +173,19 @@ mod tests {
     use crate::format::{self, Format};
     use crate::source::SourceFile;
 
-    /// A device with three entries that say the same, and a bad line twice.
-    const TEXT: &str = "junk a\njunk b\n[Comments]\nLines =0\n\
-        [2000]\nParameterName =A\nObjectType=7\nDataType =5\nAccessType=ro\n";
-
     #[test]
     fn findings_of_one_cause_are_one_with_places() {
-        let description = format::read(SourceFile::from_text("a.eds", TEXT), Format::Eds);
+        let object = |index| format!("[{index}]\nParameterName=A\nObjectType=07\nDataType=05\nAccessType=ro\n");
+        let text: String = (2000..2003).map(object).collect();
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
         let findings = crate::check(&description);
         let all = findings.len();
         let joined = grouped(&description, findings);
         assert_eq!(joined.iter().map(|finding| 1 + finding.also.len()).sum::<usize>(), all);
-        let blank = joined.iter().find(|finding| finding.rule.id == "cia306/blank-before-equals").unwrap();
-        assert!(blank.message.to_string().ends_with("; 2 more like this: line 6, line 8"), "{}", blank.message);
-        let fix = joint_fix(&description, blank).unwrap();
-        assert_eq!(description.edits(&fix).unwrap().len(), 3, "the fixes apply together");
+        let zero = joined.iter().find(|finding| finding.rule.id == "cia306/leading-zero").unwrap();
+        assert!(zero.message.to_string().contains("; 5 more like this: "), "{}", zero.message);
+        let fix = joint_fix(&description, zero).unwrap();
+        assert_eq!(description.edits(&fix).unwrap().len(), 6, "the fixes apply together");
     }
 
     #[test]
