@@ -75,7 +75,7 @@ fn start(subject: Subject<'_>, finding: &Diagnostic) -> u32 {
 fn count(subject: Subject<'_>, finding: &mut Diagnostic) {
     let spots: Vec<Spot> = finding.also.iter().map(|other| Spot::of(subject, other)).collect();
     let rest = say!("; {} more like this: {}", finding.also.len(), ranges(&spots));
-    finding.message = std::mem::take(&mut finding.message).followed_by(rest);
+    finding.message = std::mem::take(&mut finding.message).followed_by(&rest);
 }
 
 /// Where a finding is, in short.
@@ -158,7 +158,7 @@ pub(super) fn joint_fix(description: &Description, finding: &Diagnostic) -> Opti
         joint.changes.extend(fix.changes);
         count += 1;
     }
-    joint.title = joint.title.followed_by(say!("; {} more like this", count));
+    joint.title = joint.title.followed_by(&say!("; {} more like this", count));
     // changes that touch each other cannot be made together
     let is_sound = description.edits(&joint).is_some_and(|mut edits| {
         edits.sort_by_key(|(span, _)| (span.start, span.end));
@@ -175,7 +175,8 @@ mod tests {
 
     #[test]
     fn findings_of_one_cause_are_one_with_places() {
-        let object = |index| format!("[{index}]\nParameterName=A\nObjectType=07\nDataType=05\nAccessType=ro\n");
+        let object =
+            |index| format!("[{index}]\nParameterName=A\nObjectType=07\nDataType=05\nAccessType=ro\n");
         let text: String = (2000..2003).map(object).collect();
         let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
         let findings = crate::check(&description);

@@ -80,7 +80,7 @@ impl Text {
 
     /// The text with another one behind it, in the same words.
     #[must_use]
-    pub fn followed_by(self, rest: Self) -> Self {
+    pub fn followed_by(self, rest: &Self) -> Self {
         let words = self.words;
         Self { words, ..say!("{}{}", self, rest) }
     }
@@ -174,7 +174,7 @@ impl Argument {
                 field => field.name().into_owned(),
             },
             Self::Section(Part::Object(_) | Part::Entry(..) | Part::Module(..)) => String::new(),
-            Self::Section(part) => section_name(part).into(),
+            Self::Section(part) => section_name(part),
             Self::Text(text) | Self::OfLists(text) => text.pattern(),
             Self::Series(items, _) => items.first().map_or_else(String::new, Self::pattern),
         }
