@@ -2,10 +2,10 @@
 //
 // Object dictionary of (no name) by (no name).
 //
-// `Data` holds the values that can change, `Data::read` and `Data::write` serve an SDO, and every
-// object has a module with the numbers of its entries. The file has no dependency and needs no
-// standard library; take it in as a module or with `include!`. A product seldom uses all of it, so
-// dead code is allowed; `unreachable_pub` depends on where it is taken in.
+// `Data` contains the variable values, `Data::read` and `Data::write` implement SDO access, and each
+// object has a module with the sub-indexes of its entries. The file has no dependencies and needs no
+// standard library; use it as a module or with `include!`. Products rarely use all of it, so dead
+// code is allowed; `unreachable_pub` depends on where it is included.
 
 /// `0x2000`: `Parameter 0`.
 #[allow(dead_code, unreachable_pub)]
@@ -755,8 +755,8 @@ pub mod axis_26 {
     pub const GAIN_3: u8 = 0x03;
 }
 
-/// What the dictionary says by default of the identity and the services of the node, decoded: COB-IDs
-/// are functions of the node-ID. The values that hold now are in `Data`.
+/// Default values of identity and services, decoded. COB-IDs are functions of the node-ID. `Data`
+/// contains the present values.
 #[allow(dead_code, unreachable_pub, clippy::cast_lossless)]
 #[rustfmt::skip]
 pub mod defaults {
@@ -767,7 +767,7 @@ pub mod defaults {
     }
 }
 
-/// The values that can change; constants are in flash.
+/// The variable values; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
@@ -1036,7 +1036,7 @@ pub struct Data {
 
 #[allow(dead_code, unreachable_pub)]
 impl Data {
-    /// The defaults of the node `node_id`: 1 to 127, only the lower seven bits count.
+    /// The defaults for `node_id`, 1 to 127; only the lower seven bits are used.
     #[must_use]
     #[rustfmt::skip]
     #[allow(clippy::approx_constant, clippy::cast_lossless, clippy::too_many_lines)]
@@ -1455,13 +1455,13 @@ impl Data {
         Some(field)
     }
 
-    /// The node-ID that the values were made for.
+    /// The node-ID of the values.
     #[must_use]
     pub const fn node_id(&self) -> u8 {
         self.node_id
     }
 
-    /// Reads a value into `buffer`, as an SDO upload transfers it; returns the number of its bytes.
+    /// Reads a value into `buffer`, as transferred by an SDO upload; returns the number of bytes.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -1483,10 +1483,10 @@ impl Data {
         Ok(bytes.len())
     }
 
-    /// Writes a value that an SDO download transferred, if the dictionary allows it.
+    /// Writes a value transferred by an SDO download if the dictionary allows it.
     ///
     /// # Errors
-    /// The code to abort the download with; the value did not change.
+    /// The code to abort the download with; the value is unchanged.
     pub fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
         let entry = find(index, sub)?;
         if !entry.is_writable() {
@@ -1513,29 +1513,29 @@ impl Data {
 pub enum Abort {
     /// The buffer is shorter than the value.
     OutOfMemory = 0x0504_0005,
-    /// Attempt to read an entry that can only be written.
+    /// Attempt to read a write-only entry.
     WriteOnly = 0x0601_0001,
-    /// Attempt to write an entry that can only be read.
+    /// Attempt to write a read-only entry.
     ReadOnly = 0x0601_0002,
     /// There is no object with this index.
     NoObject = 0x0602_0000,
     /// The number of bytes does not match the data type.
     LengthMismatch = 0x0607_0010,
-    /// More bytes than the data type or the room has.
+    /// More bytes than the data type or the capacity.
     TooLong = 0x0607_0012,
-    /// Fewer bytes than the data type has.
+    /// Fewer bytes than the data type.
     TooShort = 0x0607_0013,
     /// The object has no such sub-index.
     NoSubIndex = 0x0609_0011,
-    /// No value of the data type.
+    /// Not valid for the data type.
     InvalidValue = 0x0609_0030,
     /// Above the high limit.
     TooHigh = 0x0609_0031,
     /// Below the low limit.
     TooLow = 0x0609_0032,
-    /// The table has no room for the data, so the application must take them.
+    /// No capacity for the data; the application must store them.
     CannotStore = 0x0800_0020,
-    /// The table has no data, so the application must give them.
+    /// No data in the table; the application must provide them.
     NoData = 0x0800_0024,
 }
 
@@ -1585,10 +1585,10 @@ impl<const N: usize> Octets<N> {
         self.bytes.get(..length).unwrap_or(&self.bytes)
     }
 
-    /// Puts other bytes.
+    /// Replaces the bytes.
     ///
     /// # Errors
-    /// [`Abort::TooLong`] when there are more than `N`.
+    /// [`Abort::TooLong`] for more than `N` bytes.
     pub fn set(&mut self, bytes: &[u8]) -> Result<(), Abort> {
         if bytes.len() > N {
             return Err(Abort::TooLong);
@@ -1598,7 +1598,7 @@ impl<const N: usize> Octets<N> {
     }
 }
 
-/// A time of day since 1984-01-01, or a difference of times.
+/// A time of day since 1984-01-01, or a time difference.
 #[allow(dead_code, unreachable_pub)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Time {
@@ -1609,11 +1609,11 @@ pub struct Time {
 }
 
 impl Time {
-    /// The bits of the first four bytes that count.
+    /// The used bits of the first four bytes.
     const USED: u32 = 0x0FFF_FFFF;
 }
 
-/// A value on its way to or from an SDO.
+/// A value transferred by an SDO.
 #[allow(dead_code)]
 enum Value<'a> {
     /// Little-endian.
@@ -1621,7 +1621,7 @@ enum Value<'a> {
     Bytes(&'a [u8]),
 }
 
-/// What a field of `Data` can do whatever its type.
+/// Common operations of the fields of `Data`.
 #[allow(dead_code)]
 trait Field {
     fn load(&self) -> Value<'_>;
@@ -1703,7 +1703,7 @@ impl<const N: usize> Field for [u8; N] {
     }
 }
 
-/// A place in RAM (0: none, for the value is in flash) or in [`ROM`].
+/// A location in RAM (0: none, the value is in flash) or in [`ROM`].
 type Offset = u16;
 
 /// An entry of the dictionary.
@@ -1744,43 +1744,43 @@ impl Entry {
         self.sub
     }
 
-    /// The index of the data type, such as 07h for UNSIGNED32; 0 for a type of the device's own.
+    /// The index of the data type, such as 07h for UNSIGNED32; 0 for a device-specific type.
     #[must_use]
     pub const fn data_type(&self) -> u8 {
         self.data_type
     }
 
-    /// Whether an SDO may read it.
+    /// Whether it is readable by SDO.
     #[must_use]
     pub const fn is_readable(&self) -> bool {
         self.flags & READ != 0
     }
 
-    /// Whether an SDO may write it.
+    /// Whether it is writable by SDO.
     #[must_use]
     pub const fn is_writable(&self) -> bool {
         self.flags & WRITE != 0
     }
 
-    /// Whether a TPDO may carry it.
+    /// Whether it is mappable to TPDOs.
     #[must_use]
     pub const fn fits_tpdo(&self) -> bool {
         self.flags & TPDO != 0
     }
 
-    /// Whether an RPDO may carry it.
+    /// Whether it is mappable to RPDOs.
     #[must_use]
     pub const fn fits_rpdo(&self) -> bool {
         self.flags & RPDO != 0
     }
 
-    /// Whether the default is only what is added to the node-ID.
+    /// Whether the default is an offset to the node-ID.
     #[must_use]
     pub const fn adds_node_id(&self) -> bool {
         self.flags & NODE_ID_DEFAULT != 0
     }
 
-    /// Bytes of a value in an SDO transfer, at most.
+    /// Maximum size of a value in an SDO transfer, in bytes.
     #[must_use]
     pub fn size(&self) -> usize {
         match number_size(self.data_type) {
@@ -1789,7 +1789,7 @@ impl Entry {
         }
     }
 
-    /// The bytes of the default; of a formula, of what is added to the node-ID.
+    /// The bytes of the default; for a formula, of the offset to the node-ID.
     #[must_use]
     pub fn default_bytes(&self) -> &'static [u8] {
         match number_size(self.data_type) {
@@ -1798,13 +1798,13 @@ impl Entry {
         }
     }
 
-    /// The number that is the low limit on a node, as `u64` with the bits of the value.
+    /// The low limit for a node as `u64` with the bits of the value.
     #[must_use]
     pub fn low_limit(&self, node_id: u8) -> Option<u64> {
         (self.flags & LOW != 0).then(|| self.number(1, LOW_NODE_ID, node_id))
     }
 
-    /// The number that is the high limit on a node, as `u64` with the bits of the value.
+    /// The high limit for a node as `u64` with the bits of the value.
     #[must_use]
     pub fn high_limit(&self, node_id: u8) -> Option<u64> {
         let block = 1 + usize::from(self.flags & LOW != 0);
@@ -1819,13 +1819,13 @@ impl Entry {
         number_size(self.data_type) != 0
     }
 
-    /// Bytes of this entry in flash.
+    /// The data of this entry in flash.
     fn bytes(&self, skip: usize, length: usize) -> &'static [u8] {
         let start = self.rom as usize + skip;
         ROM.get(start..start + length).unwrap_or(&[])
     }
 
-    /// One of the two lengths in front of a default that is no number.
+    /// One of the two lengths before a non-numeric default.
     fn head(&self, skip: usize) -> usize {
         match self.bytes(skip, 2) {
             [low, high] => usize::from(*low) | (usize::from(*high) << 8),
@@ -1833,7 +1833,7 @@ impl Entry {
         }
     }
 
-    /// The number of a block of bytes in flash; the node-ID is added where the flag says so.
+    /// Reads a number from flash and adds the node-ID if the flag is set.
     fn number(&self, block: usize, flag: u16, node_id: u8) -> u64 {
         let size = self.size();
         let number = number(self.data_type, self.bytes(block * size, size));
@@ -1843,7 +1843,7 @@ impl Entry {
         number.wrapping_add(u64::from(node_id & 0x7F))
     }
 
-    /// The value of an entry that has no field.
+    /// The value of an entry without a field.
     fn in_flash(&self, node_id: u8) -> Result<Value<'static>, Abort> {
         if self.is_number() {
             let number = self.number(0, NODE_ID_DEFAULT, node_id);
@@ -1893,7 +1893,7 @@ impl Entry {
     }
 }
 
-/// The entry of an index and a sub-index, by binary search.
+/// Finds the entry with an index and a sub-index by binary search.
 ///
 /// # Errors
 /// [`Abort::NoObject`] or [`Abort::NoSubIndex`].
@@ -1916,7 +1916,7 @@ const fn key(index: u16, sub: u8) -> u32 {
     ((index as u32) << 8) | sub as u32
 }
 
-/// Bytes of a number of this data type; 0 for a type whose values are no numbers.
+/// Size of a number of this data type, in bytes; 0 for other types.
 const fn number_size(data_type: u8) -> usize {
     match data_type {
         BOOLEAN | INTEGER8 | UNSIGNED8 => 1,
@@ -1935,7 +1935,7 @@ const fn is_signed(data_type: u8) -> bool {
     matches!(data_type, INTEGER8..=INTEGER32 | INTEGER24 | INTEGER40..=INTEGER64)
 }
 
-/// The number of at most eight bytes; the sign goes on to the left.
+/// Converts at most eight bytes to a number, with sign extension.
 fn number(data_type: u8, bytes: &[u8]) -> u64 {
     let negative = is_signed(data_type) && bytes.last().is_some_and(|&last| last >= 0x80);
     let start = if negative { u64::MAX } else { 0 };
@@ -1943,7 +1943,7 @@ fn number(data_type: u8, bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(start, shift)
 }
 
-/// A number that is ordered as the values of the data type are; `None` for a REAL that is not a number.
+/// Converts a value to a number with the same order; `None` for NaN.
 fn order(data_type: u8, number: u64) -> Option<u64> {
     const SIGN: u64 = 1 << 63;
     let (real, infinity) = match data_type {
@@ -2183,7 +2183,7 @@ static ROM: [u8; 196] = [
     0x30, 0x00, 0x00, 0x00,
 ];
 
-/// The name of each entry in the description; only what asks for a name takes it into the program.
+/// The name of each entry in the description; not part of the program unless used.
 #[allow(dead_code)]
 #[rustfmt::skip]
 static NAMES: [&str; 157] = [

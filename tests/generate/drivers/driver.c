@@ -1,4 +1,4 @@
-/* Executes operations from the standard input on the table of od.h, see driver.rs. */
+/* Executes operations from standard input on the table of od.h, see driver.rs. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

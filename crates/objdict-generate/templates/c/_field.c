@@ -1,4 +1,4 @@
-/* The number that a field holds. */
+/* Reads a number from a field. */
 static uint64_t {{ lower }}_load(const uint8_t *field, uint8_t data_type, size_t size)
 {
     uint64_t number = 0u;
@@ -23,7 +23,7 @@ static uint64_t {{ lower }}_load(const uint8_t *field, uint8_t data_type, size_t
     return number;
 }
 
-/* Puts a number into a field. */
+/* Writes a number to a field. */
 static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, uint64_t number)
 {
     if ({{ lower }}_is_time(data_type)) {
@@ -45,7 +45,7 @@ static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, ui
     }
 }
 
-/* Puts bytes into a field: behind their number, or all bytes of a block. */
+/* Writes bytes to a field: after their length, or all bytes of a block. */
 static void {{ lower }}_store_bytes(uint8_t *field, const {{ lower }}_entry_t *entry, const uint8_t *bytes, size_t length)
 {
     if (entry->data_type != {{ upper }}_BLOCK) {

@@ -1,4 +1,4 @@
-/* What makes a definition weak. */
+/* Marks a definition as weak. */
 #ifndef {{ upper }}_WEAK
 #if defined(__GNUC__) || defined(__clang__) || defined(__ARMCC_VERSION)
 #define {{ upper }}_WEAK __attribute__((weak))
@@ -25,7 +25,7 @@
 }
 #endif
 
-/* Bytes of an entry's value in {{ lower }}_data_t. */
+/* Size of an entry's value in {{ lower }}_data_t, in bytes. */
 static size_t {{ lower }}_kept_size(const {{ lower }}_entry_t *entry)
 {
     const size_t size = {{ lower }}_number_size(entry->data_type);

@@ -1,5 +1,5 @@
 {% if !enums.is_empty() -%}
-/* What values of entries mean, as the description names them. */
+/* Named values of entries. */
 {%- for view in enums %}
 
 /* {{ view.of.title|c_comment }}: {{ view.entries }} */
@@ -12,8 +12,8 @@
 {% endif %}
 {%- endif %}
 {%- if !words.is_empty() -%}
-/* Parts of the words that entries hold: ..._GET(word) takes one out, ..._WITH(word, value) gives the word with another one,
-   of whose bits the lowest count. */
+/* Bit fields of entries: ..._GET(word) extracts the value, ..._WITH(word, value) returns the word with a new value, of which
+   only the lowest bits are used. */
 {%- for view in words %}
 
 /* {{ view.of.title|c_comment }}: {{ view.entries }} */

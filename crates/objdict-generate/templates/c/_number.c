@@ -1,4 +1,4 @@
-/* Bytes of a number of this data type; 0 for a type whose values are no numbers. */
+/* Size of a number of this data type, in bytes; 0 for other types. */
 static size_t {{ lower }}_number_size(uint8_t data_type)
 {
     switch (data_type) {
@@ -47,7 +47,7 @@ static bool {{ lower }}_is_signed(uint8_t data_type)
         || (data_type >= {{ upper }}_INTEGER40 && data_type <= {{ upper }}_INTEGER64);
 }
 
-/* The number of at most eight bytes; the sign goes on to the left. */
+/* Converts at most eight bytes to a number, with sign extension. */
 static uint64_t {{ lower }}_number(uint8_t data_type, const uint8_t *bytes, size_t size)
 {
     uint64_t number = {{ lower }}_is_signed(data_type) && (bytes[size - 1u] & 0x80u) != 0u ? UINT64_MAX : 0u;

@@ -1,4 +1,4 @@
-/* Where a storage group is in {{ lower }}_data_t, and what its image begins with. */
+/* The location of a storage group in {{ lower }}_data_t, and the start of its image. */
 typedef struct {
     size_t first;
     size_t size;
@@ -6,7 +6,7 @@ typedef struct {
     uint32_t layout;
 } {{ lower }}_kept_t;
 
-/* Finds the place of an entry's value in a group; false when it is not there. */
+/* Finds an entry's value in a group; false if the group does not contain it. */
 static bool {{ lower }}_is_kept(const {{ lower }}_entry_t *entry, const {{ lower }}_kept_t *kept, size_t *at)
 {
 {%- if has_pointers %}
@@ -20,7 +20,7 @@ static bool {{ lower }}_is_kept(const {{ lower }}_entry_t *entry, const {{ lower
 {%- endif %}
 }
 
-/* The CRC of CiA 301: x^16 + x^12 + x^5 + 1 from 0 on. */
+/* The CRC of CiA 301: x^16 + x^12 + x^5 + 1, initial value 0. */
 static uint16_t {{ lower }}_crc16(const uint8_t *bytes, size_t length)
 {
     unsigned int crc = 0u;
@@ -35,7 +35,7 @@ static uint16_t {{ lower }}_crc16(const uint8_t *bytes, size_t length)
     return (uint16_t)crc;
 }
 
-/* Puts so many bytes of a number; returns what is behind them. */
+/* Writes the given number of bytes of a number; returns the position after them. */
 static uint8_t *{{ lower }}_put(uint8_t *image, uint64_t number, size_t size)
 {
     while (size > 0u) {
@@ -68,7 +68,7 @@ static void {{ lower }}_save(const uint8_t *group, const {{ lower }}_kept_t *kep
                 length = (uint16_t)size;
             }
             next = {{ lower }}_put(next, length, sizeof length);
-            memset(next, 0, size); /* what is behind the text means nothing */
+            memset(next, 0, size); /* unused bytes after the text */
             memcpy(next, group + at + sizeof length, length);
             next += size;
         }
@@ -76,7 +76,7 @@ static void {{ lower }}_save(const uint8_t *group, const {{ lower }}_kept_t *kep
     (void){{ lower }}_put(next, {{ lower }}_crc16(image, kept->image_size - 2u), 2u);
 }
 
-/* Goes through the values of an image and puts them into a group, unless that is NULL; false at one that is none of its data type. */
+/* Checks the values of an image and copies them to a group unless that is NULL; false if one is not valid for its data type. */
 static bool {{ lower }}_take(uint8_t *group, const {{ lower }}_kept_t *kept, const uint8_t *image)
 {
     const uint8_t *next = image + sizeof kept->layout;

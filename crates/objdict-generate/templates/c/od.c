@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The values are kept in these types. */
+/* The types of the values. */
 typedef char {{ lower }}_bool_has_1_byte[sizeof(bool) == 1 ? 1 : -1];
 {%- if real32 %}
 typedef char {{ lower }}_float_has_4_bytes[sizeof(float) == 4 ? 1 : -1];
@@ -24,8 +24,8 @@ const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
 {%- endfor %}
 };
 
-/* Defaults and limits. Of a number: the default, then the low and the high limit if there are any. Of anything else: the
-   greatest length, the length of the default and the default. */
+/* Defaults and limits. For a number: the default, then the low and the high limit if stated. For other types: the
+   capacity, the length of the default and the default. */
 #define {{ upper }}_ROM_SIZE {{ table.rom.len() }}u
 static const uint8_t {{ lower }}_rom[{{ upper }}_ROM_SIZE] = {
 {%- for line in rom %}
@@ -38,13 +38,13 @@ static uint32_t {{ lower }}_key(uint16_t index, uint8_t sub)
     return ((uint32_t)index << 8) | sub;
 }
 
-/* Finds an entry, or tells what is missing. */
+/* Finds an entry, or returns what is missing. */
 static uint32_t {{ lower }}_lookup(uint16_t index, uint8_t sub, const {{ lower }}_entry_t **found)
 {
     const uint32_t key = {{ lower }}_key(index, sub);
     const {{ lower }}_entry_t *entry = {{ lower }}_entries;
     size_t count = {{ upper }}_ENTRY_COUNT;
-    while (count > 1u) { /* ends at the last entry that is not greater */
+    while (count > 1u) { /* ends at the last entry not greater than the key */
         const size_t half = count / 2u;
         if ({{ lower }}_key(entry[half].index, entry[half].sub) <= key) {
             entry += half;
@@ -56,7 +56,7 @@ static uint32_t {{ lower }}_lookup(uint16_t index, uint8_t sub, const {{ lower }
         return {{ upper }}_OK;
     }
     if (entry->index != index && entry + 1 < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT) {
-        entry++; /* the object may begin behind */
+        entry++; /* the object may start at the next entry */
     }
     return entry->index == index ? {{ upper }}_ABORT_NO_SUB_INDEX : {{ upper }}_ABORT_NO_OBJECT;
 }
@@ -70,7 +70,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
 {% include "_number.c" %}
 
 #ifndef {{ upper }}_NO_LIMITS
-/* A number that is ordered as the values of the data type are; false for a REAL that is not a number. */
+/* Converts a value to a number with the same order; false for NaN. */
 static bool {{ lower }}_order(uint8_t data_type, uint64_t number, uint64_t *order)
 {
     const uint64_t sign = (uint64_t)1u << 63;
@@ -90,14 +90,14 @@ static bool {{ lower }}_order(uint8_t data_type, uint64_t number, uint64_t *orde
 }
 #endif
 
-/* One of the two lengths in front of a default that is no number. */
+/* One of the two lengths before a non-numeric default. */
 static size_t {{ lower }}_head(const {{ lower }}_entry_t *entry, size_t skip)
 {
     const uint8_t *head = &{{ lower }}_rom[entry->rom + skip];
     return (size_t)head[0] | ((size_t)head[1] << 8);
 }
 
-/* The number of a block of bytes in flash; the node-ID is added where the flag says so. */
+/* Reads a number from flash and adds the node-ID if the flag is set. */
 static uint64_t {{ lower }}_rom_number(const {{ lower }}_entry_t *entry, size_t block, unsigned int flag, uint8_t node_id)
 {
     const size_t size = {{ lower }}_number_size(entry->data_type);
@@ -115,7 +115,7 @@ const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *len
 {
     const size_t size = {{ lower }}_number_size(entry->data_type);
     *length = size == 0u ? {{ lower }}_head(entry, 2u) : size;
-    return {{ lower }}_rom + entry->rom + (size == 0u ? 4u : 0u); /* may be the end of {{ lower }}_rom when there are no bytes */
+    return {{ lower }}_rom + entry->rom + (size == 0u ? 4u : 0u); /* can be the end of {{ lower }}_rom if the default is empty */
 }
 
 #ifndef {{ upper }}_NO_LIMITS

@@ -13,7 +13,7 @@ static uint64_t {{ lower }}_lowest(uint64_t number, unsigned bits)
     return number & (UINT64_MAX >> (64u - bits));
 }
 
-/* The number of a frame: the first byte is the lowest. */
+/* Converts a frame to a number; the first byte is the lowest. */
 static uint64_t {{ lower }}_from_frame(const uint8_t *frame, size_t length)
 {
     uint64_t number = 0u;
@@ -34,7 +34,7 @@ static void {{ lower }}_to_frame(uint64_t number, uint8_t *frame, size_t length)
 }
 {%- if signed %}
 
-/* The number of so many bits, of which the highest is the sign. */
+/* Converts the given number of bits to a signed number. */
 static int64_t {{ lower }}_signed(uint64_t number, unsigned bits)
 {
     const uint64_t lowest = UINT64_MAX >> (64u - bits);

@@ -1,10 +1,10 @@
 /*
  * {{ table.made_by }}; do not edit.
  *
- * What the frames of PDOs carry by default: a struct for each, its members in the order of the frame.
+ * The default mapping of PDOs: one struct per PDO with its members in frame order.
  *
- * {{ lower }}_..._load() takes the values from the dictionary and {{ lower }}_..._store() puts them there, whatever the
- * limits; {{ lower }}_..._pack() and {{ lower }}_..._unpack() turn them into a frame and back.
+ * {{ lower }}_..._load() reads the values from the dictionary, {{ lower }}_..._store() writes them without checking
+ * limits; {{ lower }}_..._pack() and {{ lower }}_..._unpack() convert them to a frame and back.
  */
 #ifndef {{ upper }}_PDO_H
 #define {{ upper }}_PDO_H

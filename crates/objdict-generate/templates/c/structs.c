@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* Numbers that are defaults and limits, each once. */
+/* Numbers used as defaults and limits, without duplicates. */
 {%- for pool in pools %}
 static const {{ pool.c_type }} {{ pool.name }}[{{ pool.numbers.len() }}] = {
 {%- for number in pool.numbers %}
@@ -17,7 +17,7 @@ static const {{ pool.c_type }} {{ pool.name }}[{{ pool.numbers.len() }}] = {
 {%- endfor %}
 {%- if !blocks.is_empty() %}
 
-/* Defaults that are no numbers. */
+/* Non-numeric defaults. */
 {%- for block in blocks %}
 {{ block }}
 {%- endfor %}
@@ -41,7 +41,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
     const uint32_t key = {{ lower }}_key(index, sub);
     const {{ lower }}_entry_t *entry = {{ lower }}_entries;
     size_t count = {{ upper }}_ENTRY_COUNT;
-    while (count > 1u) { /* ends at the last entry that is not greater */
+    while (count > 1u) { /* ends at the last entry not greater than the key */
         const size_t half = count / 2u;
         if ({{ lower }}_key(entry[half].index, entry[half].sub) <= key) {
             entry += half;
@@ -51,7 +51,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
     return entry->index == index && entry->sub == sub ? entry : NULL;
 }
 
-/* Bytes of a value in {{ lower }}_data_t. */
+/* Size of a value in {{ lower }}_data_t, in bytes. */
 static size_t {{ lower }}_stored_size(const {{ lower }}_entry_t *entry)
 {
 {%- if time %}
@@ -99,7 +99,7 @@ void {{ lower }}_init(uint8_t node_id)
     for (entry = {{ lower }}_entries; entry < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT; entry++) {
         size_t size = {{ lower }}_stored_size(entry);
         if (entry->data == NULL || entry->data == entry->def) {
-            continue; /* the application's, or a constant */
+            continue; /* served by the application, or constant */
         }
 {%- if bytes %}
         if ((entry->data_type >= {{ upper }}_VISIBLE_STRING && entry->data_type <= {{ upper }}_UNICODE_STRING)

@@ -3,7 +3,7 @@
  *
  * Object dictionary of {{ plain.table.product|c_comment }} by {{ plain.table.vendor|c_comment }}.
  *
- * {{ plain.lower }}_entries is an array of structures, one for each entry; {{ plain.lower }}_data holds the values that can change.
+ * {{ plain.lower }}_entries is an array of structures, one per entry; {{ plain.lower }}_data contains the variable values.
  */
 #ifndef {{ plain.upper }}_H
 #define {{ plain.upper }}_H
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 {%- if let Some(node_id) = plain.table.node_id %}
 
-/* The node-ID that the device was configured for. */
+/* The configured node-ID. */
 #define {{ plain.upper }}_NODE_ID {{ node_id }}u
 {%- endif %}
 
@@ -38,7 +38,7 @@ extern "C" {
 {%- endif %}
 
 {%- if time || !plain.groups.is_empty() %}
-/* A time of day since 1984-01-01, or a difference of times. */
+/* A time of day since 1984-01-01, or a time difference. */
 typedef struct {
     uint32_t milliseconds; /* after midnight, 28 bits */
     uint16_t days;
@@ -46,7 +46,7 @@ typedef struct {
 {%- endif %}
 {%- for group in plain.groups %}
 
-/* The storage group {{ group.group.name|c_comment }}: what is saved together. */
+/* The storage group {{ group.group.name|c_comment }}. */
 typedef struct {
 {%- for field in group.fields %}
     {{ field.declaration }}; /* {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
@@ -55,7 +55,7 @@ typedef struct {
 } {{ group.lower }}_t;
 {%- endfor %}
 
-/* The values that can change; constants are in flash. A string, octet string or DOMAIN has its length before it. */
+/* The variable values; constants are in flash. A string, octet string or DOMAIN is preceded by its length. */
 typedef struct {
     uint8_t node_id; /* set by {{ plain.lower }}_init() */
 {%- for member in fields() %}
@@ -70,16 +70,16 @@ typedef struct {
 } {{ plain.lower }}_data_t;
 extern {{ plain.lower }}_data_t {{ plain.lower }}_data;
 
-/* An entry of the dictionary. What data, low, high and def point at is of the C type that the data type has in
-   {{ plain.lower }}_data_t; an integer of 24 to 56 bits is in the next longer one. */
+/* An entry of the dictionary. data, low, high and def point to the C type of the data type as in
+   {{ plain.lower }}_data_t; an integer of 24 to 56 bits uses the next larger type. */
 typedef struct {
     uint16_t index;
     uint8_t sub;
     uint8_t data_type; /* {{ plain.upper }}_UNSIGNED32 and the like */
     uint8_t flags;     /* {{ plain.upper }}_READ and the like */
-    uint16_t size;     /* bytes of a value in an SDO transfer, at most */
-    void *data;        /* the value; a constant is its default, in flash. NULL: the application has to serve it */
-    const void *low;   /* limits; NULL where there are none */
+    uint16_t size;     /* maximum size of a value in an SDO transfer, in bytes */
+    void *data;        /* the value; for a constant, its default in flash. NULL: the application must provide it */
+    const void *low;   /* limits; NULL if there are none */
     const void *high;
     const void *def;   /* the default */
 {%- if names %}
@@ -88,11 +88,11 @@ typedef struct {
 } {{ plain.lower }}_entry_t;
 
 /* Flags of an entry. */
-#define {{ plain.upper }}_READ 0x01u            /* an SDO may read it */
-#define {{ plain.upper }}_WRITE 0x02u           /* an SDO may write it */
-#define {{ plain.upper }}_TPDO 0x04u            /* a TPDO may carry it */
-#define {{ plain.upper }}_RPDO 0x08u            /* an RPDO may carry it */
-#define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /* the node-ID is to be added to the default */
+#define {{ plain.upper }}_READ 0x01u            /* readable by SDO */
+#define {{ plain.upper }}_WRITE 0x02u           /* writable by SDO */
+#define {{ plain.upper }}_TPDO 0x04u            /* mappable to TPDOs */
+#define {{ plain.upper }}_RPDO 0x08u            /* mappable to RPDOs */
+#define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /* the node-ID must be added to the default */
 #define {{ plain.upper }}_LOW_NODE_ID 0x20u     /* the node-ID is to be added to the low limit */
 #define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /* the node-ID is to be added to the high limit */
 {%- if plain.hooks %}
@@ -100,7 +100,7 @@ typedef struct {
 {%- endif %}
 
 /* Data types, by their index in CiA 301. */
-#define {{ plain.upper }}_BLOCK 0x00u /* a type of the device's own */
+#define {{ plain.upper }}_BLOCK 0x00u /* a device-specific type */
 #define {{ plain.upper }}_BOOLEAN 0x01u
 #define {{ plain.upper }}_INTEGER8 0x02u
 #define {{ plain.upper }}_INTEGER16 0x03u
@@ -131,10 +131,10 @@ typedef struct {
 #define {{ plain.upper }}_ENTRY_COUNT {{ plain.table.rows.len() }}u
 extern const {{ plain.lower }}_entry_t {{ plain.lower }}_entries[{{ plain.upper }}_ENTRY_COUNT];
 
-/* The entry of an index and a sub-index, by binary search; NULL when there is none. */
+/* Finds the entry with an index and a sub-index by binary search; NULL if there is none. */
 const {{ plain.lower }}_entry_t *{{ plain.lower }}_find(uint16_t index, uint8_t sub);
 
-/* Sets all values to the defaults of the node node_id: 1 to 127, only the lower seven bits count. */
+/* Sets all values to the defaults for node_id, 1 to 127; only the lower seven bits are used. */
 void {{ plain.lower }}_init(uint8_t node_id);
 {%- if !plain.groups.is_empty() %}
 {%- let lower = plain.lower %}

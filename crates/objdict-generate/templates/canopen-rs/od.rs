@@ -2,23 +2,23 @@
 //
 // Object dictionary of {{ product|code_span }} by {{ vendor|code_span }}, for the crate canopen-rs 0.6.
 //
-// Take the file in as a module or with `include!`. A product seldom uses all of it, so dead code is
-// allowed; `unreachable_pub` depends on where it is taken in.
+// Use the file as a module or with `include!`. Products rarely use all of it, so dead code is
+// allowed; `unreachable_pub` depends on where it is included.
 
 #[allow(unused_imports)]
 use canopen_rs::{AccessType, Address, ByteString, Entry, ObjectDictionary, Value};
 {%- if let Some(node_id) = node_id %}
 
-/// The node-ID that the device was configured for.
+/// The configured node-ID.
 #[allow(dead_code, unreachable_pub)]
 pub const NODE_ID: u8 = {{ node_id }};
 {%- endif %}
 
-/// How many entries the dictionary has.
+/// The number of entries.
 #[allow(dead_code, unreachable_pub)]
 pub const ENTRY_COUNT: usize = {{ rows.len() }};
 
-/// The dictionary of the node `node_id`: 1 to 127, only the lower seven bits count.
+/// The dictionary for `node_id`, 1 to 127; only the lower seven bits are used.
 #[must_use]
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)]
@@ -52,7 +52,7 @@ fn octets(bytes: &[u8]) -> ByteString {
 }
 {%- endif %}
 
-/// Where the entries are.
+/// The addresses of the entries.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)]
 pub mod address {

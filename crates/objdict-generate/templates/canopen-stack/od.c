@@ -2,7 +2,7 @@
  * {{ head.made_by }}; do not edit.
  *
  * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for canopen-stack 4.4.
- * Values of more than 4 bytes and REAL64 are kept as a little-endian processor has them.
+ * Values of more than 4 bytes and REAL64 are stored for a little-endian processor.
  */
 #include "{{ head.stem }}.h"
 {%- if blocks || bytes %}
@@ -17,7 +17,7 @@
 {%- endfor %}
 {%- if blocks || bytes %}
 
-/* Bytes to copy from or to an object of size bytes, of which offset are done. */
+/* Number of bytes to copy from or to an object of size bytes, after the first offset bytes. */
 static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t wanted)
 {
     const uint32_t rest = offset < size ? size - offset : 0u;
@@ -26,8 +26,8 @@ static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t w
 {%- endif %}
 {%- if blocks %}
 
-/* A value of a fixed number of bytes. The stack asks for the size when a transfer begins, and not every transfer resets the
-   offset; so it begins anew here. */
+/* A value of fixed size. The stack asks for the size when a transfer starts, and not every transfer resets the
+   offset, so this resets it. */
 static uint32_t {{ head.lower }}_block_size(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t width)
 {
     CO_OBJ_DOM *const block = (CO_OBJ_DOM *)obj->Data;
@@ -70,7 +70,7 @@ static const CO_OBJ_TYPE {{ head.lower }}_block = {
 {%- endif %}
 {%- if bytes %}
 
-/* A value of up to room bytes: a text that can be written, for one. */
+/* A value of up to room bytes, such as a writable text. */
 typedef struct {
     uint32_t offset;
     uint32_t room;
@@ -78,7 +78,7 @@ typedef struct {
     uint8_t *bytes;
 } {{ head.lower }}_bytes_t;
 
-/* The length of what is to be read, or what can be written of width bytes. A transfer begins. */
+/* Called when a transfer starts: the length of the value to read, or the writable part of width bytes. */
 static uint32_t {{ head.lower }}_bytes_size(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint32_t width)
 {
     {{ head.lower }}_bytes_t *const value = ({{ head.lower }}_bytes_t *)obj->Data;
@@ -138,14 +138,14 @@ const {{ group.variable }}_t {{ group.variable }}_defaults = {
 {%- endfor %}
 {%- if !layout.variables.is_empty() %}
 
-/* The values that can change. */
+/* The variable values. */
 {%- for member in layout.variables %}
 {{ member.definition() }} = {{ member.initializer }};
 {%- endfor %}
 {%- endif %}
 {%- if !layout.definitions.is_empty() %}
 
-/* Constants, and what the types of the stack need beside a value. */
+/* Constants, and additional data for types of the stack. */
 {%- for definition in layout.definitions %}
 {{ definition }}
 {%- endfor %}
@@ -156,7 +156,7 @@ static const uint8_t {{ head.lower }}_nothing = 0u;
 {%- endif %}
 {%- if !parameters.store.is_empty() %}
 
-/* Parameter groups that 1010h stores. */
+/* Parameter groups stored by 1010h. */
 static const CO_PARA {{ head.lower }}_store[] = {
 {%- for line in parameters.store %}
     {{ line }}
@@ -165,7 +165,7 @@ static const CO_PARA {{ head.lower }}_store[] = {
 {%- endif %}
 {%- if !parameters.restore.is_empty() %}
 
-/* Parameter groups that 1011h restores. */
+/* Parameter groups restored by 1011h. */
 static const CO_PARA {{ head.lower }}_restore[] = {
 {%- for line in parameters.restore %}
     {{ line }}

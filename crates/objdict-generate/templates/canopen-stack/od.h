@@ -13,16 +13,16 @@ extern "C" {
 #endif
 {%- if let Some(node_id) = head.node_id %}
 
-/* The node-ID that the device was configured for. */
+/* The configured node-ID. */
 #define {{ head.upper }}_NODE_ID {{ node_id }}u
 {%- endif %}
 
-/* What the stack must be compiled for, at least: CO_SSDO_N and so on, up to the highest number that is used. */
+/* Minimum configuration of the stack: CO_SSDO_N and so on, up to the highest number in use. */
 {%- for count in head.counts %}
 #define {{ head.upper }}_{{ count.name }}_N {{ count.count }} /* {{ count.what }} */
 {%- endfor %}
 
-/* The dictionary: so many rows by key, and the end mark behind them. */
+/* The dictionary: the rows by key, followed by the end mark. */
 #define {{ head.upper }}_LEN {{ head.length }}u
 extern const CO_OBJ {{ head.lower }}_objects[{{ head.upper }}_LEN + 1u];
 {%- for group in layout.groups %}
@@ -38,7 +38,7 @@ extern const {{ group.variable }}_t {{ group.variable }}_defaults;
 {%- endfor %}
 {%- if !layout.variables.is_empty() %}
 
-/* The values that can change. */
+/* The variable values. */
 {%- for member in layout.variables %}
 {%- if let Some(structure) = member.structure() %}
 typedef {{ structure }} {{ member.name }}_t;

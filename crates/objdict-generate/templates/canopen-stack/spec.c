@@ -1,8 +1,8 @@
 /*
  * {{ head.made_by }}.
  *
- * A node specification to begin with: copy it into the application and fill in what is marked, for this file is written
- * anew with the dictionary.
+ * A template for the node specification: copy it into the application and complete the marked parts. This file is overwritten
+ * with the dictionary.
  */
 #include "{{ head.stem }}.h"
 
@@ -12,17 +12,17 @@
 /* FILL IN: the baud rate in bit/s. */
 #define APP_BAUDRATE {{ baud_rate }}u
 
-/* Heartbeat, SYNC and LSS, a timer for each heartbeat consumer, two for each TPDO. FILL IN: those of the application. */
+/* Heartbeat, SYNC and LSS, a timer per heartbeat consumer, two per TPDO. FILL IN: those of the application. */
 #define APP_TMR_N {{ timers }}u
 
-/* FILL IN: ticks of the timer driver in a second. */
+/* FILL IN: ticks of the timer driver per second. */
 #define APP_TICKS_PER_SECOND 1000u
 
 /* FILL IN: the drivers for CAN, timer and non-volatile memory. */
 extern struct CO_IF_DRV_T AppDriver;
 {%- if emcy %}
 
-/* FILL IN: a row for each error of the application; its number is what COEmcySet() takes. */
+/* FILL IN: a row for each error of the application; its number is the argument of COEmcySet(). */
 static CO_EMCY_TBL AppEmcyTbl[CO_EMCY_N] = {
     {.Reg = CO_EMCY_REG_GENERAL, .Code = CO_EMCY_CODE_GEN_ERR},
 };
@@ -35,7 +35,7 @@ extern struct CO_NODE_SPEC_T AppSpec;
 struct CO_NODE_SPEC_T AppSpec = {
     .NodeId = APP_NODE_ID,
     .Baudrate = APP_BAUDRATE,
-    .Dict = (CO_OBJ *){{ head.lower }}_objects, /* only read: no row is direct and writable */
+    .Dict = (CO_OBJ *){{ head.lower }}_objects, /* not written: no row is direct and writable */
     .DictLen = {{ head.upper }}_LEN,
     .EmcyCode = {% if emcy %}AppEmcyTbl{% else %}NULL{% endif %},
     .TmrMem = AppTmrMem,

@@ -20,7 +20,7 @@
 #error this object dictionary is for CANopenNode 4
 #endif
 
-/* Values, by storage group. Formulas stand without the node-ID. */
+/* Values by storage group. Formulas do not include the node-ID. */
 {%- for group in tables.groups %}
 {{ od }}_ATTR_{{ group.name }} {{ od }}_{{ group.name }}_t {{ od }}_{{ group.name }} = {
 {%- for field in group.fields %}
@@ -28,7 +28,7 @@
 {%- endfor %}
 };
 {% endfor %}
-/* What the objects are. */
+/* Object descriptors. */
 typedef struct {
 {%- for object in tables.objects %}
     OD_obj_
@@ -62,7 +62,7 @@ static OD_t _{{ od }} = {
 OD_t *{{ od }} = &_{{ od }};
 {%- if tables.sets_bytes() %}
 
-/* Sets a value that is kept as bytes. */
+/* Sets a value stored as bytes. */
 static void setBytes(uint8_t *bytes, uint8_t length, uint64_t value)
 {
     for (uint8_t i = 0; i < length; i++) {

@@ -13,19 +13,19 @@
 extern "C" {
 #endif
 
-/* How many objects a service of the stack has. */
+/* Number of objects per service of the stack. */
 {%- for (label, count) in tables.counters %}
 #define {{ od }}_CNT_{{ label }} {{ count }}
 {%- endfor %}
 
-/* How many elements an array has. */
+/* Number of elements per array. */
 {%- for object in tables.objects %}
 {%- if let Some(count) = object.count %}
 #define {{ od }}_CNT_ARR_{{ object.index|hex4 }} {{ count }}
 {%- endif %}
 {%- endfor %}
 
-/* Values, by storage group. */
+/* Values by storage group. */
 {%- for group in tables.groups %}
 typedef struct {
 {%- for field in group.fields %}
@@ -56,18 +56,17 @@ extern {{ od }}_ATTR_OD OD_t *{{ od }};
 {%- endfor %}
 {%- if !tables.has_consumers %}
 
-/* The stack names these where there are no consumers of heartbeats, too. */
+/* The stack also refers to these without heartbeat consumers. */
 #define {{ od }}_CNT_ARR_1016 0
 #define {{ od }}_ENTRY_H1016 NULL
 {%- endif %}
 
-/* Adds the node-ID, of which only the lower seven bits count, to the values that are formulas and that the stack does not
-   know of. To be called when the node-ID is known, before CO_CANopenInit(), and again when it changes; stored values are to
-   be restored after it. */
+/* Adds the node-ID, of which only the lower seven bits are used, to formulas that the stack does not evaluate. Call this when the
+   node-ID is known, before CO_CANopenInit(), and again when it changes; restore stored values afterwards. */
 void {{ od }}_applyNodeId(uint8_t nodeId);
 {%- if tables.limits.is_some() %}
 
-/* Gives an extension that keeps the limits to each object that has some and has no extension yet. The node-ID is for limits
+/* Adds an extension that enforces limits to each object with limits and without an extension. The node-ID is for limits
    that are formulas. */
 void {{ od }}_initLimits(uint8_t nodeId);
 

@@ -9,21 +9,21 @@ ODR_t {{ od }}_writeLimited(OD_stream_t *stream, const void *buf, OD_size_t coun
     return OD_writeOriginal(stream, buf, count, countWritten);
 }
 {%- else %}
-/* What a limited value is, and which limits it has. */
+/* The kind of a limited value and its limits. */
 #define LIMIT_LOW 0x01U
 #define LIMIT_HIGH 0x02U
 #define LIMIT_LOW_NODE_ID 0x04U  /* the node-ID is added */
 #define LIMIT_HIGH_NODE_ID 0x08U /* the node-ID is added */
 #define LIMIT_SIGNED 0x10U
 #define LIMIT_REAL 0x20U
-#define LIMIT_BYTES 0x40U /* kept as bytes, the lowest first */
+#define LIMIT_BYTES 0x40U /* stored as bytes, the lowest first */
 
-/* Limits as numbers of 64 bits, those of a REAL as its bits. */
+/* Limits as 64-bit numbers; a REAL as its bits. */
 typedef struct {
     uint64_t low;
     uint64_t high;
     uint16_t index;
-    uint16_t object; /* place in the list */
+    uint16_t object; /* position in the list */
     uint8_t subIndex;
     uint8_t length;
     uint8_t flags;
@@ -38,7 +38,7 @@ static CO_PROGMEM Limit_t limits[] = {
 static uint8_t limitNodeId;
 static OD_extension_t limitExtensions[{{ limits.objects }}];
 
-/* The number of a value, with its sign up to the highest bit. */
+/* Converts a value to a number, with sign extension. */
 static uint64_t limitedValue(CO_PROGMEM Limit_t *limit, const void *buf)
 {
     uint64_t value = 0;
@@ -66,7 +66,7 @@ static uint64_t limitedValue(CO_PROGMEM Limit_t *limit, const void *buf)
 }
 {%- if limits.real %}
 
-/* The number whose bits a value is. */
+/* Converts the bits of a value to a number. */
 static float64_t realNumber(CO_PROGMEM Limit_t *limit, uint64_t bits)
 {
     float64_t number;
@@ -81,10 +81,10 @@ static float64_t realNumber(CO_PROGMEM Limit_t *limit, uint64_t bits)
 }
 {%- endif %}
 
-/* Compares two numbers: whether the first is less than the second. */
+/* Whether the first number is less than the second. */
 static bool_t isLess(CO_PROGMEM Limit_t *limit, uint64_t first, uint64_t second)
 {
-    /* numbers with a sign are in order when the sign is turned round */
+    /* inverting the sign bit makes signed numbers comparable as unsigned */
     const uint64_t bias = (limit->flags & LIMIT_SIGNED) != 0U ? 1ULL << 63 : 0U;
 {%- if limits.real %}
     if ((limit->flags & LIMIT_REAL) != 0U) {
@@ -125,13 +125,13 @@ static uint32_t limitKey(uint16_t index, uint8_t subIndex)
     return ((uint32_t)index << 8) | subIndex;
 }
 
-/* The limits of an entry, by binary search; NULL where it has none. */
+/* Finds the limits of an entry by binary search; NULL if it has none. */
 static CO_PROGMEM Limit_t *findLimit(uint16_t index, uint8_t subIndex)
 {
     const uint32_t key = limitKey(index, subIndex);
     CO_PROGMEM Limit_t *limit = limits;
     size_t count = sizeof(limits) / sizeof(limits[0]);
-    while (count > 1U) { /* ends at the last row that is not greater */
+    while (count > 1U) { /* ends at the last row not greater than the key */
         const size_t half = count / 2U;
         if (limitKey(limit[half].index, limit[half].subIndex) <= key) {
             limit += half;

@@ -5,10 +5,10 @@
  */
 #include "{{ head.stem }}_pimg.h"
 
-/* Everything that can change and PDOs can carry. */
+/* The variable values, which PDOs may map. */
 UNSIGNED8 gProcImg[PROCIMG_SIZE];
 
-/* Replies to SDO requests, 8 bytes each, and an end mark. */
+/* Replies to SDO requests, 8 bytes each, with an end mark. */
 UNSIGNED8 MEM_CONST SDOResponseTable[] = {
 {%- for reply in replies %}
     {{ reply.row }}, /* {{ reply.described|c_comment }} */
@@ -16,7 +16,7 @@ UNSIGNED8 MEM_CONST SDOResponseTable[] = {
     SDOREPLY(0xFFFF, 0xFF, 0xFF, 0xFFFFFFFFL)
 };
 
-/* Entries of the process image, and an end mark. */
+/* Entries of the process image, with an end mark. */
 OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
 {%- for entry in entries %}
     ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
@@ -36,7 +36,7 @@ void {{ head.lower }}_init_image(void)
 {%- endfor %}
 }
 
-/* Initialises the PDOs; for MCOUSER_ResetCommunication(), behind MCO_Init(). */
+/* Initialises the PDOs; call it in MCOUSER_ResetCommunication() after MCO_Init(). */
 void {{ head.lower }}_init_pdos(void)
 {
 {%- for call in tpdos %}

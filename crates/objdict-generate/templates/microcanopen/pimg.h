@@ -13,21 +13,21 @@
 #define {{ head.upper }}_NODE_ID {{ head.node_id }}
 #endif
 
-/* Milliseconds between heartbeats, for MCO_Init(). */
+/* Heartbeat time in milliseconds, for MCO_Init(). */
 #define {{ head.upper }}_HEARTBEAT {{ head.heartbeat }}
 
-/* Where the process image has what, little-endian. */
+/* Offsets in the process image; values are little-endian. */
 {%- for entry in entries %}
 #define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ entry.index|hex4 }}h sub-index {{ entry.sub|hex2 }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.described|c_comment }} */
 {%- endfor %}
 
-/* Bytes of the process image, at least one. */
+/* Size of the process image in bytes, at least one. */
 #define PROCIMG_SIZE {% if head.size > 0 %}{{ head.size }}{% else %}1{% endif %}
 
 /* Sets the process image to the defaults of the description. */
 void {{ head.lower }}_init_image(void);
 
-/* Initialises the PDOs; for MCOUSER_ResetCommunication(), behind MCO_Init(). */
+/* Initialises the PDOs; call it in MCOUSER_ResetCommunication() after MCO_Init(). */
 void {{ head.lower }}_init_pdos(void);
 
 #endif

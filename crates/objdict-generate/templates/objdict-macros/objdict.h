@@ -9,12 +9,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A stack that has macros of these names, and types for what they make, names its header here. */
+/* A stack that defines these macros and their types sets the name of its header here. */
 #ifdef OBJDICT_TYPES
 #include OBJDICT_TYPES
 #else
 
-/* Access types: who may read and write, and which PDOs carry the entry. */
+/* Access types: SDO access and the PDOs that may map the entry. */
 enum { RO, WO, RW, ROMAP, WOMAP, RWRMAP, RWWMAP };
 
 /* An entry of the dictionary. */
@@ -23,14 +23,14 @@ typedef struct {
     uint8_t sub;
     uint8_t access;
     uint32_t length; /* bytes */
-    void *address;   /* of the value, little-endian where it has more bytes than a number of C */
+    void *address;   /* of the value; little-endian if it is larger than a C number */
 } OBJ_ENTRY;
 
-/* The only entry of its object, and an entry of an object with several. */
+/* The only entry of an object, and an entry of an object with several. */
 #define SINGLE_OBJ(index, length, address, access) {index, 0u, access, length, (void *)(address)}
 #define SUB_OBJ(index, sub, length, address, access) {index, sub, access, length, (void *)(address)}
 
-/* What a PDO carries. */
+/* The mapping of a PDO. */
 typedef struct {
     uint16_t index;
     uint8_t sub;

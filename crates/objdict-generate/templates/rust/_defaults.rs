@@ -1,5 +1,5 @@
-/// What the dictionary says by default of the identity and the services of the node, decoded: COB-IDs
-/// are functions of the node-ID. The values that hold now are in `Data`.
+/// Default values of identity and services, decoded. COB-IDs are functions of the node-ID. `Data`
+/// contains the present values.
 #[allow(dead_code, unreachable_pub, clippy::cast_lossless)]
 #[rustfmt::skip]
 pub mod defaults {

@@ -21,7 +21,7 @@ impl<'de, const N: usize> serde::Deserialize<'de> for Octets<N> {
     }
 }
 
-/// Takes at most `N` bytes.
+/// Accepts at most `N` bytes.
 struct OctetsVisitor<const N: usize>;
 
 impl<'de, const N: usize> serde::de::Visitor<'de> for OctetsVisitor<N> {
@@ -52,7 +52,7 @@ impl<'de, const N: usize> serde::de::Visitor<'de> for OctetsVisitor<N> {
     }
 }
 
-/// Arrays of any length: serde has those of up to 32 elements.
+/// Arrays of any length: serde supports up to 32 elements.
 #[allow(dead_code)]
 mod serde_array {
     use serde::de::Error;

@@ -1,4 +1,4 @@
-/// A place in RAM (0: none, for the value is in flash) or in [`ROM`].
+/// A location in RAM (0: none, the value is in flash) or in [`ROM`].
 type Offset = {{ offset }};
 
 /// An entry of the dictionary.
@@ -39,51 +39,51 @@ impl Entry {
         self.sub
     }
 
-    /// The index of the data type, such as 07h for UNSIGNED32; 0 for a type of the device's own.
+    /// The index of the data type, such as 07h for UNSIGNED32; 0 for a device-specific type.
     #[must_use]
     pub const fn data_type(&self) -> u8 {
         self.data_type
     }
 
-    /// Whether an SDO may read it.
+    /// Whether it is readable by SDO.
     #[must_use]
     pub const fn is_readable(&self) -> bool {
         self.flags & READ != 0
     }
 
-    /// Whether an SDO may write it.
+    /// Whether it is writable by SDO.
     #[must_use]
     pub const fn is_writable(&self) -> bool {
         self.flags & WRITE != 0
     }
 
-    /// Whether a TPDO may carry it.
+    /// Whether it is mappable to TPDOs.
     #[must_use]
     pub const fn fits_tpdo(&self) -> bool {
         self.flags & TPDO != 0
     }
 
-    /// Whether an RPDO may carry it.
+    /// Whether it is mappable to RPDOs.
     #[must_use]
     pub const fn fits_rpdo(&self) -> bool {
         self.flags & RPDO != 0
     }
 {%- if hooks %}
 
-    /// Whether [`Hooks`] hear of it.
+    /// Whether [`Hooks`] are called.
     #[must_use]
     pub const fn is_hooked(&self) -> bool {
         self.flags & HOOK != 0
     }
 {%- endif %}
 
-    /// Whether the default is only what is added to the node-ID.
+    /// Whether the default is an offset to the node-ID.
     #[must_use]
     pub const fn adds_node_id(&self) -> bool {
         self.flags & NODE_ID_DEFAULT != 0
     }
 
-    /// Bytes of a value in an SDO transfer, at most.
+    /// Maximum size of a value in an SDO transfer, in bytes.
     #[must_use]
     pub fn size(&self) -> usize {
         match number_size(self.data_type) {
@@ -92,7 +92,7 @@ impl Entry {
         }
     }
 
-    /// The bytes of the default; of a formula, of what is added to the node-ID.
+    /// The bytes of the default; for a formula, of the offset to the node-ID.
     #[must_use]
     pub fn default_bytes(&self) -> &'static [u8] {
         match number_size(self.data_type) {
@@ -104,7 +104,7 @@ impl Entry {
     {% if gates -%}
     #[cfg(feature = "od-limits")]
     {% endif -%}
-    /// The number that is the low limit on a node, as `u64` with the bits of the value.
+    /// The low limit for a node as `u64` with the bits of the value.
     #[must_use]
     pub fn low_limit(&self, node_id: u8) -> Option<u64> {
         (self.flags & LOW != 0).then(|| self.number(1, LOW_NODE_ID, node_id))
@@ -113,7 +113,7 @@ impl Entry {
     {% if gates -%}
     #[cfg(feature = "od-limits")]
     {% endif -%}
-    /// The number that is the high limit on a node, as `u64` with the bits of the value.
+    /// The high limit for a node as `u64` with the bits of the value.
     #[must_use]
     pub fn high_limit(&self, node_id: u8) -> Option<u64> {
         let block = 1 + usize::from(self.flags & LOW != 0);
@@ -128,13 +128,13 @@ impl Entry {
         number_size(self.data_type) != 0
     }
 
-    /// Bytes of this entry in flash.
+    /// The data of this entry in flash.
     fn bytes(&self, skip: usize, length: usize) -> &'static [u8] {
         let start = self.rom as usize + skip;
         ROM.get(start..start + length).unwrap_or(&[])
     }
 
-    /// One of the two lengths in front of a default that is no number.
+    /// One of the two lengths before a non-numeric default.
     fn head(&self, skip: usize) -> usize {
         match self.bytes(skip, 2) {
             [low, high] => usize::from(*low) | (usize::from(*high) << 8),
@@ -142,7 +142,7 @@ impl Entry {
         }
     }
 
-    /// The number of a block of bytes in flash; the node-ID is added where the flag says so.
+    /// Reads a number from flash and adds the node-ID if the flag is set.
     fn number(&self, block: usize, flag: u16, node_id: u8) -> u64 {
         let size = self.size();
         let number = number(self.data_type, self.bytes(block * size, size));
@@ -152,7 +152,7 @@ impl Entry {
         number.wrapping_add(u64::from(node_id & 0x7F))
     }
 
-    /// The value of an entry that has no field.
+    /// The value of an entry without a field.
     fn in_flash(&self, node_id: u8) -> Result<Value<'static>, Abort> {
         if self.is_number() {
             let number = self.number(0, NODE_ID_DEFAULT, node_id);
@@ -212,7 +212,7 @@ impl Entry {
     }
 }
 
-/// The entry of an index and a sub-index, by binary search.
+/// Finds the entry with an index and a sub-index by binary search.
 ///
 /// # Errors
 /// [`Abort::NoObject`] or [`Abort::NoSubIndex`].
@@ -235,7 +235,7 @@ const fn key(index: u16, sub: u8) -> u32 {
     ((index as u32) << 8) | sub as u32
 }
 
-/// Bytes of a number of this data type; 0 for a type whose values are no numbers.
+/// Size of a number of this data type, in bytes; 0 for other types.
 const fn number_size(data_type: u8) -> usize {
     match data_type {
         BOOLEAN | INTEGER8 | UNSIGNED8 => 1,
@@ -254,7 +254,7 @@ const fn is_signed(data_type: u8) -> bool {
     matches!(data_type, INTEGER8..=INTEGER32 | INTEGER24 | INTEGER40..=INTEGER64)
 }
 
-/// The number of at most eight bytes; the sign goes on to the left.
+/// Converts at most eight bytes to a number, with sign extension.
 fn number(data_type: u8, bytes: &[u8]) -> u64 {
     let negative = is_signed(data_type) && bytes.last().is_some_and(|&last| last >= 0x80);
     let start = if negative { u64::MAX } else { 0 };
@@ -265,7 +265,7 @@ fn number(data_type: u8, bytes: &[u8]) -> u64 {
 {% if gates -%}
 #[cfg(feature = "od-limits")]
 {% endif -%}
-/// A number that is ordered as the values of the data type are; `None` for a REAL that is not a number.
+/// Converts a value to a number with the same order; `None` for NaN.
 fn order(data_type: u8, number: u64) -> Option<u64> {
     const SIGN: u64 = 1 << 63;
     let (real, infinity) = match data_type {

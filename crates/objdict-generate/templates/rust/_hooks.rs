@@ -1,7 +1,7 @@
-/// What the application has to say about entries that were asked for with `--hook`.
+/// Hooks of the application for the entries selected with `--hook`.
 #[allow(dead_code, unreachable_pub)]
 pub trait Hooks {
-    /// Is called before such an entry is read, and may change its value: the new one is read.
+    /// Called before such an entry is read; may change its value.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -10,23 +10,23 @@ pub trait Hooks {
         Ok(())
     }
 
-    /// Is called after such an entry was written, with the new value in its place.
+    /// Called after such an entry was written; the entry has its new value.
     ///
     /// # Errors
-    /// The code to abort the download with: the value of the entry is the old one again; what else
-    /// the hook changed stays.
+    /// The code to abort the download with: the old value is restored; other changes of
+    /// the hook remain.
     fn after_write(&mut self, data: &mut Data, index: u16, sub: u8) -> Result<(), Abort> {
         let _ = (data, index, sub);
         Ok(())
     }
 }
 
-/// Bytes of the longest value that [`Hooks::after_write`] may refuse.
+/// Size of the longest value that [`Hooks::after_write`] may reject.
 const HOOK_ROOM: usize = {{ hook_room }};
 
 #[allow(dead_code, unreachable_pub)]
 impl Data {
-    /// Reads as [`Data::read`] does, with hooks.
+    /// Like [`Data::read`], with hooks.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -44,10 +44,10 @@ impl Data {
         self.read(index, sub, buffer)
     }
 
-    /// Writes as [`Data::write`] does, with hooks.
+    /// Like [`Data::write`], with hooks.
     ///
     /// # Errors
-    /// The code to abort the download with; the value did not change.
+    /// The code to abort the download with; the value is unchanged.
     pub fn write_with(
         &mut self,
         hooks: &mut (impl Hooks + ?Sized),
@@ -80,7 +80,7 @@ impl Data {
     }
 }
 
-/// Keeps what fits; returns how many bytes that are.
+/// Copies what fits; returns the number of bytes.
 #[allow(dead_code)]
 fn keep(room: &mut [u8], bytes: &[u8]) -> usize {
     let length = bytes.len().min(room.len());

@@ -1,5 +1,5 @@
 {% if !enums.is_empty() -%}
-/// What values of entries mean, as the description names them.
+/// Named values of entries.
 #[allow(dead_code, unreachable_pub)]
 #[rustfmt::skip]
 pub mod enums {
@@ -25,13 +25,13 @@ pub mod enums {
 {%- if loop.last %}
 {% endif %}
 {%- endfor %}
-        /// The value that an entry holds.
+        /// The value of the entry.
         #[must_use]
         pub const fn value(self) -> {{ view.type_ }} {
             self as {{ view.repr }}{% if view.type_ == "bool" %} != 0{% endif %}
         }
 
-        /// What a value means; `None` of one that has no name.
+        /// The name of a value; `None` if it has none.
         #[must_use]
         pub const fn from_value(value: {{ view.type_ }}) -> Option<Self> {
             match value {
@@ -59,7 +59,7 @@ pub mod enums {
 {% endif %}
 {%- endif %}
 {%- if !words.is_empty() -%}
-/// Parts of the words that entries hold: `get` takes one out, `with` gives the word with another one.
+/// Bit fields of entries: `get` extracts the value, `with` returns the word with a new value.
 #[allow(dead_code, unreachable_pub)]
 #[allow(clippy::cast_lossless, clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
 #[allow(clippy::cast_sign_loss, clippy::precedence, clippy::unnecessary_cast)]
@@ -79,16 +79,16 @@ pub mod bits {
             pub const SHIFT: u32 = {{ part.of.first }};
             /// The number of bits.
             pub const BITS: u32 = {{ part.of.bits }};
-            /// The bits that it has in the word.
+            /// The mask of its bits in the word.
             pub const MASK: {{ part.unsigned }} = {{ part.mask }};
 
-            /// The part of a word.
+            /// Extracts its value from a word.
             #[must_use]
             pub const fn get(word: {{ part.word }}) -> {{ part.type_ }} {
                 {{ part.get }}
             }
 
-            /// The word with another part, of whose bits the lowest count.
+            /// Returns the word with a new value, of which only the lowest bits are used.
             #[must_use]
             pub const fn with(word: {{ part.word }}, value: {{ part.type_ }}) -> {{ part.word }} {
                 {{ part.with }}

@@ -1,4 +1,4 @@
-/// The name of each entry in the description; only what asks for a name takes it into the program.
+/// The name of each entry in the description; not part of the program unless used.
 {%- if gates %}
 #[cfg(feature = "od-names")]
 {%- endif %}

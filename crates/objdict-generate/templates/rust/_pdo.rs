@@ -1,4 +1,4 @@
-/// What the frames of PDOs carry by default: a struct for each, its fields in the order of the frame.
+/// The default mapping of PDOs: one struct per PDO with its fields in frame order.
 {% if gates -%}
 #[cfg(feature = "od-pdo")]
 {% endif -%}
@@ -18,23 +18,23 @@ pub mod pdo {
     #[rustfmt::skip]
     #[allow(clippy::approx_constant, clippy::cast_lossless)]
     impl {{ frame.type_name }} {
-        /// Bytes of a frame.
+        /// Length of a frame in bytes.
         pub const LENGTH: usize = {{ frame.frame.length }};
 {%- if let Some(transmission_type) = frame.frame.transmission_type %}
 
-        /// The transmission type by default.
+        /// The default transmission type.
         pub const TRANSMISSION_TYPE: u8 = {{ transmission_type }};
 {%- endif %}
 {%- if let Some(cob_id) = frame.cob_id %}
 
-        /// The COB-ID by default, with the flags of its upper bits.
+        /// The default COB-ID, including the flags in its upper bits.
         #[must_use]
         pub const fn cob_id({% if !frame.depends_on_node_id %}_{% endif %}node_id: u8) -> u32 {
             {{ cob_id }}
         }
 {%- endif %}
 
-        /// What the dictionary holds now.
+        /// Reads the present values from the dictionary.
         #[must_use]
         pub fn load({% if !frame.reads_data %}_{% endif %}data: &super::Data) -> Self {
             Self {
@@ -44,7 +44,7 @@ pub mod pdo {
             }
         }
 
-        /// Puts the values into the dictionary, whatever the limits; constants stay as they are.
+        /// Writes the values to the dictionary without checking limits; constants are unchanged.
         pub fn store(&self, {% if !frame.writes_data %}_{% endif %}data: &mut super::Data) {
 {%- for field in frame.fields %}
 {%- if let Some(place) = field.place %}
@@ -53,7 +53,7 @@ pub mod pdo {
 {%- endfor %}
         }
 
-        /// The frame that carries the values.
+        /// Packs the values into a frame.
         #[must_use]
         pub fn pack(&self) -> [u8; {{ frame.frame.length }}] {
             let frame = {% for field in frame.fields %}
@@ -64,7 +64,7 @@ pub mod pdo {
             core::array::from_fn(|at| bytes[at])
         }
 
-        /// The values of a frame.
+        /// Unpacks the values of a frame.
         #[must_use]
         pub fn unpack(frame: [u8; {{ frame.frame.length }}]) -> Self {
             let frame = frame.iter().rev().fold(0, |frame, &byte| (frame << 8) | u64::from(byte));
@@ -76,7 +76,7 @@ pub mod pdo {
         }
     }
 {% endfor %}
-    /// A value at its place in a frame: its lowest `bits` bits, 1 to 64, from bit `first` on.
+    /// Shifts a value to its position in a frame: its lowest `bits` bits, 1 to 64, from bit `first` on.
     fn put(value: &impl super::Field, first: u32, bits: u32) -> u64 {
         let shift = |number: u64, &byte: &u8| (number << 8) | u64::from(byte);
         let number = match value.load() {
@@ -86,7 +86,7 @@ pub mod pdo {
         (number & (u64::MAX >> (64 - bits))) << first
     }
 
-    /// The value at a place in a frame, in the type of `value`; a sign goes on to the left.
+    /// Extracts a value from a frame in the type of `value`, with sign extension.
     fn take<T: super::Field>(mut value: T, frame: u64, first: u32, bits: u32, signed: bool) -> T {
         let lowest = u64::MAX >> (64 - bits);
         let number = (frame >> first) & lowest;

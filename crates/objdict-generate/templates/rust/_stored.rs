@@ -1,5 +1,5 @@
 {% for group in groups -%}
-/// The storage group {{ group.group.name|code_span }}: what is saved together.
+/// The storage group {{ group.group.name|code_span }}.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]{{ derives("") }}
 pub struct {{ group.type_name }} {
@@ -13,11 +13,11 @@ pub struct {{ group.type_name }} {
 
 #[allow(dead_code, unreachable_pub)]
 impl {{ group.type_name }} {
-    /// Bytes of an image.
+    /// Size of an image in bytes.
     pub const IMAGE_SIZE: usize = {{ group.group.image_size }};
 {%- if let Some(sub_index) = group.group.sub_index %}
 
-    /// The sub-index of objects `0x1010` and `0x1011` that is about the group.
+    /// The sub-index of objects `0x1010` and `0x1011` for the group.
     pub const STORE_SUB_INDEX: u8 = {{ sub_index }};
 {%- endif %}
 
@@ -27,7 +27,7 @@ impl {{ group.type_name }} {
         layout: {{ group.layout }},
     };
 
-    /// The defaults of the node `node_id`: 1 to 127, only the lower seven bits count.
+    /// The defaults for `node_id`, 1 to 127; only the lower seven bits are used.
     #[must_use]
     #[rustfmt::skip]
     #[allow(clippy::approx_constant, clippy::cast_lossless, clippy::too_many_lines)]
@@ -42,15 +42,15 @@ impl {{ group.type_name }} {
         }
     }
 
-    /// Puts the values into an image, as memory shall keep it.
+    /// Writes the values to an image for non-volatile memory.
     pub fn save(&self, image: &mut [u8; Self::IMAGE_SIZE]) {
         Self::KEPT.save(|ram| self.field(ram), image);
     }
 
-    /// Takes the values from an image, whatever the limits.
+    /// Reads the values from an image without checking limits.
     ///
     /// # Errors
-    /// What is wrong with the image; no value changed.
+    /// Why the image is not valid; no value changes.
     pub fn load(&mut self, image: &[u8]) -> Result<(), ImageError> {
         Self::KEPT.check(image, Self::IMAGE_SIZE)?;
         for (entry, value) in Self::KEPT.values(image) {
@@ -95,17 +95,17 @@ impl {{ group.type_name }} {
 }
 
 {% endfor -%}
-/// Why an image of a storage group is refused.
+/// Why an image of a storage group is rejected.
 #[allow(dead_code, unreachable_pub)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives("") }}
 pub enum ImageError {
-    /// It is shorter or longer than `IMAGE_SIZE`.
+    /// The length is not `IMAGE_SIZE`.
     Length,
-    /// It is of a group with other entries, data types or lengths, or was never saved.
+    /// From a group with other entries, data types or lengths, or never saved.
     Layout,
-    /// Its CRC does not fit.
+    /// Wrong CRC.
     Checksum,
-    /// A value is none of its data type.
+    /// A value is not valid for its data type.
     Value,
 }
 
@@ -120,7 +120,7 @@ impl core::fmt::Display for ImageError {
     }
 }
 
-/// What an image of a storage group is made of: its layout, the values of entries whose places are
+/// The contents of an image of a storage group: its layout, the values of entries with locations
 /// `first` to `last`, and the CRC.
 #[derive(Clone, Copy)]
 struct Kept {
@@ -179,7 +179,7 @@ impl Kept {
         }
     }
 
-    /// The entries, each with its value in an image unless it is none of its data type.
+    /// The entries, each with its value in an image if it is valid for its data type.
     fn values(self, image: &[u8]) -> impl Iterator<Item = (&'static Entry, Option<Value<'_>>)> {
         let mut rest = image.get(4..).unwrap_or(&[]);
         self.entries().map(move |entry| {
@@ -192,7 +192,7 @@ impl Kept {
 
 #[allow(dead_code)]
 impl Entry {
-    /// Bytes of the value in an image: a text has all its room, behind its length.
+    /// Size of the value in an image, in bytes: a text uses its full capacity, preceded by its length.
     fn image_size(&self) -> usize {
         let has_length = !self.is_number() && self.data_type != BLOCK;
         self.size() + if has_length { 2 } else { 0 }
@@ -214,7 +214,7 @@ impl Entry {
     }
 }
 
-/// Bytes at a place of an image; the place is behind them then.
+/// Takes bytes at a position of an image and advances the position.
 #[allow(dead_code)]
 fn put(image: &mut [u8], at: &mut usize, bytes: &[u8]) {
     let end = *at + bytes.len();
@@ -224,7 +224,7 @@ fn put(image: &mut [u8], at: &mut usize, bytes: &[u8]) {
     *at = end;
 }
 
-/// The CRC of `CiA` 301: x^16 + x^12 + x^5 + 1 from 0 on.
+/// The CRC of `CiA` 301: x^16 + x^12 + x^5 + 1, initial value 0.
 #[allow(dead_code)]
 fn crc16(bytes: &[u8]) -> u16 {
     bytes.iter().fold(0, |crc, &byte| {

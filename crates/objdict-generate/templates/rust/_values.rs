@@ -5,40 +5,40 @@
 pub enum Abort {
     /// The buffer is shorter than the value.
     OutOfMemory = 0x0504_0005,
-    /// Attempt to read an entry that can only be written.
+    /// Attempt to read a write-only entry.
     WriteOnly = 0x0601_0001,
-    /// Attempt to write an entry that can only be read.
+    /// Attempt to write a read-only entry.
     ReadOnly = 0x0601_0002,
     /// There is no object with this index.
     NoObject = 0x0602_0000,
     /// The number of bytes does not match the data type.
     LengthMismatch = 0x0607_0010,
-    /// More bytes than the data type or the room has.
+    /// More bytes than the data type or the capacity.
     TooLong = 0x0607_0012,
-    /// Fewer bytes than the data type has.
+    /// Fewer bytes than the data type.
     TooShort = 0x0607_0013,
     /// The object has no such sub-index.
     NoSubIndex = 0x0609_0011,
-    /// No value of the data type.
+    /// Not valid for the data type.
     InvalidValue = 0x0609_0030,
     /// Above the high limit.
     TooHigh = 0x0609_0031,
     /// Below the low limit.
     TooLow = 0x0609_0032,
-    /// The table has no room for the data, so the application must take them.
+    /// No capacity for the data; the application must store them.
     CannotStore = 0x0800_0020,
-    /// The table has no data, so the application must give them.
+    /// No data in the table; the application must provide them.
     NoData = 0x0800_0024,
 {%- if hooks %}
-    /// What a hook may say: the value contradicts others.
+    /// For hooks: the value contradicts others.
     Incompatible = 0x0604_0043,
-    /// What a hook may say: the hardware failed.
+    /// For hooks: the hardware failed.
     Hardware = 0x0606_0000,
-    /// What a hook may say: something else is wrong.
+    /// For hooks: any other error.
     General = 0x0800_0000,
-    /// What a hook may say: the device is controlled locally.
+    /// For hooks: the device is controlled locally.
     LocalControl = 0x0800_0021,
-    /// What a hook may say: not in this state of the device.
+    /// For hooks: not in this state of the device.
     DeviceState = 0x0800_0022,
 {%- endif %}
 }
@@ -89,10 +89,10 @@ impl<const N: usize> Octets<N> {
         self.bytes.get(..length).unwrap_or(&self.bytes)
     }
 
-    /// Puts other bytes.
+    /// Replaces the bytes.
     ///
     /// # Errors
-    /// [`Abort::TooLong`] when there are more than `N`.
+    /// [`Abort::TooLong`] for more than `N` bytes.
     pub fn set(&mut self, bytes: &[u8]) -> Result<(), Abort> {
         if bytes.len() > N {
             return Err(Abort::TooLong);
@@ -102,7 +102,7 @@ impl<const N: usize> Octets<N> {
     }
 }
 
-/// A time of day since 1984-01-01, or a difference of times.
+/// A time of day since 1984-01-01, or a time difference.
 #[allow(dead_code, unreachable_pub)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives("") }}
 pub struct Time {
@@ -113,11 +113,11 @@ pub struct Time {
 }
 
 impl Time {
-    /// The bits of the first four bytes that count.
+    /// The used bits of the first four bytes.
     const USED: u32 = 0x0FFF_FFFF;
 }
 
-/// A value on its way to or from an SDO.
+/// A value transferred by an SDO.
 #[allow(dead_code)]
 enum Value<'a> {
     /// Little-endian.
@@ -125,7 +125,7 @@ enum Value<'a> {
     Bytes(&'a [u8]),
 }
 
-/// What a field of `Data` can do whatever its type.
+/// Common operations of the fields of `Data`.
 #[allow(dead_code)]
 trait Field {
     fn load(&self) -> Value<'_>;

@@ -2,13 +2,13 @@
 //
 // Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
 //
-// `Data` holds the values that can change, `Data::read` and `Data::write` serve an SDO, and every
-// object has a module with the numbers of its entries. The file has no dependency and needs no
-// standard library; take it in as a module or with `include!`. A product seldom uses all of it, so
-// dead code is allowed; `unreachable_pub` depends on where it is taken in.
+// `Data` contains the variable values, `Data::read` and `Data::write` implement SDO access, and each
+// object has a module with the sub-indexes of its entries. The file has no dependencies and needs no
+// standard library; use it as a module or with `include!`. Products rarely use all of it, so dead
+// code is allowed; `unreachable_pub` depends on where it is included.
 {%- if let Some(node_id) = table.node_id %}
 
-/// The node-ID that the device was configured for.
+/// The configured node-ID.
 #[allow(dead_code, unreachable_pub)]
 pub const NODE_ID: u8 = {{ node_id }};
 {%- endif %}
@@ -32,7 +32,7 @@ pub mod {{ view.object.module }} {
 {{ meanings }}
 
 {% endif -%}
-/// The values that can change; constants are in flash.
+/// The variable values; constants are in flash.
 #[allow(dead_code, unreachable_pub, clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]{{ derives("") }}
 pub struct Data {
@@ -51,7 +51,7 @@ pub struct Data {
 
 #[allow(dead_code, unreachable_pub)]
 impl Data {
-    /// The defaults of the node `node_id`: 1 to 127, only the lower seven bits count.
+    /// The defaults for `node_id`, 1 to 127; only the lower seven bits are used.
     #[must_use]
     #[rustfmt::skip]
     #[allow(clippy::approx_constant, clippy::cast_lossless, clippy::too_many_lines)]
@@ -119,13 +119,13 @@ impl Data {
     }
 {%- endif %}
 
-    /// The node-ID that the values were made for.
+    /// The node-ID of the values.
     #[must_use]
     pub const fn node_id(&self) -> u8 {
         self.node_id
     }
 
-    /// Reads a value into `buffer`, as an SDO upload transfers it; returns the number of its bytes.
+    /// Reads a value into `buffer`, as transferred by an SDO upload; returns the number of bytes.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -147,10 +147,10 @@ impl Data {
         Ok(bytes.len())
     }
 
-    /// Writes a value that an SDO download transferred, if the dictionary allows it.
+    /// Writes a value transferred by an SDO download if the dictionary allows it.
     ///
     /// # Errors
-    /// The code to abort the download with; the value did not change.
+    /// The code to abort the download with; the value is unchanged.
     pub fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
         let entry = find(index, sub)?;
         if !entry.is_writable() {
@@ -171,7 +171,7 @@ impl Data {
 }
 {%- if table.node_id.is_some() %}
 
-/// The defaults of the node that the device was configured for.
+/// The defaults for the configured node-ID.
 #[allow(dead_code)]
 impl Default for Data {
     fn default() -> Self {

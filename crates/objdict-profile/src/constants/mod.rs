@@ -1,5 +1,5 @@
-//! The documents that come with the program: generated from `data` by `cargo xtask profiles`. When the form of
-//! the tables changes, xtask does not build with the old ones: take them out of this list for that run.
+//! The built-in documents, generated from `data` by `cargo xtask profiles`. If the table format changes, xtask
+//! does not build with the old tables: remove them from this list for that run.
 
 #[rustfmt::skip]
 mod cia301;
@@ -21,7 +21,7 @@ mod cia406;
 
 use super::Profile;
 
-/// The documents, with their numbers, in the order of these.
+/// The documents in ascending order of their numbers.
 pub(super) static DOCUMENTS: &[(u16, &Profile)] = &[
     (301, &cia301::PROFILE),
     #[cfg(feature = "catalogue")]

@@ -12,7 +12,7 @@ static int is(const od_entry_t *entry, uint8_t flag)
     return (entry->flags & flag) != 0u;
 }
 
-/* The bytes of a number, little-endian, with the node-ID if there is one to add. */
+/* The bytes of a number, little-endian, including the node-ID if it has to be added. */
 static void number(const od_entry_t *entry, const void *from, uint8_t node_id)
 {
     uint64_t value = 0u;

@@ -23,7 +23,7 @@ static uint8_t sub_of(const CO_OBJ *obj)
     return (uint8_t)((obj->Key >> 8) & 0xFFu);
 }
 
-/* Numbers: in the row or behind its address; the node-ID comes and goes. */
+/* Numbers: in the row or at its address; the node-ID is added and subtracted. */
 static CO_ERR number_read(struct CO_OBJ_T *obj, struct CO_NODE_T *own, void *buffer, uint32_t size)
 {
     uint32_t value = (uint32_t)obj->Data;
@@ -65,7 +65,7 @@ INTEGER(Integer8, 1u);
 INTEGER(Integer16, 2u);
 INTEGER(Integer32, 4u);
 
-/* A text goes on where the last read ended. */
+/* A text continues where the last read ended. */
 static uint32_t string_size(struct CO_OBJ_T *obj, struct CO_NODE_T *own, uint32_t width)
 {
     (void)own;
@@ -121,7 +121,7 @@ static CO_ERR domain_reset(struct CO_OBJ_T *obj, struct CO_NODE_T *own, uint32_t
 
 const CO_OBJ_TYPE Domain = {domain_size, NULL, domain_read, NULL, domain_reset};
 
-/* Sub-index 0 is a byte, the others have 4; what is behind them differs. */
+/* Sub-index 0 is a byte, the others have 4; their data differ. */
 static uint32_t list_size(struct CO_OBJ_T *obj, struct CO_NODE_T *own, uint32_t width)
 {
     return sub_of(obj) == 0u ? Integer8Size(obj, own, width) : Integer32Size(obj, own, width);
@@ -174,7 +174,7 @@ const CO_OBJ_TYPE Consumer = {consumer_size, NULL, consumer_read, NULL, NULL};
 const CO_OBJ_TYPE Store = {list_size, NULL, store_read, NULL, NULL};
 const CO_OBJ_TYPE Restore = {list_size, NULL, restore_read, NULL, NULL};
 
-/* The stack's search: both ends belong to it, so the end mark is looked at too. */
+/* The stack's search: both ends are inclusive, so it also checks the end mark. */
 static CO_OBJ *find(uint32_t key)
 {
     int32_t start = 0;

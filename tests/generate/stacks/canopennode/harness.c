@@ -117,7 +117,7 @@ ODR_t OD_getSub(const OD_entry_t *entry, uint8_t subIndex, OD_IO_t *io, bool_t o
     return ODR_OK;
 }
 
-/* Adds the node-ID to the COB-ID of an entry that has nothing but the function code. */
+/* Adds the node-ID to the COB-ID of an entry that contains only the function code. */
 static void add_node_id(uint16_t index, uint8_t sub, uint32_t function, uint8_t node_id)
 {
     OD_IO_t io;
@@ -143,7 +143,7 @@ static void set(uint16_t index, uint8_t sub, uint32_t value)
     }
 }
 
-/* What the stack makes of the node-ID when it starts. */
+/* How the stack applies the node-ID at start. */
 static void start(uint8_t node_id)
 {
     OD_applyNodeId(node_id);
@@ -158,7 +158,7 @@ static void start(uint8_t node_id)
 
 static uint8_t buffer[0x20000];
 
-/* What the place of a number is a multiple of: processors of 32 bits need not align 64 bits to 8 bytes. */
+/* Alignment of a number: 32-bit processors need not align 64 bits to 8 bytes. */
 static size_t alignment(size_t length)
 {
     struct widest {
@@ -207,7 +207,7 @@ static void dump(void)
     }
 }
 
-/* What the SDO server answers. */
+/* The answer of the SDO server. */
 static unsigned long write(OD_IO_t *io, const uint8_t *bytes, OD_size_t count)
 {
     OD_size_t written = 0;

@@ -1,4 +1,4 @@
-/* Two object dictionaries in one program, with the configuration that the stack takes for each. */
+/* Two object dictionaries in one program, each with its stack configuration. */
 #include "301/CO_ODinterface.h"
 
 typedef struct {
@@ -16,7 +16,7 @@ typedef struct {
 
 #include <string.h>
 
-/* As little of the stack as the files need. */
+/* The minimal part of the stack that the files need. */
 ODR_t OD_readOriginal(OD_stream_t *stream, void *buf, OD_size_t count, OD_size_t *countRead)
 {
     (void)stream;

@@ -52,7 +52,7 @@ static found_t process(const OD_PROCESS_DATA_ENTRY *row)
     return found;
 }
 
-/* The first row of an address. */
+/* The first row with an address. */
 static found_t search(unsigned index, unsigned sub)
 {
     const UNSIGNED8 *row = SDOResponseTable;

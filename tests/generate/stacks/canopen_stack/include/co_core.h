@@ -1,6 +1,6 @@
 /*
- * As much of the interface of canopen-stack 4.4 as a dictionary and a node specification need; the harness beside it
- * behaves as the stack does where it reads and writes entries.
+ * The part of the canopen-stack 4.4 interface that a dictionary and a node specification need; the harness next to it
+ * reads and writes entries like the stack.
  */
 #ifndef CO_CORE_H
 #define CO_CORE_H

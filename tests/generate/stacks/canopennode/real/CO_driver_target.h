@@ -1,4 +1,4 @@
-/* What a port of CANopenNode declares, for a little-endian node without a CAN controller and with one thread. */
+/* The declarations of a CANopenNode port, for a little-endian node without CAN controller and with one thread. */
 #ifndef CO_DRIVER_TARGET_H
 #define CO_DRIVER_TARGET_H
 

@@ -87,7 +87,7 @@ void CO_CANmodule_process(CO_CANmodule_t *module)
     (void)module;
 }
 
-/* Ends with the name of a step that failed. */
+/* Exits with the name of the failed step. */
 static void demand(const char *step, CO_ReturnError_t error, uint32_t info)
 {
     if (error != CO_ERROR_NO) {
@@ -125,7 +125,7 @@ static CO_t *start(uint8_t node_id)
     return node;
 }
 
-/* Sends a request to the SDO server, and lets it answer. */
+/* Sends a request to the SDO server and waits for the answer. */
 static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
 {
     frame_t frame = {can_id, 8, {0}};
@@ -149,7 +149,7 @@ static void print_bytes(const uint8_t *bytes, size_t count)
     }
 }
 
-/* Uploads an entry, as CiA 301 has it. */
+/* Uploads an entry as defined in CiA 301. */
 static void upload(CO_t *node, uint8_t node_id, uint16_t index, uint8_t sub)
 {
     const uint16_t can_id = (uint16_t)(0x600u + node_id);

@@ -1,4 +1,4 @@
-/* As much of the interface of MicroCANopen as its tables need; offsets have 16 bits, as in its Plus version. */
+/* The part of the MicroCANopen interface that its tables need; offsets have 16 bits, as in its Plus version. */
 #ifndef MCO_H
 #define MCO_H
 

@@ -24,7 +24,7 @@ typedef double float64_t;
 typedef uint32_t OD_size_t;
 typedef uint8_t OD_attr_t;
 
-/* Attributes: what an SDO and a PDO may do, and how the bytes are kept. */
+/* Attributes: SDO and PDO access, and how the bytes are stored. */
 typedef enum {
     ODA_SDO_R = 0x01,
     ODA_SDO_W = 0x02,
@@ -39,7 +39,7 @@ typedef enum {
     ODA_STR = 0x80
 } OD_attributes_t;
 
-/* Answers of functions that read and write; the stack turns them into abort codes. */
+/* Return codes of read and write functions; the stack converts them to abort codes. */
 typedef enum {
     ODR_PARTIAL = -1,
     ODR_OK = 0,
