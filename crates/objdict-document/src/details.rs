@@ -22,7 +22,7 @@ pub(crate) struct Details<'a> {
     pub(crate) unit: Option<String>,
     /// The application-specific name.
     pub(crate) denotation: Option<String>,
-    /// The PDOs that carry it: `TPDO 1`.
+    /// The PDOs that map it: `TPDO 1`.
     pub(crate) carried_by: Option<String>,
     /// Named values.
     pub(crate) values: Vec<(i128, &'a str)>,

@@ -1,4 +1,4 @@
-//! The target `canopen-stack`: the `CO_OBJ` table of embedded-office's canopen-stack 4.4, with the values behind it.
+//! The target `canopen-stack`: the `CO_OBJ` table of embedded-office's canopen-stack 4.4 and its values.
 //!
 //! One row per sub-index. Constants of up to 16 bits are stored in the row, longer ones in flash; values that
 //! can change are separate variables or members of their storage group. The files define additional types
