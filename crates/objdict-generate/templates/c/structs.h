@@ -96,7 +96,7 @@ typedef struct {
 #define {{ plain.upper }}_LOW_NODE_ID 0x20u     /* the node-ID is to be added to the low limit */
 #define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /* the node-ID is to be added to the high limit */
 {%- if plain.hooks %}
-#define {{ plain.upper }}_HOOK 0x80u           /* hooks are called for reads and writes */
+#define {{ plain.upper }}_HOOK 0x80u           /* selected with --hook: the application handles reads and writes */
 {%- endif %}
 
 /* Data types, by their index in CiA 301. */
