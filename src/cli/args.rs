@@ -102,7 +102,7 @@ pub(super) enum Command {
 
 /// Check device descriptions
 ///
-/// Exits with 1 when there is a finding of severity warning or error (see --deny), with 2 when a file cannot be read.
+/// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input

@@ -53,7 +53,7 @@ pub(super) struct ConfigArgs {
 pub(super) struct SettingsArgs {
     #[command(flatten)]
     config: ConfigArgs,
-    /// Lowest severity that fails the run: note, warning or error [default: warning]
+    /// Lowest severity that fails the run: note, warning or error [default: error]
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
     deny: Option<Deny>,
     /// Evaluate formulas for this node-ID [default: that of the DCF]
@@ -220,7 +220,7 @@ impl<'a> Settings<'a> {
     /// The lowest severity that makes the exit code 1.
     pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
         let stated = self.args.deny.map(Severity::from);
-        stated.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Warning)
+        stated.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Error)
     }
 
     fn open(&mut self, path: &Path) -> Result<Arc<Project>, Failure> {

@@ -24,7 +24,7 @@ impl<W: Write> Junit<W> {
     pub fn new(out: W) -> Self {
         let mut xml = XmlWriter::new();
         xml.open("testsuites", &[("name", "objdict")]);
-        Self { out, base: Base::default(), deny: Severity::Warning, xml }
+        Self { out, base: Base::default(), deny: Severity::Error, xml }
     }
 
     /// With paths as they are seen from `folder`, which is that of the repository.

@@ -63,7 +63,7 @@ fn constants(group: &str, profile: &Profile) -> String {
          use std::borrow::Cow;\n\n\
          use crate::model::{{Access, Access::*, DataType, ObjectType, ObjectType::*, Value, Value::*}};\n\
          use crate::tables::{{NeedRow::*, Term::*, *}};\n\
-         use crate::{{Condition, Mapping::*, Profile}};\n\n\
+         use crate::{{Condition, Confidence::*, Mapping::*, Profile}};\n\n\
          pub(super) static PROFILE: Profile = Profile {{\n    group: {group:?},\n    \
          document: Cow::Borrowed({:?}),\n    title: Cow::Borrowed({:?}),\n",
         profile.document, profile.title

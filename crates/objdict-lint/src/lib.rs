@@ -78,6 +78,7 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
             }
         }
         for against in demands::against(facts.device, one) {
+            let first = findings.len();
             for rule in &rules {
                 match rule.check {
                     Check::Against(check) => check(&rule.info, &against, findings),
@@ -87,6 +88,7 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
                     _ => {}
                 }
             }
+            findings.limit_from(first, demands::highest_severity(against.facts.confidence));
         }
     }
 }

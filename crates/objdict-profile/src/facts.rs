@@ -29,6 +29,8 @@ pub struct ObjectFacts<'a> {
     pub source: Option<&'a str>,
     /// Its purpose in one English sentence, in the words of this project.
     pub about: Option<&'a str>,
+    /// How sure the source is: a demand of medium confidence is never an error.
+    pub confidence: Confidence,
     entries: &'a [EntryRow],
     tables: &'a Tables,
 }
@@ -85,6 +87,16 @@ pub enum Mapping {
     Any,
 }
 
+/// How sure a source is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Confidence {
+    /// The document itself, or two sources that agree.
+    #[default]
+    High,
+    /// One secondary source, or a matter of the edition.
+    Medium,
+}
+
 /// A bit field of a value.
 #[derive(Clone, Copy, Debug)]
 pub struct BitField<'a> {
@@ -129,6 +141,7 @@ impl<'a> ObjectFacts<'a> {
             as_many_as: row.as_many_as.of(&tables.indexes),
             source: tables.stated(row.source),
             about: tables.stated(row.about),
+            confidence: row.confidence,
             entries: row.entries.of(&tables.entries),
             tables,
         }

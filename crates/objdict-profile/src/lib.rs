@@ -21,7 +21,7 @@ use std::borrow::Cow;
 
 pub use condition::{Condition, ConditionError};
 pub use decode::{bits, meaning, of_object};
-pub use facts::{BitField, EntryFacts, Mapping, Need, ObjectFacts};
+pub use facts::{BitField, Confidence, EntryFacts, Mapping, Need, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;
 #[cfg(feature = "toml")]

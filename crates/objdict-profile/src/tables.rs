@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 pub use super::condition::Term;
-use super::{Condition, Mapping};
+use super::{Condition, Confidence, Mapping};
 use crate::model::{Access, DataType, ObjectType, Value};
 
 /// A sub-list: position and number of items.
@@ -65,6 +65,8 @@ pub struct ObjectRow {
     pub source: Part,
     /// In the texts; empty if not stated.
     pub about: Part,
+    /// How sure the source is.
+    pub confidence: Confidence,
 }
 
 /// An entry, or a range of similar ones; see [`EntryFacts`](super::EntryFacts).

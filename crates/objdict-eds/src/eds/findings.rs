@@ -129,7 +129,7 @@ text_rule! {
 text_rule! {
     WRONG_COUNT = "cia306/wrong-count", Error, fix Safe;
     summary: "a count does not match the number of entries",
-    checks: "Whether `SupportedObjects`, `NrOfEntries`, `Lines`, `ObjectLinks`, `NrOfSeg` and `Items` equal the number of numbered keys that follow. All keys are read, regardless of the count.",
+    checks: "Whether `SupportedObjects`, `NrOfEntries`, `Lines`, `ObjectLinks`, `NrOfSeg` and `Items` equal the number of numbered keys that follow. All keys are read, regardless of the count. An empty section `[DynamicChannels]` of a device without dynamic channels is a note.",
     why: "Tools that rely on the count do not see the entries above it.",
     example: "`SupportedObjects=3` with four entries",
     remedy: "Correct the count.",

@@ -26,8 +26,9 @@ pub(crate) fn missing_object(
             say!("{:04X}h ({}) is missing; {} requires it{}", index, facts.name, document, condition);
         let place = Place::object(crate::profile::device_type_index(device, applied.block));
         let cause = cause(facts.need, device, applied.block).filter(|cause| cause.part != place.part);
-        let finding =
-            Diagnostic::new(rule, place, message).help(say!("add the object: `{}`", Part::Object(index)));
+        let finding = Diagnostic::new(rule, place, message)
+            .severity(rule.severity.min(super::highest_severity(facts.confidence)))
+            .help(say!("add the object: `{}`", Part::Object(index)));
         findings.push(match cause {
             Some(cause) => finding.label(cause, "requires it"),
             None => finding,

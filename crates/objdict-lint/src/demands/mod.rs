@@ -11,9 +11,9 @@ mod objects;
 use std::sync::Arc;
 
 use super::{Options, stated};
-use crate::diagnostic::{Argument, Sayable, say};
+use crate::diagnostic::{Argument, Sayable, Severity, say};
 use crate::model::{Device, Entry, Field, Object, Place};
-use crate::profile::{self, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
+use crate::profile::{self, Confidence, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
 
 pub(crate) use bits::{reserved_bits, undefined_field_value};
 pub(crate) use entries::{wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_value};
@@ -86,6 +86,14 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
 fn has_block(device: &Device, profile: &Profile, block: u8) -> bool {
     let (first, last) = (profile::index_in(block, 0x6000), profile::index_in(block, 0x67FE));
     device.objects.range(first..=last).any(|(&index, _)| profile.object_in(block, index).is_some())
+}
+
+/// The severity of a demand at most: what a source of medium confidence demands is never an error.
+pub(crate) fn highest_severity(confidence: Confidence) -> Severity {
+    match confidence {
+        Confidence::High => Severity::Error,
+        Confidence::Medium => Severity::Warning,
+    }
 }
 
 /// The objects of the device that a document defines.

@@ -90,6 +90,13 @@ impl Findings {
         self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
     }
 
+    /// Lowers the severities from the finding of this number on to at most `highest`.
+    pub fn limit_from(&mut self, first: usize, highest: Severity) {
+        for finding in self.kept.iter_mut().skip(first) {
+            finding.severity = finding.severity.min(highest);
+        }
+    }
+
     /// Adds all findings of `other`, including its counts.
     pub fn append(&mut self, other: Findings) {
         let omitted: Vec<(&'static str, u32)> = other.omitted().collect();

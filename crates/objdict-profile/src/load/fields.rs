@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 
 use crate::model::{Access, DataType, ObjectType};
-use crate::{Condition, Mapping};
+use crate::{Condition, Confidence, Mapping};
 
 /// A decimal number, or a hexadecimal one after `0x`.
 pub(super) fn number(text: &str) -> Option<u64> {
@@ -84,6 +84,17 @@ impl Word for Mapping {
     }
 }
 
+impl Word for Confidence {
+    const EXPECTED: &'static str = "`high` or `medium`";
+    fn of(word: &str) -> Option<Self> {
+        match word {
+            "high" => Some(Self::High),
+            "medium" => Some(Self::Medium),
+            _ => None,
+        }
+    }
+}
+
 impl<'de, T: Word> Deserialize<'de> for Named<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let word = String::deserialize(deserializer)?;
@@ -110,6 +121,12 @@ pub(super) fn access_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result
 }
 
 pub(super) fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Mapping>, D::Error> {
+    Named::deserialize(deserializer).map(|word| Some(word.0))
+}
+
+pub(super) fn confidence<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Option<Confidence>, D::Error> {
     Named::deserialize(deserializer).map(|word| Some(word.0))
 }
 

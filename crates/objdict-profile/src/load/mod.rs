@@ -10,12 +10,12 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use self::fields::{
-    BitRange, ConditionText, Meanings, NeedText, NumberOrPair, Ranges, access_types, data_types, mapping,
-    number, object_types,
+    BitRange, ConditionText, Meanings, NeedText, NumberOrPair, Ranges, access_types, confidence, data_types,
+    mapping, number, object_types,
 };
 use self::pack::Packer;
 use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow};
-use super::{Mapping, Profile};
+use super::{Confidence, Mapping, Profile};
 use crate::diagnostic::nearest;
 use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
 use crate::source::Span;
@@ -60,7 +60,7 @@ impl Profile {
         let mut objects = Vec::with_capacity(file.object.len());
         for object in file.object {
             let at = span(object.span());
-            let row = object.into_inner().row(&mut packer);
+            let row = object.into_inner().row(file.confidence.unwrap_or_default(), &mut packer);
             objects.push((row.map_err(|message| ProfileError::new(message, Some(at)))?, at));
         }
         objects.sort_by_key(|(row, _)| row.first);
@@ -96,6 +96,8 @@ struct ProfileFile {
     number: Option<u16>,
     #[serde(default)]
     repeats: bool,
+    #[serde(default, deserialize_with = "confidence")]
+    confidence: Option<Confidence>,
     #[serde(default)]
     object: Vec<Spanned<ObjectTable>>,
 }
@@ -111,6 +113,8 @@ struct ObjectTable {
     need: Option<NeedText>,
     only: Option<ConditionText>,
     source: Option<String>,
+    #[serde(default, deserialize_with = "confidence")]
+    confidence: Option<Confidence>,
     about: Option<String>,
     #[serde(default)]
     as_many_as: Vec<u16>,
@@ -163,7 +167,7 @@ struct BitTable {
 }
 
 impl ObjectTable {
-    fn row(self, packer: &mut Packer) -> Result<ObjectRow, String> {
+    fn row(self, of_document: Confidence, packer: &mut Packer) -> Result<ObjectRow, String> {
         let last = self.last.unwrap_or(self.index);
         if last < self.index {
             return Err(format!("`last` {last:04X}h is below `index` {:04X}h", self.index));
@@ -226,6 +230,7 @@ impl ObjectTable {
             entries: packer.entries.part(&entries),
             source: packer.text(self.source.as_deref().unwrap_or_default()),
             about: packer.text(self.about.as_deref().unwrap_or_default()),
+            confidence: self.confidence.unwrap_or(of_document),
         })
     }
 }

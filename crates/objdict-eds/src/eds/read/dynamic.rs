@@ -3,6 +3,7 @@
 use super::lists::check_count;
 use super::modules::index_range;
 use super::{Items, Reader};
+use crate::diagnostic::Severity;
 use crate::ini;
 use crate::model::{DataType, DynamicChannels, Extra, Field, InvalidValues, Segment, ToolCommand};
 
@@ -39,7 +40,14 @@ impl Reader<'_> {
                 SegmentKey::Offset => segment.offset = Some(item.value.into()),
             }
         });
+        let first = items.findings.len();
         check_count(&mut items, count, "NrOfSeg", channels.segments.len());
+        let info = self.device.device_info.as_ref();
+        let is_used = info.and_then(|info| info.dynamic_channels_supported).is_some_and(|count| count > 0);
+        let is_stated = count.is_some_and(|item| !item.value.is_empty());
+        if channels.segments.is_empty() && !is_used && !is_stated {
+            items.findings.limit_from(first, Severity::Note);
+        }
         self.device.dynamic_channels = Some(channels);
     }
 

@@ -1,10 +1,10 @@
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::{Facts, rule};
 
 rule! {
     "cia301/invalid-device-type", Error, Facts(check);
     summary: "the device type is contradictory",
-    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile).",
+    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile). For `0x00010000`, which tools write for a generic device, the finding is a warning.",
     why: "The high word has a meaning only within a profile. A master that compares the device type or derives the profile from it reaches the wrong conclusion.",
     example: "`[1000]` with `DefaultValue=0x00030000`",
     remedy: "Write the profile number to the low word, such as `0x00030191` for CiA 401, or write 0.",
@@ -23,5 +23,6 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         additional
     );
     let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
-    findings.push(finding.help("write the profile number to the low word, or write 0"));
+    let finding = finding.help("write the profile number to the low word, or write 0");
+    findings.push(if device_type == 0x0001_0000 { finding.severity(Severity::Warning) } else { finding });
 }

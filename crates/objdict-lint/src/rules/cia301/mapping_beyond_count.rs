@@ -2,7 +2,7 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
-    "cia301/mapping-beyond-count", Warning, Pdo(check);
+    "cia301/mapping-beyond-count", Note, Pdo(check);
     summary: "a PDO mapping has more entries than its sub-index 0 counts",
     checks: "Whether the entries of a PDO mapping above the number in sub-index 0 are 0 or empty. A mapping with 0 objects is disabled and may keep its entries.",
     why: "The entries seem to be mapped but are not. Often sub-index 0 was not increased with a new entry.",

@@ -1,13 +1,13 @@
 use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
-use crate::model::{Access, Field, MappedObject, ObjectType};
+use crate::model::{Access, DataType, Entry, Field, MappedObject, ObjectType, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
     "cia306/mapping-not-possible", Warning, Entry(check), fix Unsafe;
     summary: "an entry is marked mappable, but cannot be mapped",
-    checks: "Whether entries with `PDOMapping=1` have a data type of fixed length, at most 64 bits, and are not `const`.",
+    checks: "Whether entries with `PDOMapping=1` are at most 64 bits long and are not `const`. A text or OCTET_STRING can be mapped if its value has at most 8 bytes; without a value its length is open, and it is reported.",
     why: "Tools offer the entry for mapping, but the device refuses the mapping.",
-    example: "`PDOMapping=1` of a VISIBLE_STRING",
+    example: "`PDOMapping=1` of a VISIBLE_STRING with 12 characters",
     remedy: "Write `PDOMapping=0`, or correct `DataType` or `AccessType`.",
     source: "CiA 301 §7.5.2.36",
 }
@@ -22,7 +22,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let this = |mapped: MappedObject| (mapped.index, mapped.sub) == (at.index, at.sub.unwrap_or(0));
         at.device.pdos().any(|pdo| pdo.mapped().any(this))
     };
-    let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()));
+    let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()) && !is_short(entry));
     let (message, field, label) = match (unmappable, entry.access) {
         (Some(data_type), _) => {
             (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type")
@@ -39,6 +39,16 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let finding =
         Diagnostic::new(&RULE.info, at.field(Field::PdoMapping), message).label(at.field(field), label);
     let title = say!("write `{PDOMapping=0}`");
-    let fix = if unmappable.is_some() { Fix::safe(title.clone()) } else { Fix::risky(title.clone()) };
-    findings.push(finding.help(title).fix(fix.set(at.field(Field::PdoMapping), "0")));
+    let fix = Fix::risky(title.clone()).set(at.field(Field::PdoMapping), "0");
+    findings.push(finding.help(title).fix(fix));
+}
+
+/// Whether the value of a string has 1 to 8 bytes, which a PDO can carry.
+fn is_short(entry: &Entry) -> bool {
+    let length = match (entry.data_type, entry.value()) {
+        (Some(DataType::VISIBLE_STRING), Some(Value::Text(text))) => text.len(),
+        (Some(DataType::OCTET_STRING), Some(Value::Bytes(bytes))) => bytes.len(),
+        _ => 0,
+    };
+    (1..=8).contains(&length)
 }

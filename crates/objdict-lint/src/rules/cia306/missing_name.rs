@@ -3,7 +3,7 @@ use crate::model::Field;
 use crate::{EntryAt, rule};
 
 rule! {
-    "cia306/missing-name", Error, Entry(check);
+    "cia306/missing-name", Warning, Entry(check);
     summary: "an object or sub-index has no name",
     checks: "Whether each section of an object or sub-index has a non-empty `ParameterName`.",
     why: "Tools show the name. python-canopen and others refuse a file without it; code generators have to invent one.",

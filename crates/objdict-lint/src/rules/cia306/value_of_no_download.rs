@@ -3,7 +3,7 @@ use crate::model::{Access, Field};
 use crate::{EntryAt, rule};
 
 rule! {
-    "cia306/value-of-no-download", Warning, Entry(check), fix Unsafe;
+    "cia306/value-of-no-download", Note, Entry(check), fix Unsafe;
     summary: "a DCF configures an entry that `ObjFlags` excludes from downloads",
     checks: "Whether a writable entry with bit 0 of `ObjFlags` (no download) has a `ParameterValue` other than its default.",
     why: "Tools skip such entries in a download, so the value never reaches the node; a tool that does not know the flag stores, restores or erases something.",
