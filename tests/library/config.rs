@@ -22,7 +22,7 @@ fn the_example_of_the_page_holds() {
     let messages: Vec<_> = config.findings().iter().map(|finding| finding.message.to_string()).collect();
     assert!(messages.is_empty(), "{messages:?}");
     assert!(config.is_toml());
-    assert_eq!(config.deny(), Some(Severity::Error));
+    assert_eq!(config.deny(), Some(Severity::Warning));
     assert_eq!(config.profiles().len(), 1);
     for (path, is_excluded) in
         [("vendor/x/a.eds", true), ("a/b.bak.eds", true), ("b.bak.eds", true), ("a/b.eds", false)]

@@ -124,9 +124,7 @@ pub(super) fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Opti
     Named::deserialize(deserializer).map(|word| Some(word.0))
 }
 
-pub(super) fn confidence<'de, D: Deserializer<'de>>(
-    deserializer: D,
-) -> Result<Option<Confidence>, D::Error> {
+pub(super) fn confidence<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Confidence>, D::Error> {
     Named::deserialize(deserializer).map(|word| Some(word.0))
 }
 

@@ -30,7 +30,8 @@ fn check(device: &Device, findings: &mut Findings) {
         let key = if entry.default.is_some() { Field::DefaultValue } else { Field::ParameterValue };
         let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
         // which of the two is right is the decision of the author
-        let fix = Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
+        let fix =
+            Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
         let message = say!("`{}` is {:#x}, but 1018h sub-index {} is {:#x}", field, stated, sub, value);
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
             .severity(if stated == 0 || value == 0 { Severity::Warning } else { Severity::Error })

@@ -33,7 +33,7 @@ fn check(device: &Device, findings: &mut Findings) {
 
 /// Whether an XML file describes a type of device, not a node: nothing in it is configured.
 fn is_type(device: &Device) -> bool {
-    let mut entries = device.objects.values().flat_map(|object| object.described());
+    let mut entries = device.objects.values().flat_map(crate::model::Object::described);
     device.headers.network.is_some() && !entries.any(|(_, entry)| entry.configured_value().is_some())
 }
 

@@ -22,7 +22,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let this = |mapped: MappedObject| (mapped.index, mapped.sub) == (at.index, at.sub.unwrap_or(0));
         at.device.pdos().any(|pdo| pdo.mapped().any(this))
     };
-    let unmappable = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()) && !is_short(entry));
+    let unmappable =
+        entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()) && !is_short(entry));
     let (message, field, label) = match (unmappable, entry.access) {
         (Some(data_type), _) => {
             (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type")
