@@ -91,7 +91,7 @@ impl Builder {
         self
     }
 
-    /// What the description is, whatever its content shows.
+    /// The format of the description, instead of the detected one.
     pub fn from_kind(mut self, kind: FileKind) -> Self {
         self.request.reading.from = Some(kind);
         self

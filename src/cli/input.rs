@@ -18,7 +18,7 @@ const STDIN: &str = "<stdin>";
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct InputArgs {
-    /// The format of the input, whatever its content shows
+    /// The format of the input, instead of the detected one
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
     /// Which device of a network file (.nxdd, .nxdc), counted from 1

@@ -145,7 +145,7 @@ pub enum Input {
 /// How a file is read.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// What it is, whatever its content shows; `None` finds it out.
+    /// Its format; `None` detects it.
     pub from: Option<FileKind>,
     /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
     pub device: Option<NonZeroUsize>,

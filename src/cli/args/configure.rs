@@ -55,7 +55,7 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Write the DCF even if `check` finds errors in it that the EDS does not have
     #[arg(long)]
     pub force: bool,
-    /// The format of the input, whatever its content shows: eds, dcf, xdd, xdc or json
+    /// The format of the input, instead of the detected one: eds, dcf, xdd, xdc or json
     #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,
     /// Which device of a network file (.nxdd, .nxdc), counted from 1
