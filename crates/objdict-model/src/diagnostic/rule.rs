@@ -42,10 +42,9 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// The public address of its page; `None` if the manifest has no repository.
-    pub fn address(&self) -> Option<String> {
-        let repository = Some(env!("CARGO_PKG_REPOSITORY")).filter(|address| !address.is_empty())?;
-        Some(format!("{repository}/blob/main/docs/rules/{}.md#{}", self.group(), self.name()))
+    /// The public address of its page, in the documentation of the crate `objdict`.
+    pub fn address(&self) -> String {
+        format!("https://docs.rs/objdict/latest/objdict/rules/{}/index.html#{}", self.group(), self.name())
     }
 
     /// The page as Markdown: the summary, and a heading with a paragraph for each of the other texts.
