@@ -83,7 +83,8 @@ const CANCHKEDS: &str = include_str!("canchkeds.md");
 const INDEX: &str = include_str!("rules.md");
 
 /// The line at the top of the page of a group.
-const GENERATED: &str = "Generated from the sources by `cargo xtask docs`; `objdict explain RULE` prints the same text.";
+const GENERATED: &str =
+    "Generated from the sources by `cargo xtask docs`; `objdict explain RULE` prints the same text.";
 
 /// The columns of the tables of rules.
 const HEADINGS: &str = "| rule | severity | fix | share | problem |\n|---|---|---|---|---|";

@@ -222,7 +222,7 @@ fn section<'a>(name: String, keys: impl Iterator<Item = (&'a str, &'a str)>) -> 
     Section { name, keys: keys.map(|(key, value)| (key.to_owned(), value.to_owned())).collect() }
 }
 
-/// `2024-03-04 14:40, A. Nobody`.
+/// `2024-03-04 14:40, A. Smith`.
 fn by_whom(date: Option<Date>, time: Option<ClockTime>, person: Option<&str>) -> String {
     let time = time.map(|time| time.to_iso(false));
     let when: Vec<String> = date.map(Date::to_iso).into_iter().chain(time).collect();

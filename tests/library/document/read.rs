@@ -2,6 +2,9 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
+/// Pages of rules, the only addresses outside of a page.
+const RULES: &str = "https://docs.rs/objdict/";
+
 /// The text of a page, with line feeds between elements. Every tag must be one that the templates write; the contents of `<style>` and
 /// `<script>` are left out.
 pub(crate) fn html(page: &str) -> String {
@@ -174,7 +177,8 @@ pub(crate) fn markdown(page: &str) -> String {
             ),
             Event::Html(block) => text.push_str(&html(&block)),
             Event::Start(Tag::Link { dest_url, .. }) => {
-                assert!(!dest_url.contains(':') && !dest_url.starts_with('/'), "{dest_url}");
+                let leads_out = dest_url.contains(':') || dest_url.starts_with('/');
+                assert!(!leads_out || dest_url.starts_with(RULES), "{dest_url}");
             }
             Event::Start(
                 Tag::FootnoteDefinition(_)
