@@ -217,7 +217,7 @@ fn findings() -> Vec<Text> {
     let texts = snapshots.flat_map(|path| {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         let text = fs::read_to_string(path).unwrap();
-        text.lines().flat_map(|line| prose(line)).map(|(_, piece)| (name.clone(), piece)).collect::<Vec<_>>()
+        text.lines().flat_map(prose).map(|(_, piece)| (name.clone(), piece)).collect::<Vec<_>>()
     });
     texts.collect()
 }
