@@ -34,6 +34,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     if is_xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
     }
+    let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));

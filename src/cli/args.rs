@@ -113,7 +113,8 @@ pub(super) struct CheckArgs {
     /// The form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
-    /// Report each finding on its own: by default those of one cause are one finding with places
+    /// Report all findings, each on its own: by default those of one cause are one finding with places, and the text
+    /// report shows 20 of a file
     #[arg(long)]
     pub all: bool,
     /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json

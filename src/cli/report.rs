@@ -14,7 +14,8 @@ pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn R
     Ok(match args.format {
         ReportFormat::Text => {
             let colour = out.colour();
-            Box::new(TextReport::new(out, colour).detail(detail))
+            let report = TextReport::new(out, colour).detail(detail);
+            Box::new(if args.all { report } else { report.brief() })
         }
         ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),
         ReportFormat::Json => Box::new(Json::new(out).detail(detail)),

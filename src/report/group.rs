@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::consequences::without_consequences;
 use super::{Location, Subject};
 use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Fix, Severity, Text, counted, say};
 use crate::format::Description;
@@ -34,11 +35,14 @@ impl Cause {
 /// there. The first one gets the others ([`Diagnostic::also`]), and its message counts them. Findings that point at the
 /// same place stay apart, because only their messages distinguish them.
 ///
+/// Findings that another one explains are left out, such as the wrong count of a list in which a number is used twice.
+///
 /// Comments, baselines and fixes know each finding, so join what they leave.
 #[must_use]
 pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();
     findings.rearrange(|kept| {
+        let kept = without_consequences(subject, kept);
         let starts: Vec<u32> = kept.iter().map(|finding| start(subject, finding)).collect();
         let causes: Vec<Cause> = kept.iter().map(Cause::of).collect();
         let mut at_place: BTreeMap<(&Cause, u32), usize> = BTreeMap::new();
@@ -182,6 +186,7 @@ mod tests {
         let findings = crate::check(&description);
         let all = findings.len();
         let joined = grouped(&description, findings);
+        // nothing explains another here
         assert_eq!(joined.iter().map(|finding| 1 + finding.also.len()).sum::<usize>(), all);
         let zero = joined.iter().find(|finding| finding.rule.id == "cia306/leading-zero").unwrap();
         assert!(zero.message.to_string().contains("; 5 more like this: "), "{}", zero.message);

@@ -2,6 +2,7 @@
 //! the findings of a thousand files are never in memory at once.
 
 mod concise;
+mod consequences;
 #[cfg(feature = "json")]
 mod fingerprint;
 mod github;

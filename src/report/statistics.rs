@@ -83,10 +83,10 @@ impl Statistics {
         }
     }
 
-    /// The rules that found something: those with the most findings first, else in the order of their ids.
+    /// The rules that found something: the highest severity first, then the most findings, else in the order of their ids.
     pub fn rows(&self) -> Vec<Statistic> {
         let mut rows: Vec<Statistic> = self.rules.values().copied().collect();
-        rows.sort_by_key(|row| (Reverse(row.findings), row.rule));
+        rows.sort_by_key(|row| (Reverse(row.severity), Reverse(row.findings), row.rule));
         rows
     }
 
@@ -120,7 +120,7 @@ mod tests {
     static MANY: RuleInfo = RuleInfo::bare("test/many", Severity::Note);
 
     #[test]
-    fn rules_are_sorted_by_their_findings() {
+    fn the_worst_rules_are_first() {
         let source = SourceFile::from_text("a", "");
         let mut statistics = Statistics::default();
         let mut findings = Findings::new();
@@ -135,8 +135,8 @@ mod tests {
         statistics.write(&mut out).unwrap();
         let table = "\
 Findings  Files  Fixable  Severity  Rule
-    1006      1        0  note      test/many
        2      2        0  error     test/few
+    1006      1        0  note      test/many
 
 ";
         assert_eq!(String::from_utf8(out).unwrap(), table);

@@ -5,6 +5,7 @@ mod printer;
 mod problem;
 mod wrap;
 
+use std::cmp::Reverse;
 use std::fmt;
 use std::io::{self, Write};
 
@@ -21,6 +22,9 @@ use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
 /// The most characters of a message that are shown.
 const MAX_MESSAGE: usize = 600;
 
+/// The most findings of a file in a brief report, and how many a report has that ends without a table.
+const MAX_BRIEF: usize = 20;
+
 /// Findings with the lines that they are about, and a sum at the end.
 pub struct TextReport<W> {
     out: W,
@@ -30,6 +34,8 @@ pub struct TextReport<W> {
     statistics: Statistics,
     /// How many findings a safe fix can fix, and how many more an unsafe one.
     fixable: [usize; 2],
+    /// Whether only the first findings of a file are shown.
+    is_brief: bool,
 }
 
 impl<W> fmt::Debug for TextReport<W> {
@@ -48,6 +54,7 @@ impl<W: Write> TextReport<W> {
             detail: Detail::default(),
             statistics: Statistics::default(),
             fixable: [0; 2],
+            is_brief: false,
         }
     }
 
@@ -55,6 +62,13 @@ impl<W: Write> TextReport<W> {
     #[must_use]
     pub fn detail(mut self, detail: Detail) -> Self {
         self.detail = detail;
+        self
+    }
+
+    /// With at most 20 findings of a file, errors first, and a table of the rules at the end where that was more in all.
+    #[must_use]
+    pub fn brief(mut self) -> Self {
+        self.is_brief = true;
         self
     }
 }
@@ -71,7 +85,7 @@ impl<W> TextReport<W> {
 impl<W: Write> Report for TextReport<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         self.tally.add(findings);
-        if self.detail.has_statistics() {
+        if self.detail.has_statistics() || self.is_brief {
             self.statistics.add(subject, findings);
         }
         if findings.is_empty() || !self.detail.has_findings() {
@@ -80,13 +94,22 @@ impl<W: Write> Report for TextReport<W> {
         self.count_fixes(subject, findings);
         let excerpts = Excerpts::new(subject.source());
         let mut text = String::new();
-        for finding in findings {
+        let mut shown: Vec<&Diagnostic> = findings.iter().collect();
+        let more = if self.is_brief { shown.len().saturating_sub(MAX_BRIEF) } else { 0 };
+        if more > 0 {
+            shown.sort_by_key(|finding| Reverse(finding.severity));
+            shown.truncate(MAX_BRIEF);
+        }
+        for finding in shown {
             text.clear();
             self.printer
                 .draw(&mut text, &Rendered::new(subject, &excerpts, finding))
                 .map_err(io::Error::other)?;
             text.push('\n');
             self.out.write_all(text.as_bytes())?;
+        }
+        if more > 0 {
+            writeln!(self.out, "{}: … and {more} more, shown with `--all`\n", excerpts.name())?;
         }
         for (rule, count) in findings.omitted() {
             writeln!(self.out, "{}: {count} more findings of {rule} are not shown\n", excerpts.name())?;
@@ -95,7 +118,9 @@ impl<W: Write> Report for TextReport<W> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
-        self.statistics.write(&mut self.out)?;
+        if self.detail.has_statistics() || self.tally.at_least(Severity::Note) > MAX_BRIEF {
+            self.statistics.write(&mut self.out)?;
+        }
         if self.tally.files > 0 {
             writeln!(self.out, "{}", self.tally)?;
         }
@@ -237,6 +262,25 @@ mod tests {
     fn nothing_steers_the_terminal() {
         let shown = render("k=\u{1B}[31mred\u{9B}\u{202E}\u{7F}\r\n", &[(2, 5)], "`\u{1B}[0m\u{202E}`");
         assert!(!shown.contains(['\u{1B}', '\u{9B}', '\u{202E}', '\u{7F}']), "{shown:?}");
+    }
+
+    #[test]
+    fn a_brief_report_shows_the_worst_and_a_table() {
+        let description = format::read(SourceFile::from_text("a.eds", "x"), Format::Eds);
+        let mut findings = Findings::new();
+        for _ in 0..MAX_BRIEF + 1 {
+            findings.push(Diagnostic::new(&TEST, Span::empty(0), "a warning"));
+        }
+        findings.push(Diagnostic::new(&TEST, Span::empty(0), "an error").severity(Severity::Error));
+        let mut out = Vec::new();
+        let mut report = TextReport::new(&mut out, false).brief();
+        report.file((&description).into(), &findings).unwrap();
+        report.finish().unwrap();
+        let shown = String::from_utf8(out).unwrap();
+        assert!(shown.starts_with("test/test\n\n  × an error"), "{shown}");
+        assert_eq!(shown.matches("a warning").count(), MAX_BRIEF - 1);
+        assert!(shown.contains("a.eds: … and 2 more, shown with `--all`"), "{shown}");
+        assert!(shown.contains("      22      1        0  error     test/test\n"), "{shown}");
     }
 
     #[test]

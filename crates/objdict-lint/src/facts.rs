@@ -8,7 +8,7 @@ use crate::model::{
     CobId, DataType, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, TypeKind, Value,
     predefined, restricted,
 };
-use crate::{Options, Srdo, stated};
+use crate::{Options, Srdo, canopennode, stated};
 
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
@@ -83,7 +83,11 @@ pub(crate) enum Service {
 
 impl<'a> Facts<'a> {
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
-        let pdos: Vec<PdoFacts<'a>> = device.pdos().map(|pdo| PdoFacts::new(device, pdo)).collect();
+        let pdos: Vec<PdoFacts<'a>> = device
+            .pdos()
+            .filter(|pdo| !device.object(pdo.communication_index()).is_some_and(canopennode::is_disabled))
+            .map(|pdo| PdoFacts::new(device, pdo))
+            .collect();
         let cob_ids = cob_ids(device, &pdos);
         Self { device, options, pdos, cob_ids, srdos: Srdo::all(device) }
     }

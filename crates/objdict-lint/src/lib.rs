@@ -32,7 +32,7 @@ pub use options::Options;
 pub(crate) use respell::{nearest_access, respell};
 pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
-pub use rules::rules;
+pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
 pub(crate) use supply::{ListFixes, sub_0, with_members};

@@ -19,6 +19,8 @@ macro_rules! rules {
     };
 }
 
+pub use self::cia306::disabled_object::without_disabled;
+
 /// Every rule about the model.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
     RULES.iter().copied().flatten().copied().flatten().copied()
@@ -157,6 +159,7 @@ rules! {
         contradictory_sub_0,
         described_network_variable,
         described_standard_type,
+        disabled_object,
         domain_mismatch,
         dummy_below_granularity,
         dummy_type,

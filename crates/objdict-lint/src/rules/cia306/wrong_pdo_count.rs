@@ -1,11 +1,11 @@
 use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
-use crate::rule;
+use crate::{canopennode, rule};
 
 rule! {
     "cia306/wrong-pdo-count", Error, Device(check), fix Safe;
     summary: "`NrOfRXPDO` or `NrOfTXPDO` does not match the described PDOs",
-    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied.",
+    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied. Objects that are marked as disabled (`CO_disabled`) do not count.",
     why: "Configuration tools offer the given number of PDOs. PDOs above it are never configured, and writing missing ones fails.",
     example: "`NrOfRXPDO=2` where only 1400h is described",
     remedy: "Write the number of communication parameter objects, or describe the missing ones.",
@@ -35,7 +35,9 @@ fn check(device: &Device, findings: &mut Findings) {
 
 fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, findings: &mut Findings) {
     let Pdos { name, field, low, high } = pdos;
-    let described = device.objects.range(low..=high).filter(|(_, object)| !object.orphan).count();
+    let described = device.objects.range(low..=high);
+    let described =
+        described.filter(|(_, object)| !object.orphan && !canopennode::is_disabled(object)).count();
     let compact = info.compact_pdo.is_some_and(|mask| mask != 0)
         || info.invalid_values.get(&Field::CompactPdo).is_some();
     if stated == described || compact && stated > described {
