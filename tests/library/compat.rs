@@ -112,7 +112,9 @@ fn an_xdd_is_none_of_their_texts() {
     // CANopenNode is compiled with what an XDD says as well as with any other
     let readers = Tool::ALL.into_iter().filter(|tool| *tool != Tool::CanOpenNode).collect::<Vec<_>>();
     for path in support::files("xdd", &["xdd"]) {
-        assert!(check(&path, &readers).is_empty(), "{}", path.display());
+        let findings = check(&path, &readers);
+        let mut about_tools = findings.iter().filter(|finding| finding.rule.id != "cia306/disabled-object");
+        assert!(about_tools.next().is_none(), "{}", path.display());
     }
 }
 

@@ -176,6 +176,11 @@ fn assert_clean(path: &Path) {
         assert!(others.is_empty(), "{}: {others:?}", path.display());
         return;
     }
+    if path.ends_with("fixtures/xdd/press-402.xdd") {
+        // one of its objects is disabled
+        assert_eq!(fired(path), BTreeSet::from(["cia306/disabled-object"]));
+        return;
+    }
     let report = report(path);
     assert!(report.is_empty(), "{} is healthy, but:\n{report}", path.display());
 }
