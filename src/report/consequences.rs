@@ -155,7 +155,7 @@ mod tests {
         let is_rule = |id: &&str| crate::registry::rules().iter().any(|rule| rule.id == *id);
         for Consequence { cause, explains, .. } in CONSEQUENCES {
             assert!(is_rule(cause), "{cause}");
-            assert!(explains.iter().all(|id| is_rule(id)), "{explains:?}");
+            assert!(explains.iter().all(is_rule), "{explains:?}");
         }
     }
 
