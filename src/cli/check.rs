@@ -150,7 +150,7 @@ impl Worker<'_> {
         let check = |description: &Description| crate::check_with(description, &options);
         let (description, amended) = match self.args.fixing.safety() {
             None => (description, None),
-            Some(_) if self.args.fixing.fix && file.path == Path::new("-") => {
+            Some(_) if !self.args.fixing.diff && file.path == Path::new("-") => {
                 let failure = Failure::new("the standard input cannot be fixed in place");
                 return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }

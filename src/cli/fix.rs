@@ -22,7 +22,7 @@ pub(super) struct FixArgs {
     #[arg(long)]
     pub unsafe_fixes: bool,
     /// Print the changes of --fix, write nothing, and exit with 1 when there are any
-    #[arg(long, conflicts_with = "fix")]
+    #[arg(long)]
     pub diff: bool,
 }
 

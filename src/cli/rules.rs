@@ -8,7 +8,7 @@ use super::args::{ExplainArgs, RulesArgs, RulesFormat};
 use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
-use crate::diagnostic::{Applicability, RuleInfo, Severity, listing, nearest};
+use crate::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
 use crate::model::Address;
 use crate::registry;
 
@@ -27,7 +27,7 @@ struct Rule {
     group: &'static str,
     severity: Severity,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Applicability>,
+    fix: Option<FixSafety>,
     source: &'static str,
     summary: &'static str,
     docs: String,
@@ -87,8 +87,11 @@ pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, F
     };
     let fix = match rule.fix {
         None => "none",
-        Some(Applicability::Safe) => "safe, `objdict check --fix` makes it",
-        Some(Applicability::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
+        Some(FixSafety::Safe) => "safe, `objdict check --fix` makes it",
+        Some(FixSafety::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
+        Some(FixSafety::Mixed) => {
+            "mixed: `objdict check --fix` makes the safe ones, `--unsafe-fixes` the others too"
+        }
     };
     writeln!(out, "# {}\n\nSeverity: {}\nFix: {fix}\n", rule.id, rule.severity)?;
     out.write_all(rule.page().as_bytes())?;

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::level;
-use crate::diagnostic::{Applicability, RuleInfo};
+use crate::diagnostic::{Applicability, FixSafety, HOME, RuleInfo};
 use crate::report::Fingerprint;
 
 /// The schema that a log follows.
@@ -37,6 +37,7 @@ struct Driver {
     name: &'static str,
     version: &'static str,
     semantic_version: &'static str,
+    information_uri: &'static str,
     rules: Vec<Rule>,
 }
 
@@ -49,6 +50,7 @@ struct Rule {
     short_description: Message,
     full_description: Message,
     help: Help,
+    help_uri: String,
     default_configuration: Configuration,
     properties: RuleProperties,
 }
@@ -68,7 +70,7 @@ struct Configuration {
 struct RuleProperties {
     tags: [&'static str; 1],
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Applicability>,
+    fix: Option<FixSafety>,
 }
 
 /// A message (§3.11).
@@ -235,7 +237,13 @@ impl<'a> Run<'a> {
         let description = Message { text: "the folder that objdict was started in".to_owned() };
         let base = has_relative.then_some((SOURCE_ROOT, BaseFolder { description }));
         Self {
-            driver: Driver { name: "objdict", version, semantic_version: version, rules },
+            driver: Driver {
+                name: "objdict",
+                version,
+                semantic_version: version,
+                information_uri: HOME,
+                rules,
+            },
             artifacts,
             bases: base.into_iter().collect(),
             invocation,
@@ -268,6 +276,7 @@ impl Rule {
             short_description: Message { text: rule.summary.to_owned() },
             full_description: Message { text: rule.checks.to_owned() },
             help: Help { text: plain(&markdown), markdown },
+            help_uri: rule.address(),
             default_configuration: Configuration { level: level(rule.severity) },
             properties: RuleProperties { tags: [rule.group()], fix: rule.fix },
         }

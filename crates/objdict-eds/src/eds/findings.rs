@@ -37,7 +37,7 @@ pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, fin
 }
 
 text_rule! {
-    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Unsafe;
+    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Mixed;
     summary: "a section is defined twice",
     checks: "Whether each section name occurs once, ignoring case and leading zeros. The first section is read; lists are continued.",
     why: "Some tools read the first section, some the last one, some refuse the file.",
@@ -47,7 +47,7 @@ text_rule! {
 }
 
 text_rule! {
-    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Unsafe;
+    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Mixed;
     summary: "a key is defined twice in a section",
     checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning.",
     why: "Some tools read the first value, some the last one, some refuse the file.",

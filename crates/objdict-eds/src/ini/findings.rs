@@ -25,7 +25,7 @@ pub static RULES: &[&RuleInfo] = &[
 ];
 
 text_rule! {
-    BYTE_ORDER_MARK = "cia306/byte-order-mark", Warning, fix Unsafe;
+    BYTE_ORDER_MARK = "cia306/byte-order-mark", Warning, fix Mixed;
     summary: "the file starts with a byte order mark",
     checks: "Whether bytes EF BB BF (UTF-8), FF FE or FE FF (UTF-16) precede the text.",
     why: "An EDS is an ISO 646 file. python-canopen, dcf-tools and others read the mark as part of the first line and then find no section.",
@@ -45,7 +45,7 @@ text_rule! {
 }
 
 text_rule! {
-    CONTROL_CHARACTER = "cia306/control-character", Error, fix Unsafe;
+    CONTROL_CHARACTER = "cia306/control-character", Error, fix Mixed;
     summary: "a line contains a control character",
     checks: "Whether the file contains characters below 20h other than line ends and tabs, such as NUL or Ctrl-Z.",
     why: "Depending on the tool, the text, the line or the file ends there.",
@@ -65,7 +65,7 @@ text_rule! {
 }
 
 text_rule! {
-    MIXED_LINE_ENDS = "cia306/mixed-line-ends", Note, fix Unsafe;
+    MIXED_LINE_ENDS = "cia306/mixed-line-ends", Note, fix Mixed;
     summary: "the file mixes line ends",
     checks: "Whether all lines end with LF, or all with CR LF. A lone CR is also reported.",
     why: "Tools with different line ends edited the file; version control shows lines as changed that are not.",
@@ -125,7 +125,7 @@ text_rule! {
 }
 
 text_rule! {
-    TEXT_AFTER_SECTION = "cia306/text-after-section", Warning, fix Unsafe;
+    TEXT_AFTER_SECTION = "cia306/text-after-section", Warning, fix Mixed;
     summary: "text follows a section header",
     checks: "Whether anything except spaces follows the `]`.",
     why: "The standard does not allow comments after a header; tools refuse the line or read another name.",

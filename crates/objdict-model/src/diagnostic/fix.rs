@@ -38,6 +38,40 @@ impl fmt::Display for Applicability {
     }
 }
 
+/// The safety of the fixes that the findings of a rule have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum FixSafety {
+    /// All of them are safe.
+    Safe,
+    /// All of them need review.
+    Unsafe,
+    /// Some are safe, some are not: each fix says what it is.
+    Mixed,
+}
+
+impl FixSafety {
+    /// Whether a finding of the rule may have a fix of this safety.
+    pub fn has(self, safety: Applicability) -> bool {
+        match self {
+            Self::Safe => safety == Applicability::Safe,
+            Self::Unsafe => safety == Applicability::Unsafe,
+            Self::Mixed => true,
+        }
+    }
+}
+
+impl fmt::Display for FixSafety {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Safe => "safe",
+            Self::Unsafe => "unsafe",
+            Self::Mixed => "mixed",
+        })
+    }
+}
+
 /// One change of a description. Values are texts in the spelling of CiA 306-1; other formats convert them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Change {

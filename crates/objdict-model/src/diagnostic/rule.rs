@@ -1,6 +1,9 @@
 //! Rules: name, severity and page.
 
-use super::{Applicability, Severity};
+use super::{FixSafety, Severity};
+
+/// The page of objdict, the only absolute address that needs no repository.
+pub const HOME: &str = "https://docs.rs/objdict";
 
 /// The properties of a rule for reports and documentation.
 #[derive(Debug)]
@@ -9,8 +12,8 @@ pub struct RuleInfo {
     pub id: &'static str,
     /// The default severity of its findings.
     pub severity: Severity,
-    /// Whether its findings can have a [fix](super::Fix), and the lowest safety of the fix.
-    pub fix: Option<Applicability>,
+    /// Whether its findings can have a [fix](super::Fix), and how safe it is.
+    pub fix: Option<FixSafety>,
     /// The problem in one sentence: the first line of the page.
     pub summary: &'static str,
     /// What it checks.
@@ -111,13 +114,13 @@ macro_rules! text_rules {
     };
 }
 
-/// The fixes of a rule: none, `Safe` or `Unsafe`.
+/// The fixes of a rule: none, `Safe`, `Unsafe` or `Mixed`.
 #[macro_export]
 macro_rules! fix_of {
     () => {
         None
     };
     ($safety:ident) => {
-        Some($crate::diagnostic::Applicability::$safety)
+        Some($crate::diagnostic::FixSafety::$safety)
     };
 }

@@ -26,7 +26,11 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let message = say!("bit 31 of `{}` marks EMCY as not valid", emcy.cob_id);
     let place = device.value_place(0x1014, 0);
     let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
-    let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
+    let finding = Diagnostic::new(&RULE.info, place, message);
+    // a node without a valid node-ID has no value for the formula
+    let commissioning = device.commissioning.as_ref();
+    let has_value = commissioning.is_none_or(|node| matches!(node.node_id, Some(1..=127)));
+    let finding = if has_value { finding.fix(fix) } else { finding };
     let finding = finding.label(Place::object(0x1015), "the inhibit time of EMCY");
     findings.push(finding.help("clear bit 31: `$NODEID+0x80`"));
 }

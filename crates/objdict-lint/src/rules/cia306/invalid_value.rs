@@ -3,7 +3,7 @@ use crate::model::{Access, DataType, Device, Field, InvalidValue, Place, Reason}
 use crate::{nearest_access, respell, rule};
 
 rule! {
-    "cia306/invalid-value", Error, Device(check), fix Unsafe;
+    "cia306/invalid-value", Error, Device(check), fix Mixed;
     summary: "a value is not valid for its key",
     checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings. In real files they are half of the findings (`14:19PM`, `04-19-20`); the others are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN: tools read each of them differently.",
     why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",

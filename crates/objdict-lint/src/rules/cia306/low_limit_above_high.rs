@@ -29,7 +29,14 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         .set(at.field(Field::HighLimit), low.to_string());
     let finding = finding.help("swap the limits, or correct one of them");
     // the larger one depends on the node-ID
-    findings.push(if is_formula { finding } else { finding.fix(fix) });
+    findings.push(if is_formula || is_negative(low, high) { finding } else { finding.fix(fix) });
+}
+
+/// Whether the low limit is perhaps a negative number of 16 or 32 bits below the high one: `0xEC78`, with `0x1388` as the
+/// high limit. Then the data type is wrong, not the order.
+fn is_negative(low: &Value, high: &Value) -> bool {
+    let (Some(low), Some(high)) = (low.as_integer(), high.as_integer()) else { return false };
+    [16, 32].into_iter().any(|bits| low >> (bits - 1) == 1 && low - (1_i128 << bits) <= high)
 }
 
 /// A limit, if negative also as bits: `0xFFFF` may be meant as a positive number.

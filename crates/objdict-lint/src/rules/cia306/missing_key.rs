@@ -3,7 +3,7 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    "cia306/missing-key", Error, Entry(check), fix Unsafe;
+    "cia306/missing-key", Error, Entry(check), fix Mixed;
     summary: "a key required by the object type is missing",
     checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
     why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::{IndexSet, rule};
 
 rule! {
-    "cia306/module-list-mismatch", Error, Device(check), fix Unsafe;
+    "cia306/module-list-mismatch", Error, Device(check), fix Mixed;
     summary: "the lists of a module do not match its objects",
     checks: "Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described index is listed, and each sub-index of a fixed object has its object.",
     why: "Tools that assemble modules use the lists and ignore objects that are not listed.",

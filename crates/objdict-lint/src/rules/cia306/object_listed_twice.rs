@@ -5,7 +5,7 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{IndexSet, ListFixes, rule};
 
 rule! {
-    "cia306/object-listed-twice", Error, Device(check), fix Unsafe;
+    "cia306/object-listed-twice", Error, Device(check), fix Mixed;
     summary: "an object is listed twice",
     checks: "Whether each index is in one list only, and once.",
     why: "Some tools create two objects, others refuse the file.",

@@ -3,7 +3,7 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    "cia306/unsupported-key", Warning, Entry(check), fix Unsafe;
+    "cia306/unsupported-key", Warning, Entry(check), fix Mixed;
     summary: "the object type does not support a key",
     checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error.",
     why: "The key describes a value that does not exist. The object type may be wrong, or the key is in the wrong section.",

@@ -3,7 +3,7 @@ use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe;
+    "cia306/wrong-highest-sub-index", Error, Object(check), fix Mixed;
     summary: "sub-index 0 is not the highest sub-index",
     checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
     why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
