@@ -10,6 +10,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+/// Where the pages of rules are, the only addresses outside of a page.
+pub(crate) const RULE_PAGES: &str = "https://docs.rs/objdict/";
+
 /// The folder with all fixtures as files, which each test program writes anew.
 pub(crate) fn fixtures() -> PathBuf {
     static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {

@@ -2,8 +2,7 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
-/// Pages of rules, the only addresses outside of a page.
-const RULES: &str = "https://docs.rs/objdict/";
+use crate::support::RULE_PAGES;
 
 /// The text of a page, with line feeds between elements. Every tag must be one that the templates write; the contents of `<style>` and
 /// `<script>` are left out.
@@ -178,7 +177,7 @@ pub(crate) fn markdown(page: &str) -> String {
             Event::Html(block) => text.push_str(&html(&block)),
             Event::Start(Tag::Link { dest_url, .. }) => {
                 let leads_out = dest_url.contains(':') || dest_url.starts_with('/');
-                assert!(!leads_out || dest_url.starts_with(RULES), "{dest_url}");
+                assert!(!leads_out || dest_url.starts_with(RULE_PAGES), "{dest_url}");
             }
             Event::Start(
                 Tag::FootnoteDefinition(_)
