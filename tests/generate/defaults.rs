@@ -170,7 +170,7 @@ fn check_c(
     compiler: &str,
     expected: &BTreeMap<String, Expected>,
 ) -> Result<(), String> {
-    let (_, text) = text.split_once("/* What the dictionary says by default").ok_or("no constants")?;
+    let (_, text) = text.split_once("/* Default values of identity and services").ok_or("no constants")?;
     let defined = names(text, &["#define OD_DEFAULT_"]);
     let mut wanted: Vec<String> = expected.keys().cloned().collect();
     if expected.contains_key("heartbeat_consumers") {

@@ -352,9 +352,9 @@ fn macros(text: &str) -> Vec<(String, Vec<String>)> {
 
 fn in_c(folder: &Path, text: &str, compiler: &str, device: &Device) -> Result<(), String> {
     let (enums, words) = model(device);
-    let start = if enums.is_empty() { "/* Parts of the words" } else { "/* What values of entries mean" };
+    let start = if enums.is_empty() { "/* Bit fields of entries" } else { "/* Named values of entries" };
     let section = part_of_text(text, start, "/* A time of day");
-    let (of_enums, of_words) = match section.split_once("/* Parts of the words") {
+    let (of_enums, of_words) = match section.split_once("/* Bit fields of entries") {
         Some(parts) => parts,
         None => (section, ""),
     };
