@@ -67,58 +67,106 @@ const CONSEQUENCES: &[Consequence] = &[
 
 /// The findings without those that others among them explain.
 pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    let spans = |rules: &[&str]| -> Vec<(usize, Span)> {
-        let of_rules = findings.iter().enumerate().filter(|(_, finding)| rules.contains(&finding.rule.id));
-        of_rules.filter_map(|(number, f)| Some((number, subject.span_of(&f.labels.first()?.at)))).collect()
-    };
+    let places = Places::new(subject, &findings);
     let mut is_explained = vec![false; findings.len()];
     for Consequence { cause, explains, scope } in CONSEQUENCES {
-        let causes = spans(&[cause]);
-        if causes.is_empty() {
+        let causes = findings
+            .iter()
+            .zip(&places.spans)
+            .filter(|(finding, _)| finding.rule.id == *cause && !finding.labels.is_empty());
+        let reaches: Vec<Reach> = causes.filter_map(|(_, span)| places.reach(*scope, *span)).collect();
+        if reaches.is_empty() {
             continue;
         }
-        for (number, span) in spans(explains) {
-            let Some((finding, explained)) = findings.get(number).zip(is_explained.get_mut(number)) else {
-                continue;
-            };
-            *explained |= causes.iter().any(|(_, cause)| scope.holds(subject, *cause, finding, span));
+        for ((finding, span), explained) in findings.iter().zip(&places.spans).zip(&mut is_explained) {
+            if explains.contains(&finding.rule.id) && !finding.labels.is_empty() && !*explained {
+                let section = places.section(*span);
+                *explained = reaches.iter().any(|reach| reach.covers(finding, *span, section));
+            }
         }
     }
     let mut is_explained = is_explained.into_iter();
     findings.into_iter().filter(|_| !is_explained.next().unwrap_or_default()).collect()
 }
 
-impl Scope {
-    /// Whether a finding with its span is in the scope of a cause.
-    fn holds(self, subject: Subject<'_>, cause: Span, finding: &Diagnostic, span: Span) -> bool {
-        let text = subject.source().text();
-        match self {
-            Self::File => true,
-            Self::NoObjects => subject.description().is_some_and(|read| read.device().objects.is_empty()),
-            Self::Around => (span.start..=span.end).contains(&cause.start),
-            Self::Section => header(text, span.start) == header(text, cause.start),
-            Self::Value => {
-                let value = line(text, cause.start).split_once('=').map_or("", |(_, value)| value.trim());
-                let value = value.strip_prefix("0x").or(value.strip_prefix("0X")).unwrap_or(value);
-                index_of(finding).is_some_and(|index| u16::from_str_radix(value, 16) == Ok(index))
-            }
-            Self::Conflict => {
-                let rest = text.get(cause.start as usize..).unwrap_or_default();
-                let end = rest.find("\n>>>>>>>").map(|end| cause.start as usize + end);
-                rest.starts_with("<<<<<<<")
-                    && end.is_some_and(|end| span.start > cause.start && span.start as usize <= end)
-            }
-            Self::Header => {
-                let junk = line(text, cause.start);
-                junk.contains('[') && junk.trim_end().ends_with(']') && cause.start < span.start
-            }
+/// What one cause explains. It is made once for each cause, because a file may have many of them.
+enum Reach {
+    All,
+    /// What has this offset in it.
+    At(u32),
+    /// What starts behind the first offset, and not behind the second.
+    Behind(u32, u32),
+    Section(usize),
+    Object(u16),
+}
+
+impl Reach {
+    fn covers(&self, finding: &Diagnostic, span: Span, section: usize) -> bool {
+        match *self {
+            Self::All => true,
+            Self::At(offset) => (span.start..=span.end).contains(&offset),
+            Self::Behind(start, end) => span.start > start && span.start <= end,
+            Self::Section(number) => number == section,
+            Self::Object(index) => index_of(finding) == Some(index),
         }
     }
 }
 
-/// Where the header of the section that an offset is in starts.
-fn header(text: &str, offset: u32) -> Option<usize> {
-    text.get(..=offset as usize)?.rfind("\n[")
+/// Where the findings are, and what in the text limits the scopes.
+struct Places<'a> {
+    text: &'a str,
+    has_no_objects: bool,
+    spans: Vec<Span>,
+    /// Where the headers of sections start.
+    headers: Vec<u32>,
+    /// Where the last marks of merge conflicts start.
+    conflict_ends: Vec<u32>,
+}
+
+impl<'a> Places<'a> {
+    fn new(subject: Subject<'a>, findings: &[Diagnostic]) -> Self {
+        let text = subject.source().text();
+        let starts =
+            |mark: &str| text.match_indices(mark).filter_map(|(at, _)| u32::try_from(at).ok()).collect();
+        let span = |finding: &Diagnostic| {
+            finding.labels.first().map_or(Span::empty(0), |label| subject.span_of(&label.at))
+        };
+        Self {
+            text,
+            has_no_objects: subject.description().is_some_and(|read| read.device().objects.is_empty()),
+            spans: findings.iter().map(span).collect(),
+            headers: starts("\n["),
+            conflict_ends: starts("\n>>>>>>>"),
+        }
+    }
+
+    /// The number of the section that a span starts in.
+    fn section(&self, span: Span) -> usize {
+        self.headers.partition_point(|&header| header < span.start)
+    }
+
+    fn reach(&self, scope: Scope, cause: Span) -> Option<Reach> {
+        let line = || line(self.text, cause.start);
+        match scope {
+            Scope::File => Some(Reach::All),
+            Scope::NoObjects => self.has_no_objects.then_some(Reach::All),
+            Scope::Around => Some(Reach::At(cause.start)),
+            Scope::Section => Some(Reach::Section(self.section(cause))),
+            Scope::Value => {
+                let value = line().split_once('=').map_or("", |(_, value)| value.trim());
+                let value = value.strip_prefix("0x").or(value.strip_prefix("0X")).unwrap_or(value);
+                u16::from_str_radix(value, 16).ok().map(Reach::Object)
+            }
+            Scope::Conflict if line().starts_with("<<<<<<<") => {
+                let next = self.conflict_ends.partition_point(|&end| end < cause.start);
+                self.conflict_ends.get(next).map(|&end| Reach::Behind(cause.start, end))
+            }
+            Scope::Header if line().contains('[') && line().trim_end().ends_with(']') => {
+                Some(Reach::Behind(cause.start, u32::MAX))
+            }
+            Scope::Conflict | Scope::Header => None,
+        }
+    }
 }
 
 /// The text of a line from an offset.
@@ -172,6 +220,15 @@ mod tests {
         ] {
             assert_eq!(shown("io-401.eds", &text, Format::Eds), [rule], "{text}");
         }
+    }
+
+    /// A cause is looked at once, not for each finding that it may explain.
+    #[test]
+    fn many_conflicts_do_not_take_long() {
+        let conflicts: String =
+            (0..1200).map(|number| format!("<<<<<<< {number}\n") + &"x=1\n".repeat(100)).collect();
+        let text = format!("[FileInfo]\n{conflicts}");
+        assert!(shown("a.eds", &text, Format::Eds).contains(&"cia306/junk-line"));
     }
 
     #[test]
