@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::demands::{self, Applied};
 use crate::model::{Device, DeviceKind, MappedObject};
 use crate::profile::default_mapping::{Channels, of_channels};
-use crate::profile::{index_in, number_of};
+use crate::profile::{device_type_index, index_in, number_of};
 use crate::{Facts, PdoFacts};
 
 /// The last PDO with a default mapping.
@@ -59,6 +59,15 @@ impl ChannelKind {
     pub(crate) fn first_in(&self, device: &Device, block: u8) -> Option<u16> {
         self.indexes(block).find(|&index| device.object(index).is_some_and(|object| !object.orphan))
     }
+}
+
+/// The kinds of channels that the device type of an I/O module states, and that it does not have.
+pub(crate) fn only_stated(device: &Device, block: u8) -> impl Iterator<Item = &'static ChannelKind> {
+    let is_module = number_of(device, block) == Some(401);
+    let value =
+        device.object(device_type_index(device, block)).and_then(|object| object.value(0)?.as_integer());
+    let value = value.filter(|_| is_module).unwrap_or(0);
+    KINDS.iter().filter(move |kind| value >> kind.bit & 1 == 1 && !kind.may_be_in(device, block))
 }
 
 /// The PDOs of an EDS with a default mapping in the profile: none if bit 23 of the device type marks the

@@ -87,6 +87,13 @@ impl Condition {
         Terms { rest: &self.terms, device, block }.next()
     }
 
+    /// Whether the condition tests this bit of a value, alone.
+    pub fn tests_bit(&self, index: u16, bit: u8) -> bool {
+        self.terms
+            .iter()
+            .any(|term| matches!(*term, Term::BitsIn(of, 0, bits, _) if of == index && bits == [bit, bit]))
+    }
+
     /// The described objects in the condition, in its order; with the sub-index if it refers to a value.
     pub fn causes(&self, device: &Device, block: u8) -> impl Iterator<Item = (u16, Option<u8>)> {
         let named = self.terms.iter().filter_map(|term| match *term {

@@ -10,8 +10,8 @@ use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub(super) use raise::{
     DuplicateKind, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, misspelt_key,
-    misspelt_section, quoted_name, section_spelling, stray_compact_entry, stray_compact_section, unknown_key,
-    unknown_section, wrong_count,
+    misspelt_section, quoted_name, repeated_number, section_spelling, stray_compact_entry,
+    stray_compact_section, unknown_key, unknown_section, wrong_count,
 };
 
 /// Every rule of this module.
@@ -49,7 +49,7 @@ text_rule! {
 text_rule! {
     DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Mixed;
     summary: "a key is defined twice in a section",
-    checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning.",
+    checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning. If the count of a list is right, a single number is used twice and only one number is left for one of them, both are read.",
     why: "Some tools read the first value, some the last one, some refuse the file.",
     example: "`DefaultValue=4` and later `DefaultValue=5`",
     remedy: "Keep one of them.",

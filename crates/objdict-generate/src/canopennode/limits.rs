@@ -3,7 +3,6 @@
 use super::plan::Planned;
 use super::storage::bits;
 use crate::Note;
-use crate::diagnostic::counted;
 use crate::model::{DataType, Field, Place, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
@@ -44,7 +43,7 @@ pub(super) fn limited(
     enforce: bool,
     notes: &mut Vec<Note>,
 ) -> Vec<Limited> {
-    let mut members = object.members().filter(|member| {
+    let members = object.members().filter(|member| {
         let resolved = &member.entry.resolved;
         resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
     });
@@ -54,22 +53,17 @@ pub(super) fn limited(
             .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
             .collect();
     }
-    if let Some(member) = members.next() {
+    notes.extend(members.map(|member| {
         let resolved = &member.entry.resolved;
         let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
         let place = Place::entry(object.index, member.entry.sub).field(field);
-        let more = members.count();
-        let more = match more {
-            0 => String::new(),
-            more => format!("; also for {} of the object", counted(more, "more entry", "more entries")),
-        };
-        notes.push(if of_stack {
-            Note::new(place, format!("the stack writes the object itself and does not enforce limits{more}"))
+        if of_stack {
+            Note::new(place, "the stack writes the object itself and does not enforce limits")
         } else {
-            Note::new(place, format!("the stack does not enforce limits{more}"))
+            Note::new(place, "the stack does not enforce limits")
                 .help("use `--limits`, or reject the value in the application")
-        });
-    }
+        }
+    }));
     Vec::new()
 }
 

@@ -55,7 +55,7 @@ impl Backend for CanOpenNode {
         notes::of_stack(device, &mut own);
         drop(tables);
         drop(objects);
-        dictionary.notes.append(&mut super::notes::once_per_object(in_order(own)));
+        dictionary.notes.append(&mut super::notes::once_per_device(in_order(own)));
         Ok(Generated { files: vec![header, source], notes: in_order(dictionary.notes) })
     }
 

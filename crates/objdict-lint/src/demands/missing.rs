@@ -4,7 +4,7 @@ use super::{Against, Applied};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::model::{Device, ObjectType, Part, Place};
 use crate::profile::{Need, index_in};
-use crate::{Facts, stated};
+use crate::{Facts, channels, stated};
 
 /// Reports missing objects that the document requires.
 pub(crate) fn missing_object(
@@ -18,6 +18,9 @@ pub(crate) fn missing_object(
         let index = index_in(applied.block, facts.first);
         let is_communication = applied.block > 0 && index == facts.first;
         if is_communication || !facts.is_demanded(device, applied.block) || is_there(device, index) {
+            continue;
+        }
+        if is_for_lacking_channels(facts.need, device, applied.block) {
             continue;
         }
         let condition = condition(facts.need, device, applied.block);
@@ -34,6 +37,12 @@ pub(crate) fn missing_object(
             None => finding,
         });
     }
+}
+
+/// Whether the requirement is about channels that the device type states alone, which a rule of their own reports.
+fn is_for_lacking_channels(need: Need<'_>, device: &Device, block: u8) -> bool {
+    let Need::When(condition) = need else { return false };
+    channels::only_stated(device, block).any(|kind| condition.tests_bit(0x1000, kind.bit))
 }
 
 /// Whether an object is described, reported as missing by another rule, or possibly provided by a module.

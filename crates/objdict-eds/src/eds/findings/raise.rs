@@ -32,6 +32,22 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
         .fix(remove_line(item, same))
 }
 
+/// `item` of a list has the number of `other`, and only `number` is left for it.
+pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number: u32) -> Diagnostic {
+    let which = if item.name_at.start > other.name_at.start { "second" } else { "first" };
+    let message = say!(
+        "`{}` is defined twice and `{}` is missing: number the {} one {}",
+        item.name,
+        number,
+        which,
+        number
+    );
+    Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
+        .label(other.name_at, "the other one")
+        .help(say!("write `{}={}`", number, item.value))
+        .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
+}
+
 /// Removes a line that is not read; safe only if both lines are equal.
 fn remove_line(item: &Item<'_>, same: bool) -> Fix {
     let title = "remove the second, unread line";

@@ -95,11 +95,20 @@ impl<'a> Items<'a> {
 
     /// Calls `take` for each key. A key that is defined twice is reported, and only the first one is taken,
     /// as in other readers.
-    pub(crate) fn each(&mut self, mut take: impl FnMut(&mut Self, &Item<'a>)) {
+    pub(crate) fn each(&mut self, take: impl FnMut(&mut Self, &Item<'a>)) {
+        self.each_with(None, take);
+    }
+
+    /// Calls `take` for each key as [`each`](Self::each) does, and for the key at `renumbered`, which is read as another one.
+    pub(crate) fn each_with(&mut self, renumbered: Option<Span>, mut take: impl FnMut(&mut Self, &Item<'a>)) {
         let mut seen = KeySet::default();
         let mut others = Others::default();
         for (position, entry) in self.section.entries.iter().enumerate() {
             let mut item = self.item_of(entry);
+            if renumbered == Some(item.name_at) {
+                take(self, &item);
+                continue;
+            }
             if let Some(meant) = self.meant(&item).filter(|&meant| !seen.contains(meant)) {
                 item.key = Some(meant);
                 self.findings.push_with(&findings::MISSPELT_KEY, || findings::misspelt_key(&item, meant));

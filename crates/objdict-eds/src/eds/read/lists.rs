@@ -67,7 +67,12 @@ pub(super) fn numbered<'a, T>(
     let can_be_fixed = items.len() <= MAX_FIX_LINES;
     let mut entries = 0;
     let mut list = Vec::new();
-    items.each(|items, item| {
+    let repeated = repeated_number(items, counter);
+    if let Some(Renumbered { item, other, number }) = &repeated {
+        items.findings.push(findings::repeated_number(item, other, *number));
+    }
+    let renumbered = repeated.map(|repeated| repeated.item.name_at);
+    items.each_with(renumbered, |items, item| {
         if item.field() == Some(counter) {
             count = Some(*item);
             return;
@@ -75,7 +80,7 @@ pub(super) fn numbered<'a, T>(
         if !item.name.bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
             return items.unknown(item, extra);
         }
-        if item.number() != Some(expected) {
+        if item.number() != Some(expected) && renumbered != Some(item.name_at) {
             let first = || (*item, expected, Fix::safe("number the entries 1, 2, 3 …"));
             let (first, number, fix) = wrong.take().unwrap_or_else(first);
             let fix = if can_be_fixed { fix.replace(item.name_at, expected.to_string()) } else { fix };
@@ -90,6 +95,36 @@ pub(super) fn numbered<'a, T>(
     }
     check_count(items, count, &counter.name(), entries);
     list
+}
+
+/// An item of a list with the number of another item.
+struct Renumbered<'a> {
+    item: Item<'a>,
+    other: Item<'a>,
+    /// The number that it takes the place of, which no item has.
+    number: u32,
+}
+
+/// The one item that is out of place in a list whose count is right, if its number is that of another item: then only
+/// one number is left for it.
+fn repeated_number<'a>(items: &Items<'a>, counter: &Field) -> Option<Renumbered<'a>> {
+    let all = || (0..items.len()).map(|position| items.item(position));
+    let mut stated = None;
+    let mut misplaced = None;
+    let mut last = 0;
+    for item in all() {
+        if item.field() == Some(counter) {
+            stated = literal::small_number(item.value.as_bytes());
+        } else if item.name.bytes().next().is_some_and(|byte| byte.is_ascii_digit()) {
+            last += 1;
+            if item.number() != Some(last) && misplaced.replace((item, last)).is_some() {
+                return None;
+            }
+        }
+    }
+    let (item, number) = misplaced.filter(|_| stated == Some(last))?;
+    let other = all().find(|other| other.name == item.name && other.name_at != item.name_at)?;
+    (other.value != item.value).then_some(Renumbered { item, other, number })
 }
 
 /// Reports a missing or wrong count.
