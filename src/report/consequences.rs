@@ -1,96 +1,38 @@
 //! Which findings another one explains, so that a report says the cause alone.
 
 use super::Subject;
-use crate::diagnostic::{At, Diagnostic};
+use crate::diagnostic::{At, Diagnostic, Reach, Severity};
 use crate::model::{Part, Place};
 use crate::source::Span;
-
-/// Findings of some rules that a finding of another rule explains.
-struct Consequence {
-    cause: &'static str,
-    explains: &'static [&'static str],
-    /// Where the explained findings are.
-    scope: Scope,
-}
-
-#[derive(Clone, Copy)]
-enum Scope {
-    /// Anywhere in the file.
-    File,
-    /// Anywhere in a file of which no object was read.
-    NoObjects,
-    /// At an element or line that the cause is in.
-    Around,
-    /// In the section of the cause.
-    Section,
-    /// At the object that the line of the cause names as its value.
-    Value,
-    /// Between the marks of a merge conflict, the first of which is the cause.
-    Conflict,
-    /// At the line below the cause, which looks like a header.
-    Header,
-}
-
-const CONSEQUENCES: &[Consequence] = &[
-    // what is behind the element is read as a part of it
-    Consequence {
-        cause: "xml/unclosed-element",
-        explains: &[
-            "cia311/unknown-element",
-            "cia311/missing-element",
-            "cia311/missing-profile",
-            "cia311/dangling-unique-id-ref",
-        ],
-        scope: Scope::File,
-    },
-    // an object takes its data type, access and value from the parameter
-    Consequence {
-        cause: "cia311/dangling-unique-id-ref",
-        explains: &["cia306/missing-key", "cia301/device-type-without-value", "cia306/missing-constant"],
-        scope: Scope::Around,
-    },
-    Consequence {
-        cause: "cia311/missing-profile",
-        explains: &["cia301/missing-mandatory-object", "cia306/no-baud-rate"],
-        scope: Scope::NoObjects,
-    },
-    // one number of a list twice, and another one missing
-    Consequence { cause: "cia306/duplicate-key", explains: &["cia306/wrong-count"], scope: Scope::Section },
-    Consequence {
-        cause: "cia306/duplicate-key",
-        explains: &["cia306/object-not-listed"],
-        scope: Scope::Value,
-    },
-    Consequence { cause: "cia306/junk-line", explains: &["cia306/duplicate-key"], scope: Scope::Conflict },
-    Consequence { cause: "cia306/junk-line", explains: &["cia306/key-before-section"], scope: Scope::Header },
-];
 
 /// The findings without those that others among them explain.
 pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let places = Places::new(subject, &findings);
-    let mut is_explained = vec![false; findings.len()];
-    for Consequence { cause, explains, scope } in CONSEQUENCES {
-        let causes = findings
-            .iter()
-            .zip(&places.spans)
-            .filter(|(finding, _)| finding.rule.id == *cause && !finding.labels.is_empty());
-        let reaches: Vec<Reach> = causes.filter_map(|(_, span)| places.reach(*scope, *span)).collect();
-        if reaches.is_empty() {
-            continue;
-        }
-        for ((finding, span), explained) in findings.iter().zip(&places.spans).zip(&mut is_explained) {
-            if explains.contains(&finding.rule.id) && !finding.labels.is_empty() && !*explained {
-                let section = places.section(*span);
-                *explained = reaches.iter().any(|reach| reach.covers(finding, *span, section));
-            }
-        }
+    let located = || findings.iter().zip(&places.spans).filter(|(finding, _)| !finding.labels.is_empty());
+    let mut explained: Vec<(&[&str], Severity, Extent)> = Vec::new();
+    for (finding, span) in located() {
+        let extents = finding.rule.explains.iter();
+        explained.extend(
+            extents.filter_map(|one| Some((one.rules, finding.severity, places.extent(one.reach, *span)?))),
+        );
     }
+    let is_explained = |(finding, span): (&Diagnostic, &Span)| {
+        let section = places.section(*span);
+        // a cause of a lower severity would change what fails a run
+        let is_it = |(rules, severity, extent): &(&[&str], Severity, Extent)| {
+            rules.contains(&finding.rule.name())
+                && finding.severity <= *severity
+                && extent.covers(finding, *span, section)
+        };
+        !finding.labels.is_empty() && explained.iter().any(is_it)
+    };
+    let is_explained: Vec<bool> = findings.iter().zip(&places.spans).map(is_explained).collect();
     let mut is_explained = is_explained.into_iter();
     findings.into_iter().filter(|_| !is_explained.next().unwrap_or_default()).collect()
 }
 
 /// What one cause explains. It is made once for each cause, because a file may have many of them.
-enum Reach {
+enum Extent {
     All,
     /// What has this offset in it.
     At(u32),
@@ -98,16 +40,23 @@ enum Reach {
     Behind(u32, u32),
     Section(usize),
     Object(u16),
+    /// As [`Self::Behind`], and what names the object or section.
+    Header(u32, u32, Option<u16>, String),
 }
 
-impl Reach {
+impl Extent {
     fn covers(&self, finding: &Diagnostic, span: Span, section: usize) -> bool {
-        match *self {
+        match self {
             Self::All => true,
-            Self::At(offset) => (span.start..=span.end).contains(&offset),
-            Self::Behind(start, end) => span.start > start && span.start <= end,
-            Self::Section(number) => number == section,
-            Self::Object(index) => index_of(finding) == Some(index),
+            Self::At(offset) => (span.start..=span.end).contains(offset),
+            Self::Behind(start, end) => span.start > *start && span.start <= *end,
+            Self::Section(number) => *number == section,
+            Self::Object(index) => index_of(finding) == Some(*index),
+            Self::Header(start, end, index, name) => {
+                (span.start > *start && span.start <= *end)
+                    || index.is_some() && index_of(finding) == *index
+                    || finding.message.to_string().contains(name)
+            }
         }
     }
 }
@@ -145,28 +94,43 @@ impl<'a> Places<'a> {
         self.headers.partition_point(|&header| header < span.start)
     }
 
-    fn reach(&self, scope: Scope, cause: Span) -> Option<Reach> {
+    fn extent(&self, reach: Reach, cause: Span) -> Option<Extent> {
         let line = || line(self.text, cause.start);
-        match scope {
-            Scope::File => Some(Reach::All),
-            Scope::NoObjects => self.has_no_objects.then_some(Reach::All),
-            Scope::Around => Some(Reach::At(cause.start)),
-            Scope::Section => Some(Reach::Section(self.section(cause))),
-            Scope::Value => {
-                let value = line().split_once('=').map_or("", |(_, value)| value.trim());
-                let value = value.strip_prefix("0x").or(value.strip_prefix("0X")).unwrap_or(value);
-                u16::from_str_radix(value, 16).ok().map(Reach::Object)
-            }
-            Scope::Conflict if line().starts_with("<<<<<<<") => {
+        match reach {
+            Reach::File => Some(Extent::All),
+            Reach::NoObjects => self.has_no_objects.then_some(Extent::All),
+            Reach::Around => Some(Extent::At(cause.start)),
+            Reach::Section => Some(Extent::Section(self.section(cause))),
+            Reach::Object => self.object_of(cause),
+            Reach::Value => value_of(line()).map(Extent::Object),
+            Reach::Conflict if line().starts_with("<<<<<<<") => {
                 let next = self.conflict_ends.partition_point(|&end| end < cause.start);
-                self.conflict_ends.get(next).map(|&end| Reach::Behind(cause.start, end))
+                self.conflict_ends.get(next).map(|&end| Extent::Behind(cause.start, end))
             }
-            Scope::Header if line().contains('[') && line().trim_end().ends_with(']') => {
-                Some(Reach::Behind(cause.start, u32::MAX))
+            Reach::Header if line().trim_end().ends_with(']') => {
+                let name = line().trim_matches(|c: char| !c.is_ascii_alphanumeric());
+                let name = name.rsplit('[').next().unwrap_or_default();
+                let index = name.get(..4).and_then(|index| u16::from_str_radix(index, 16).ok());
+                let end = self.headers.get(self.section(cause)).map_or(u32::MAX, |&next| next);
+                let name = index.map_or(name.to_owned(), |index| format!("{index:04X}h"));
+                (name.len() > 3).then_some(Extent::Header(cause.start, end, index, name))
             }
-            Scope::Conflict | Scope::Header => None,
+            Reach::Conflict | Reach::Header => None,
         }
     }
+
+    fn object_of(&self, cause: Span) -> Option<Extent> {
+        let (before, behind) = self.text.split_at_checked(cause.start as usize)?;
+        let (start, end) = (before.rfind("CANopenObject ")?, behind.find("CANopenObject>")?);
+        let end = u32::try_from(end).ok()?.checked_add(cause.start)?;
+        Some(Extent::Behind(u32::try_from(start).ok()?, end))
+    }
+}
+
+/// The number at the end of a line.
+fn value_of(line: &str) -> Option<u16> {
+    let from = line.rfind(['x', 'X', '='])?;
+    u16::from_str_radix(line.get(from + 1..)?.trim(), 16).ok()
 }
 
 /// The text of a line from an offset.
@@ -176,14 +140,14 @@ fn line(text: &str, offset: u32) -> &str {
 
 fn index_of(finding: &Diagnostic) -> Option<u16> {
     match finding.labels.first()?.at {
-        At::Place(Place { part: Part::Object(index), .. }) => Some(index),
+        At::Place(Place { part: Part::Object(index) | Part::Entry(index, _), .. }) => Some(index),
         _ => None,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::diagnostic::Explained;
     use crate::format::{self, Format};
     use crate::report::grouped;
     use crate::source::SourceFile;
@@ -200,10 +164,10 @@ mod tests {
 
     #[test]
     fn every_rule_is_one() {
-        let is_rule = |id: &&str| crate::registry::rules().iter().any(|rule| rule.id == *id);
-        for Consequence { cause, explains, .. } in CONSEQUENCES {
-            assert!(is_rule(cause), "{cause}");
-            assert!(explains.iter().all(is_rule), "{explains:?}");
+        let rules = crate::registry::rules();
+        let is_rule = |name: &&str| rules.iter().any(|rule| rule.name() == *name);
+        for Explained { rules, .. } in rules.iter().flat_map(|rule| rule.explains) {
+            assert!(rules.iter().all(is_rule), "{rules:?}");
         }
     }
 
@@ -216,6 +180,11 @@ mod tests {
         for (text, rule) in [
             (eds.replacen("\n3=0x1018\n", "\n2=0x1018\n", 1), "cia306/duplicate-key"),
             (eds.replacen("[FileInfo]", "50[FileInfo]", 1), "cia306/junk-line"),
+            (eds.replacen("[1003sub2]", "1003sub2]", 1), "cia306/junk-line"),
+            (eds.replacen("[1008]", "50[1008]", 1), "cia306/junk-line"),
+            (eds.replacen("ObjectType=0x7\n", "ObjectType 0x7\n", 1), "cia306/junk-line"),
+            (eds.replacen("AccessType=ro\n", "AccessType ro\n", 1), "cia306/junk-line"),
+            (eds.replacen("\n5=0x1010\n", "\n5 0x1010\n", 1), "cia306/junk-line"),
             (conflict, "cia306/junk-line"),
         ] {
             assert_eq!(shown("io-401.eds", &text, Format::Eds), [rule], "{text}");
@@ -236,6 +205,13 @@ mod tests {
         let text = XDD.replacen("</q1:DeviceIdentity>", "", 1);
         let rules = shown("io-401.xdd", &text, Format::Xdd);
         assert!(rules.contains(&"xml/unclosed-element") && rules.len() < 4, "{rules:?}");
+        let text = XDD.replacen("<q2:CANopenObjectList>", "", 1);
+        let rules = shown("io-401.xdd", &text, Format::Xdd);
+        assert!(rules.contains(&"xml/stray-end-tag") && rules.len() < 3, "{rules:?}");
+        let start = XDD.rfind("<ISO15745Profile>").unwrap();
+        let end = XDD.rfind("</ISO15745Profile>").unwrap() + "</ISO15745Profile>".len();
+        let text = [&XDD[..start], &XDD[end..]].concat();
+        assert_eq!(shown("io-401.xdd", &text, Format::Xdd), ["cia311/missing-profile"]);
         let text = XDD.replacen("uniqueIDRef=\"UID_OBJ_1000\"", "uniqueIDRef=\"UID_0\"", 1);
         let rules = shown("io-401.xdd", &text, Format::Xdd);
         assert!(rules.contains(&"cia311/dangling-unique-id-ref"), "{rules:?}");

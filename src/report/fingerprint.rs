@@ -26,6 +26,8 @@ const CONTEXT: usize = 80;
 /// its number among equal ones. Where the finding is about the text itself, the section and the text of the line count for
 /// the place, without blanks. Lines that move, list members that are numbered anew and another wording change nothing.
 ///
+/// Of joined findings the place does not count, but what they say has in common: it stays when some of them are fixed.
+///
 /// The name of the file is not part of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Fingerprint(u64);
@@ -107,7 +109,11 @@ fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fing
     if let Some(number) = subject.description().map(Description::number).filter(|number| *number > 0) {
         hash.field(&(number as u64).to_be_bytes());
     }
-    if let Some(label) = finding.labels.first() {
+    if let Some(other) = finding.also.first() {
+        // what the message says without the places; that of the first one counts them
+        hash.field(other.message.pattern().as_bytes());
+        hash.field(&[finding.severity as u8, u8::from(finding.fix.is_some())]);
+    } else if let Some(label) = finding.labels.first() {
         match &label.at {
             At::Place(place) => at_place(subject, place, &mut hash),
             At::Span(span) => at_line(subject, sections, *span, &mut hash),
@@ -213,6 +219,27 @@ mod tests {
         let fewer = prints("[2000]\njunk\n[2001]\njunk\n");
         let gone = all.iter().filter(|item| !fewer.contains(item)).count();
         assert_eq!(gone, 1, "the rest are the same:\n{all:?}\n{fewer:?}");
+    }
+
+    #[test]
+    fn joined_findings_are_known_by_their_cause() {
+        let prints = |objects: &[&str]| {
+            let object = |index: &&str| {
+                let limit = if index.ends_with('0') { "LowLimit" } else { "HighLimit" };
+                format!("[{index}]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType=ro\n{limit}=1\n")
+            };
+            let text: String = objects.iter().map(object).collect();
+            let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+            let findings = crate::report::grouped(&description, crate::check(&description));
+            let prints = fingerprints(&description, &findings);
+            let joined = findings.iter().zip(prints).filter(|(finding, _)| !finding.also.is_empty());
+            joined.map(|(finding, print)| (finding.rule.id, print)).collect::<Vec<_>>()
+        };
+        let all = prints(&["2000", "2001", "2010", "2011", "2020", "2021"]);
+        assert!(all.iter().filter(|(rule, _)| *rule == "cia306/single-limit").count() == 2, "{all:?}");
+        assert_eq!(all, prints(&["2010", "2011", "2020", "2021"]), "the first place is fixed");
+        let distinct: HashSet<Fingerprint> = all.iter().map(|(_, print)| *print).collect();
+        assert_eq!(distinct.len(), all.len(), "{all:?}");
     }
 
     #[test]

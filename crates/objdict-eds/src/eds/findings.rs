@@ -47,7 +47,9 @@ text_rule! {
 }
 
 text_rule! {
-    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Mixed;
+    // one number of a list twice, and another one missing
+    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Mixed,
+        explains Section ["wrong-count"], explains Value ["object-not-listed"];
     summary: "a key is defined twice in a section",
     checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning. If the count of a list is right, a single number is used twice and only one number is left for one of them, both are read.",
     why: "Some tools read the first value, some the last one, some refuse the file.",
@@ -137,7 +139,8 @@ text_rule! {
 }
 
 text_rule! {
-    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe;
+    // a number is missing, and so is the entry
+    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe, explains Section ["wrong-count"];
     summary: "the keys of a list are not consecutive",
     checks: "Whether the keys of a list are decimal numbers from 1 without gaps, and those of comments `Line1` and so on; the latter is a warning.",
     why: "Tools that count from 1 stop at the gap.",

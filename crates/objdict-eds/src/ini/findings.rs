@@ -75,7 +75,21 @@ text_rule! {
 }
 
 text_rule! {
-    JUNK_LINE = "cia306/junk-line", Error, fix Unsafe;
+    // the line is a mark of a merge, the header of a section that is not read, or a key that its section lacks
+    JUNK_LINE = "cia306/junk-line", Error, fix Unsafe,
+        explains Conflict ["duplicate-key"],
+        explains Header [
+            "key-before-section", "duplicate-key", "unknown-key", "unsupported-key", "missing-section",
+            "listed-object-missing", "sub-without-object", "sub-number-mismatch", "missing-sub-0",
+            "missing-sub-index", "wrong-highest-sub-index", "mapped-object-missing", "gap-in-mapping", "gap-in-array",
+            "wrong-mapping-count", "incomplete-pdo-parameter", "incomplete-sdo-parameter"
+        ],
+        explains Section [
+            "missing-key", "missing-name", "missing-file-info-key", "missing-device-info-key",
+            "missing-module-info", "eds-version", "single-limit", "pdo-parameter-without-value",
+            "wrong-highest-sub-index", "wrong-count", "list-numbering"
+        ],
+        explains Value ["object-not-listed"];
     summary: "a line is not a section, key or comment",
     checks: "Whether each non-empty line is `[section]`, `key=value` or a comment.",
     why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions.",

@@ -22,7 +22,7 @@ pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, FixSafety, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
-pub use rule::{HOME, RuleInfo};
+pub use rule::{Explained, HOME, Reach, RuleInfo};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;

@@ -26,13 +26,45 @@ pub struct RuleInfo {
     pub remedy: &'static str,
     /// The documents that define it.
     pub source: &'static str,
+    /// What a finding of the rule explains.
+    pub explains: &'static [Explained],
+}
+
+/// Rules whose findings are consequences of another finding, which reports say alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Explained {
+    /// Where the consequences are.
+    pub reach: Reach,
+    /// The [names](RuleInfo::name) of the rules, without their groups.
+    pub rules: &'static [&'static str],
+}
+
+/// Where the consequences of a finding are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Anywhere in the file.
+    File,
+    /// Anywhere in a file of which no object was read.
+    NoObjects,
+    /// At an element or line that the cause is in.
+    Around,
+    /// In the section of an EDS or DCF that the cause is in.
+    Section,
+    /// In the object of an XDD or XDC that the cause is in.
+    Object,
+    /// At the object that the line of the cause names as its value.
+    Value,
+    /// Between the marks of a merge conflict, the first of which is the cause.
+    Conflict,
+    /// Up to the next section, if the cause looks like a header, and at the object or section that it names.
+    Header,
 }
 
 impl RuleInfo {
     /// A rule without fixes and page, for findings of callers.
     pub const fn bare(id: &'static str, severity: Severity) -> Self {
         let [summary, checks, why, example, remedy, source] = [""; 6];
-        Self { id, severity, fix: None, summary, checks, why, example, remedy, source }
+        Self { id, severity, fix: None, summary, checks, why, example, remedy, source, explains: &[] }
     }
 
     /// The group: `cia306` of `cia306/duplicate-section`.
@@ -65,15 +97,21 @@ impl RuleInfo {
 }
 
 /// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
-/// page; a rule without fixes omits the part `fix`.
+/// page; a rule without fixes omits the part `fix`. What its findings explain follows: `, explains File ["name", …]`.
 #[macro_export]
 macro_rules! rule_info {
-    ($id:literal, $severity:ident $(, fix $safety:ident)?; $($part:ident: $text:literal,)+) => {
+    (
+        $id:literal, $severity:ident $(, fix $safety:ident)? $(, explains $reach:ident [$($rule:literal),+])*;
+        $($part:ident: $text:literal,)+
+    ) => {
         $crate::diagnostic::RuleInfo {
             id: $id,
             severity: $crate::diagnostic::Severity::$severity,
             fix: $crate::fix_of!($($safety)?),
             $($part: $text,)+
+            explains: &[$(
+                $crate::diagnostic::Explained { reach: $crate::diagnostic::Reach::$reach, rules: &[$($rule),+] },
+            )*],
         }
     };
 }
@@ -91,7 +129,8 @@ macro_rules! text_rule {
 #[macro_export]
 macro_rules! text_rules {
     ($(
-        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?;
+        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?
+            $(, explains $reach:ident [$($rule:literal),+])*;
         summary: $summary:literal,
         checks: $checks:literal,
         why: $why:literal,
@@ -103,7 +142,7 @@ macro_rules! text_rules {
         pub(crate) static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
         $($crate::text_rule! {
-            $NAME = $id, $severity $(, fix $safety)?;
+            $NAME = $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*;
             summary: $summary,
             checks: $checks,
             why: $why,

@@ -18,7 +18,9 @@ text_rules! {
     remedy: "Change one of the ids and its references.",
     source: "CiA 311 annex A, XML Schema (ID)",
 
-    DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error;
+    // an object takes its data type, access and value from the parameter
+    DANGLING_UNIQUE_ID_REF = "cia311/dangling-unique-id-ref", Error,
+        explains Around ["missing-key", "device-type-without-value", "missing-constant"];
     summary: "an object refers to a parameter that does not exist",
     checks: "Whether the id in `uniqueIDRef` of each object and sub-object exists.",
     why: "The parameter defines data type, access, limits and default of the object: without it tools lack them, or reject the file.",

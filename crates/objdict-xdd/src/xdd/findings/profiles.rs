@@ -25,7 +25,8 @@ text_rules! {
     remedy: "Write one of the two types.",
     source: "CiA 311 annex A",
 
-    MISSING_PROFILE = "cia311/missing-profile", Warning;
+    MISSING_PROFILE = "cia311/missing-profile", Warning,
+        explains NoObjects ["missing-mandatory-object", "no-baud-rate"];
     summary: "one of the two profiles is missing",
     checks: "Whether the container has a device profile and a communication network profile. A missing communication network profile, which contains the object dictionary, is an error, a missing device profile a warning.",
     why: "Tools read the vendor and the parameters from the device profile, and the objects from the communication network profile.",

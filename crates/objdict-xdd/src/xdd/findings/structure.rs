@@ -14,7 +14,12 @@ text_rules! {
     remedy: "Add the element.",
     source: "CiA 311 annex A",
 
-    MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning;
+    // an object is not read whole without its index, and an entry not without its sub-index
+    MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning,
+        explains Object [
+            "missing-key", "sub-number-mismatch", "missing-sub-0", "wrong-highest-sub-index", "wrong-mapping-count",
+            "incomplete-pdo-parameter"
+        ];
     summary: "an attribute is missing",
     checks: "Whether each element has its mandatory attributes of CiA 311. A missing attribute that makes the element useless, such as `index` of an object and `uniqueID` of a parameter, is an error, others are a warning.",
     why: "Schema validation rejects the file, other tools assume zeros.",

@@ -3,7 +3,14 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    UNCLOSED_ELEMENT = "xml/unclosed-element", Error;
+    // what is behind the element is read as a part of it, or not at all
+    UNCLOSED_ELEMENT = "xml/unclosed-element", Error, explains File [
+        "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
+        "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
+        "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
+        "missing-sub-index", "mapped-object-missing", "pdo-without-mapping", "wrong-mapping-count",
+        "incomplete-pdo-parameter", "device-type-without-channels"
+    ];
     summary: "an element has no end tag",
     checks: "Whether each start tag has its end tag before the parent element or the file ends.",
     why: "XML parsers reject the whole file. A truncated file shows this error.",
@@ -11,7 +18,14 @@ text_rules! {
     remedy: "Add the end tag; if the file is truncated, get it again.",
     source: "XML 1.0 §3.1",
 
-    STRAY_END_TAG = "xml/stray-end-tag", Error;
+    // the same, if the start tag is missing
+    STRAY_END_TAG = "xml/stray-end-tag", Error, explains File [
+        "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
+        "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
+        "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
+        "missing-sub-index", "mapped-object-missing", "pdo-without-mapping", "wrong-mapping-count",
+        "incomplete-pdo-parameter", "device-type-without-channels"
+    ];
     summary: "an end tag does not match a start tag",
     checks: "Whether each end tag has the name of the element that it closes. A name that differs only in case or prefix closes the open element; other end tags without a matching start tag are ignored.",
     why: "XML parsers reject the whole file.",
