@@ -140,7 +140,7 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
         let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");
         group.iter().for_each(|rule| list(rule, shares, &mut tables));
         let mut page = format!("# {name}: {about}\n\n{GENERATED}\n");
-        group.iter().for_each(|rule| describe(rule, &mut page));
+        group.iter().for_each(|rule| describe(rule, shares, &mut page));
         pages.insert(format!("rules/{name}.md"), page);
     }
     pages.insert("rules/README.md".to_owned(), index + &tables);
@@ -157,11 +157,13 @@ fn list(rule: &RuleInfo, shares: &Shares, tables: &mut String) {
     let _ = writeln!(tables, "| [`{name}`]({address}) | {severity} | {fix} | {share} | {summary} |");
 }
 
-fn describe(rule: &RuleInfo, page: &mut String) {
+fn describe(rule: &RuleInfo, shares: &Shares, page: &mut String) {
+    let share =
+        shares.get(rule.id).map_or_else(String::new, |(files, total)| format!(" · {files} of {total} files"));
     let fix = rule.fix.map_or_else(String::new, |safety| format!(", {safety} fix"));
     let _ = writeln!(
         page,
-        "\n## {}\n\n`{}` · **{}**{fix}: {}.",
+        "\n## {}\n\n`{}` · **{}**{fix}{share}: {}.",
         rule.name(),
         rule.id,
         rule.severity,
