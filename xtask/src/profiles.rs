@@ -38,21 +38,26 @@ fn save(name: &str, text: &str, check_only: bool) -> Result<(), String> {
     fs::write(&path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }
 
-/// The module that lists the documents.
+/// The module that lists the documents: without the feature `catalogue` there is only the first.
 fn list(groups: &[String]) -> String {
-    let mut text = String::from(
-        "//! The documents that come with the program: generated from `data` by `cargo xtask profiles`. When the form of\n\
-         //! the tables changes, xtask does not build with the old ones: take them out of this list for that run.\n\n",
-    );
-    for group in groups {
-        let _ = writeln!(text, "#[rustfmt::skip]\nmod {group};");
-    }
-    text += "\nuse super::Profile;\n\n/// The documents, with their numbers, in the order of these.\n\
-             pub(super) static DOCUMENTS: &[(u16, &Profile)] = &[\n";
-    for group in groups {
-        let _ = writeln!(text, "    ({}, &{group}::PROFILE),", group.trim_start_matches("cia"));
-    }
-    text + "];\n"
+    let lines = |indent: &str, line: &dyn Fn(&str) -> String| -> String {
+        let feature = format!("{indent}#[cfg(feature = \"catalogue\")]\n");
+        let features = std::iter::once("").chain(std::iter::repeat(&*feature));
+        groups
+            .iter()
+            .zip(features)
+            .map(|(group, feature)| format!("{feature}{indent}{}\n", line(group)))
+            .collect()
+    };
+    let modules = lines("", &|group| format!("#[rustfmt::skip]\nmod {group};"));
+    let rows = lines("    ", &|group| format!("({}, &{group}::PROFILE),", group.trim_start_matches("cia")));
+    format!(
+        "//! The built-in documents, generated from `data` by `cargo xtask profiles`. If the table format changes, xtask\n\
+         //! does not build with the old tables: remove them from this list for that run.\n\n\
+         {modules}\nuse super::Profile;\n\n\
+         /// The documents in ascending order of their numbers.\n\
+         pub(super) static DOCUMENTS: &[(u16, &Profile)] = &[\n{rows}];\n"
+    )
 }
 
 /// A document as Rust: what the rows derive from `Debug` is how they are written.
