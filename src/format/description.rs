@@ -1,5 +1,6 @@
 //! A description that was read: the device together with the text that it came from.
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 #[cfg(all(feature = "json", feature = "xdd"))]
@@ -160,6 +161,25 @@ impl Description {
             At::Span(span) => *span,
             At::Place(place) => self.locate(place).unwrap_or_default(),
         }
+    }
+
+    /// The place in the model that a label points to; of a label of the text, that of its section or element.
+    /// `None` outside the parts of a description.
+    pub fn place_of<'a>(&self, at: &'a At) -> Option<Cow<'a, Place>> {
+        let span = match at {
+            At::Place(place) => return Some(Cow::Borrowed(place)),
+            At::Span(span) => span,
+        };
+        let place = match &self.text {
+            Text::Ini(document, locator) => {
+                locator.get_or_init(|| eds::Locator::new(document)).place_at(document, span.start)
+            }
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, locator) => {
+                locator.get_or_init(|| xdd::Locator::new(tree, self.number)).place_at(tree, span.start)
+            }
+        };
+        place.map(Cow::Owned)
     }
 
     /// The bytes of this text as the description of a node, called `file_name`: an EDS becomes a DCF. Only the text that

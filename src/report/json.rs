@@ -209,7 +209,7 @@ fn position(location: Location<'_>) -> Position<'_> {
         column: location.start.column,
         end_line: location.end.line,
         end_column: location.end.column,
-        place: location.place.map(ToString::to_string),
+        place: location.place.map(|place| place.to_string()),
         text: location.text,
     }
 }

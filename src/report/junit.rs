@@ -58,7 +58,7 @@ impl<W: Write> Junit<W> {
         let at = finding.labels.first().map(|label| Location::new(subject, label));
         let start = Location::start_of(subject, finding);
         let position = format!("{}:{}", start.line, start.column);
-        let place = at.and_then(|at| at.place).map_or_else(|| position.clone(), ToString::to_string);
+        let place = at.and_then(|at| at.place).map_or_else(|| position.clone(), |place| place.to_string());
         let mut name = format!("{}: {place}", finding.rule.id);
         let count = seen.entry(name.clone()).or_default();
         *count += 1;

@@ -28,7 +28,6 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io;
 
-use crate::diagnostic::At;
 use crate::diagnostic::{Diagnostic, Findings, Severity, SourceLabel};
 use crate::model::Place;
 use crate::source::{LineColumn, Span};
@@ -99,8 +98,8 @@ pub struct Location<'a> {
     pub start: LineColumn,
     /// Line and column behind the last character.
     pub end: LineColumn,
-    /// The address in the model; `None` where only the text shows the finding.
-    pub place: Option<&'a Place>,
+    /// The address in the model; `None` outside the parts of a description.
+    pub place: Option<Cow<'a, Place>>,
     /// The remark; empty where the message says all.
     pub text: Cow<'a, str>,
 }
@@ -110,15 +109,11 @@ impl<'a> Location<'a> {
     pub fn new(subject: Subject<'_>, label: &'a SourceLabel) -> Self {
         let span = subject.span_of(&label.at);
         let source = subject.source();
-        let place = match &label.at {
-            At::Place(place) => Some(place),
-            At::Span(_) => None,
-        };
         Self {
             span,
             start: source.line_column(span.start),
             end: source.line_column(span.end),
-            place,
+            place: subject.description().and_then(|description| description.place_of(&label.at)),
             text: label.text.shown(),
         }
     }

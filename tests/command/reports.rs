@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::{Mutex, PoisonError};
 
@@ -20,7 +21,7 @@ fn objdict(arguments: &[&str]) -> Output {
     command().args(arguments).output().expect("the command runs")
 }
 
-/// What `check` writes in a format over the broken fixtures and those of the rules, and once for all tests.
+/// What `check` writes in a format, and with the options behind it, over the broken fixtures and those of the rules, and once for all tests.
 fn check(format: &str) -> &'static str {
     static TEXTS: Mutex<BTreeMap<String, &'static str>> = Mutex::new(BTreeMap::new());
     let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
@@ -28,7 +29,10 @@ fn check(format: &str) -> &'static str {
 }
 
 fn checked(format: &str) -> String {
-    let output = objdict(&["check", "--format", format, "fixtures/broken", "fixtures/rules", "fixtures/xdd"]);
+    let folders = ["fixtures/broken", "fixtures/rules", "fixtures/xdd"];
+    let format = format.split(' ');
+    let arguments: Vec<&str> = ["check", "--format"].into_iter().chain(format).chain(folders).collect();
+    let output = objdict(&arguments);
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("UTF-8")
 }
@@ -279,20 +283,74 @@ fn sarif_says_how_the_run_ended() {
     assert!(told.as_str().is_some_and(|text| text.contains("no-such.eds")), "{told}");
 }
 
-/// `SARIF_SCHEMA=path/of/sarif-schema-2.1.0.json cargo test --test command reports -- --ignored`, with the schema of OASIS and
-/// the package jsonschema of Python; neither is part of the project.
+/// The schema of OASIS is no part of the project: the crate serde-sarif has a copy.
+fn sarif_schema() -> Result<PathBuf, String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sarif-schema");
+    let schema = folder.join("vendor/serde-sarif/src/schema.json");
+    if schema.exists() {
+        return Ok(schema);
+    }
+    let manifest = "[package]\nname = \"schema\"\nedition = \"2024\"\n[lib]\npath = \"lib.rs\"\n[workspace]\n\
+        [dependencies]\nserde-sarif = \"=0.8.0\"\n";
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text);
+    let made = std::fs::create_dir_all(&folder).and_then(|()| write("Cargo.toml", manifest));
+    made.and_then(|()| write("lib.rs", "")).map_err(|error| error.to_string())?;
+    support::run(Command::new(env!("CARGO")).args(["vendor", "--quiet"]).current_dir(&folder))?;
+    Ok(schema)
+}
+
 #[test]
-#[ignore = "needs the schema of OASIS in SARIF_SCHEMA, and jsonschema for Python"]
 fn sarif_is_valid_against_its_schema() {
-    let schema = std::env::var("SARIF_SCHEMA").expect("SARIF_SCHEMA names the schema");
+    let needed = sarif_schema()
+        .and_then(|schema| Ok((schema, support::python("sarif-venv", &["fastjsonschema==2.22.3"])?)));
+    let Some((schema, programs)) = support::unless_offline(needed) else { return };
     let folder = tempfile::tempdir().expect("a folder");
-    let log = folder.path().join("log.sarif");
-    std::fs::write(&log, check("sarif")).expect("it is written");
-    let script = "import json, sys, jsonschema\n\
-        schema, log = (json.load(open(path, encoding='utf-8')) for path in sys.argv[1:])\n\
-        jsonschema.Draft4Validator(schema).validate(log)";
-    let output = Command::new("python3").args(["-c", script, &schema]).arg(&log).output().expect("Python");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for format in ["sarif", "sarif --all"] {
+        let log = folder.path().join("log.sarif");
+        std::fs::write(&log, check(format)).expect("it is written");
+        let script = "import json, sys, fastjsonschema\n\
+            schema, log = (json.load(open(path, encoding='utf-8')) for path in sys.argv[1:])\n\
+            fastjsonschema.compile(schema)(log)";
+        let mut python = Command::new(programs.join("python"));
+        let judged = support::run(python.args(["-c", script]).arg(&schema).arg(&log));
+        assert_eq!(judged, Ok(()), "{format}");
+    }
+}
+
+/// The place of each section of an object or sub-index, by its first line; `None` for other sections.
+fn sections(text: &str) -> BTreeMap<u64, Option<String>> {
+    let digits = |text: &str, radix| u16::from_str_radix(text, radix).ok();
+    let place = |name: &str| {
+        let index = digits(name.get(..4)?, 16)?;
+        let sub = name[4..].strip_prefix("sub").map(|sub| digits(sub, 16));
+        match sub {
+            Some(sub) => Some(format!("0x{index:04X}sub{:X}", sub?)),
+            None => (name.len() == 4).then(|| format!("0x{index:04X}")),
+        }
+    };
+    let header = |line: &str| Some(line.trim().strip_prefix('[')?.split(']').next()?.to_ascii_lowercase());
+    let lines = (1..).zip(text.lines());
+    lines.filter_map(|(number, line)| Some((number, place(&header(line)?)))).collect()
+}
+
+#[test]
+fn findings_in_the_section_of_an_object_have_its_place() {
+    let document: Value = serde_json::from_str(check("json --all")).expect("JSON");
+    let mut texts = BTreeMap::new();
+    let mut compared = 0;
+    for finding in list(&document, "findings") {
+        let file = finding["file"].as_str().expect("a path");
+        let sections = texts.entry(file).or_insert_with(|| {
+            let bytes = std::fs::read(support::fixtures().join("..").join(file)).expect("the fixture");
+            sections(&String::from_utf8_lossy(&bytes))
+        });
+        let line = finding["line"].as_u64().expect("a line");
+        let Some((_, Some(section))) = sections.range(..=line).next_back() else { continue };
+        let place = finding["place"].as_str().unwrap_or_default();
+        assert!(place.starts_with(&**section), "{section}: {finding}");
+        compared += 1;
+    }
+    assert!(compared > 400, "{compared} findings");
 }
 
 #[test]

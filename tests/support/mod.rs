@@ -8,6 +8,7 @@ mod patches;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::LazyLock;
 
 /// Where the pages of rules are, the only addresses outside of a page.
@@ -43,6 +44,39 @@ pub(crate) fn devices_of_all_folders() -> Vec<PathBuf> {
 /// The healthy devices: every rule is silent on them.
 pub(crate) fn good_devices() -> Vec<PathBuf> {
     [files("eds", &["eds"]), files("dcf", &["dcf"])].concat()
+}
+
+/// A Python environment below `target` with these packages: the folder of its programs, or why it cannot be made.
+pub(crate) fn python(name: &str, packages: &[&str]) -> Result<PathBuf, String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let programs = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let (made, packages_text) = (folder.join("packages"), packages.join("\n"));
+    if fs::read_to_string(&made).is_ok_and(|before| before == packages_text) {
+        return Ok(programs);
+    }
+    run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
+    run(Command::new(programs.join("pip")).args(["install", "--quiet"]).args(packages))?;
+    fs::write(&made, packages_text).map_err(|error| error.to_string())?;
+    Ok(programs)
+}
+
+/// Runs a command, or returns what it wrote when it failed.
+pub(crate) fn run(command: &mut Command) -> Result<(), String> {
+    let output = command.output().map_err(|error| error.to_string())?;
+    let text = [&*output.stdout, &*output.stderr].concat();
+    if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&text).into_owned()) }
+}
+
+/// What a test needs from the network. Without it the test says so and is skipped, except with `CI=true`.
+#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
+pub(crate) fn unless_offline<T>(needed: Result<T, String>) -> Option<T> {
+    let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
+    needed
+        .inspect_err(|reason| {
+            assert!(!is_ci, "{reason}");
+            println!("skipped: {reason}");
+        })
+        .ok()
 }
 
 fn collect(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {

@@ -196,13 +196,11 @@ impl File<'_> {
             region.byte_offset = Some(start + span.start);
             region.byte_length = Some(span.len());
         }
+        let place = self.subject.description().and_then(|description| description.place_of(at));
         Location {
             id,
             physical_location: PhysicalLocation { artifact_location: self.artifact.clone(), region },
-            logical_locations: match at {
-                At::Place(place) => vec![logical_location(place)],
-                At::Span(_) => Vec::new(),
-            },
+            logical_locations: place.iter().map(|place| logical_location(place)).collect(),
             message: Some(text).filter(|text| !text.is_empty()).map(message),
         }
     }

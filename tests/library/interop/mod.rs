@@ -29,32 +29,7 @@ const PACKAGES: [&str; 2] = ["canopen==2.4.1", "dcf-tools==2.4.2"];
 /// The folder with the programs of the environment, made once; `None` when it cannot be made here.
 fn environment() -> Option<&'static Path> {
     static ENVIRONMENT: OnceLock<Option<PathBuf>> = OnceLock::new();
-    ENVIRONMENT.get_or_init(make_environment).as_deref()
-}
-
-fn make_environment() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-venv");
-    let programs = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
-    if programs.join("dcfchk").exists() {
-        return Some(programs);
-    }
-    let made = run(Command::new("python3").args(["-m", "venv"]).arg(&folder))
-        .and_then(|()| run(Command::new(programs.join("pip")).args(["install", "--quiet"]).args(PACKAGES)));
-    match made {
-        Ok(()) => Some(programs),
-        Err(reason) if std::env::var("CI").is_ok_and(|ci| ci == "true") => {
-            panic!("no Python environment: {reason}")
-        }
-        Err(reason) => {
-            println!("skipped: no Python environment: {reason}");
-            None
-        }
-    }
-}
-
-fn run(command: &mut Command) -> Result<(), String> {
-    let output = command.output().map_err(|error| error.to_string())?;
-    if output.status.success() { Ok(()) } else { Err(text_of(&output)) }
+    ENVIRONMENT.get_or_init(|| support::unless_offline(support::python("interop-venv", &PACKAGES))).as_deref()
 }
 
 fn text_of(output: &Output) -> String {

@@ -73,6 +73,12 @@ impl Key {
         None
     }
 
+    /// The field of the key with this name, fixed or not.
+    pub(crate) fn field_of(key: Option<Self>, name: &str) -> Field {
+        let other = || Field::item(name).unwrap_or_else(|| Field::Named(name.into()));
+        key.map_or_else(other, |key| key.field().clone())
+    }
+
     /// The field.
     pub(crate) fn field(self) -> &'static Field {
         &Field::NAMED[usize::from(self.0)].1

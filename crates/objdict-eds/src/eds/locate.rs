@@ -69,6 +69,22 @@ impl Locator {
         self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part))
     }
 
+    /// The place of an offset: the field of its line in its section. `None` outside the sections of the standard.
+    pub fn place_at(&self, document: &Document, offset: u32) -> Option<Place> {
+        let (text, outline) = (document.text(), self.outline(document));
+        let behind = outline.partition_point(|(_, start)| *start <= offset);
+        let (_, start) = outline.get(behind.checked_sub(1)?)?;
+        let LineKind::Section { name } = Lines::from(text, *start).next()?.kind else { return None };
+        let part = SectionName::parse(name.of(text)).part;
+        let lines = document.source().lines();
+        let line = lines.line_span(text, lines.line_of(text, offset));
+        let field = match Lines::from(text, line.start).next()?.kind {
+            LineKind::Entry { key, .. } => Some(Key::field_of(Key::find(key.of(text)), key.of(text))),
+            _ => None,
+        };
+        (!matches!(part, Part::Section(_))).then_some(Place { part, field })
+    }
+
     /// The value of a key whose name is misspelt.
     fn misspelt_key(&self, document: &Document, place: &Place) -> Option<Span> {
         let field =

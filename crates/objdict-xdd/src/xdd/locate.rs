@@ -61,6 +61,27 @@ impl Locator {
         }
     }
 
+    /// The object or sub-object of an offset, with the field of its attribute. `None` outside the object list.
+    pub fn place_at(&self, tree: &Tree, offset: u32) -> Option<Place> {
+        let innermost = tree.element_at(offset)?;
+        let is_entry =
+            |element: &Element<'_>| matches!(element.tag(), n::CANopenObject | n::CANopenSubObject);
+        let element = std::iter::successors(Some(innermost), |element| element.parent()).find(is_entry)?;
+        let attributes = super::read::EntryAttributes::of(element);
+        let part = match element.tag() {
+            n::CANopenObject => Part::Object(attributes.index()?),
+            _ => {
+                let object = super::read::EntryAttributes::of(element.parent()?);
+                Part::Entry(object.index()?, attributes.sub_index()?)
+            }
+        };
+        let mut attributes = element.attributes();
+        let attribute = attributes.find(|attribute| attribute.span().end > offset);
+        let attribute = attribute.filter(|attribute| attribute.span().start <= offset);
+        let known = attribute.and_then(|attribute| schema::OBJECT.attribute(attribute.tag()));
+        Some(Place { part, field: known.and_then(|(_, known)| known.field()) })
+    }
+
     /// The container of this locator.
     pub(super) fn layout<'a>(&self, tree: &'a Tree) -> Option<Layout<'a>> {
         Layout::of(tree, self.number)

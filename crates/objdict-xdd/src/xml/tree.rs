@@ -135,6 +135,14 @@ impl Tree {
         self.get(before as u32)
     }
 
+    /// The innermost element around an offset.
+    pub fn element_at(&self, offset: u32) -> Option<Element<'_>> {
+        let behind = self.parts.elements.partition_point(|record| record.start <= offset);
+        let nearest = self.get(behind.checked_sub(1)? as u32);
+        std::iter::successors(nearest, |element| element.parent())
+            .find(|element| offset < element.record().end)
+    }
+
     /// Whether the document is well-formed and was read completely: there is no finding of severity error.
     pub fn is_complete(&self) -> bool {
         self.parts.is_complete

@@ -239,10 +239,7 @@ impl<'a> Items<'a> {
 impl Item<'_> {
     /// The field of the key, fixed or not.
     pub(crate) fn to_field(self) -> Field {
-        match self.key {
-            Some(key) => key.field().clone(),
-            None => Field::item(self.name).unwrap_or_else(|| Field::Named(self.name.into())),
-        }
+        Key::field_of(self.key, self.name)
     }
 }
 
