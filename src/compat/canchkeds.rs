@@ -24,6 +24,10 @@ impl Reaction {
 
 /// The messages, in the order of the rules.
 pub static MESSAGES: &[Reaction] = &[
+    warning("cia301/cob-id-not-predefined", "warning W30"),
+    warning("cia301/default-error-register", "warning W30"),
+    warning("cia301/default-sdo-cob-id", "warning W30"),
+    warning("cia301/fixed-node-id", "warning W30"),
     error("cia301/gap-in-mapping", "error E11"),
     error("cia301/granularity-against-access", "error E69 or E70"),
     error("cia301/incomplete-pdo-parameter", "error E39"),
@@ -41,6 +45,7 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia301/module-list-without-modules", "error E55"),
     error("cia301/obsolete-object", "error E71 or E72").only("1004h with wrong numbers", is_warning),
     error("cia301/pdo-length-exceeded", "error E64"),
+    warning("cia301/service-cob-id-not-predefined", "warning W30"),
     error("cia301/undefined-sub-index", "error E38"),
     error("cia301/wrong-access", "error E30"),
     error("cia301/wrong-data-type", "error E30"),
@@ -60,16 +65,16 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/group-messaging-flag", "error E73").only("a multiplexed PDO", is_warning),
     error("cia306/identity-mismatch", "error E130"),
     error("cia306/indented-section", "error E3"),
-    error("cia306/invalid-list-entry", "error E22"),
+    error("cia306/invalid-list-entry", "error E29"),
     error("cia306/invalid-object-flags", "error E22"),
-    error("cia306/invalid-value", "error E21 or E22"),
+    error("cia306/invalid-value", "error E21, E22 or E29"),
     error("cia306/line-too-long", "error E23"),
     error("cia306/link-to-missing-object", "error E7 or E13"),
     warning("cia306/list-numbering", "warning W3"),
     error("cia306/listed-object-missing", "error E1"),
     error("cia306/mapping-not-possible", "error E30"),
     error("cia306/missing-device-info-key", "error E26"),
-    error("cia306/missing-file-info-key", "error E26").only("a key of the creation", is_warning),
+    error("cia306/missing-file-info-key", "error E26 or E29").only("a key of the creation", is_warning),
     error("cia306/missing-key", "error E26, E33 or E34"),
     error("cia306/missing-module-info", "error E26"),
     error("cia306/missing-name", "error E26"),
@@ -107,12 +112,13 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/wrong-highest-sub-index", "error E36")
         .only("with a value", |description, finding| !is_at_header(description, finding)),
     warning("cia306/wrong-highest-sub-index", "warning W24").only("without a value", is_at_header),
-    error("cia306/wrong-object-list", "error E22"),
+    error("cia306/wrong-object-list", "error E28"),
     error("cia306/wrong-pdo-count", "error E62"),
     error("portability/empty-text", "error E21"),
     warning("portability/tool-list", "warning W21"),
     warning("portability/type-definition", "warning W23"),
     warning("portability/unclear-direction", "warning W4 or W5"),
+    warning("portability/unused-mapping-slot", "warning W25"),
 ];
 
 fn is_warning(_: &Description, finding: &Diagnostic) -> bool {

@@ -106,6 +106,27 @@ impl<'a> Facts<'a> {
         self.device.value(index, sub)?.integer_for(*self.node_ids().start())
     }
 
+    /// The first valid TPDO that maps an object of a range and is sent on events only, without an event timer.
+    pub(crate) fn waiting_tpdo(&self, mapped: &RangeInclusive<u16>) -> Option<&Pdo<'a>> {
+        self.pdos.iter().map(|pdo| &pdo.pdo).find(|pdo| {
+            let is_sent = pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true);
+            let on_event_only = pdo.is_event_driven() && pdo.event_timer.unwrap_or(0) == 0;
+            is_sent && on_event_only && pdo.mapped().any(|object| mapped.contains(&object.index))
+        })
+    }
+
+    /// Whether all values of an object are 0 or false in a configuration, where they are set or by default.
+    pub(crate) fn is_configured_off(&self, index: u16) -> bool {
+        let is_zero = |value: &Value| *value == Value::Boolean(false) || value.as_integer() == Some(0);
+        let Some(object) = self.device.object(index).filter(|_| self.device.kind == DeviceKind::Node) else {
+            return false;
+        };
+        let counts = u8::from(object.object_type().has_subs());
+        let mut values =
+            object.entries().filter(|(sub, _)| *sub >= counts).map(|(sub, _)| object.value(sub)).peekable();
+        values.peek().is_some() && values.all(|value| value.is_some_and(|value| is_zero(&value)))
+    }
+
     /// Whether the device follows a device profile according to 1000h.
     pub(crate) fn has_profile(&self) -> bool {
         self.device.profile().is_some_and(|profile| profile != 0)

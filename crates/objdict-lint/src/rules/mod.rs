@@ -59,6 +59,7 @@ rules! {
         invalid_error_behavior,
         invalid_sync_counter,
         invalid_sync_start_value,
+        listed_entry_missing,
         mappable_without_pdo,
         mapped_object_missing,
         mapped_object_not_mappable,
@@ -94,6 +95,7 @@ rules! {
         service_cob_id_not_predefined,
         short_can_id_in_extended_frame,
         storage_signature_as_default,
+        storage_without_function,
         store_without_restore,
         sync_object_without_sync,
         sync_producer_without_period,
@@ -255,6 +257,7 @@ rules! {
         cyclic_mode_without_sync,
         cyclic_target_not_mappable,
         device_type_without_drive,
+        different_device_type,
         homing_method_not_supported,
         incomplete_touch_probe,
         interpolation_time_differs,
@@ -284,6 +287,8 @@ rules! {
     }
     #[cfg(feature = "catalogue")]
     cia406: demands {
+        cam_without_limits,
+        contradictory_copy,
         cyclic_timer_mismatch,
         different_measuring_range,
         incomplete_class_2,
@@ -291,6 +296,7 @@ rules! {
         position_too_long,
         preset_outside_range,
         revolutions_of_single_turn,
+        scaling_off,
         unsupported_alarm,
         wrong_default_mapping,
         wrong_transmission_type,
@@ -341,5 +347,6 @@ rules! {
         tool_list,
         type_definition,
         unclear_direction,
+        unused_mapping_slot,
     }
 }

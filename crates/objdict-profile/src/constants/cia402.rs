@@ -89,23 +89,23 @@ static OBJECTS: &[ObjectRow] = &[
     ObjectRow { first: 24692, last: 24692, name: Part(5730, 13), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(39, 1), source: Part(0, 0), about: Part(5743, 47), confidence: High }, // 6074h Torque demand
     ObjectRow { first: 24693, last: 24693, name: Part(5792, 19), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(40, 1), source: Part(0, 0), about: Part(5811, 65), confidence: High }, // 6075h Motor rated current
     ObjectRow { first: 24694, last: 24694, name: Part(5879, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(41, 1), source: Part(0, 0), about: Part(5897, 63), confidence: High }, // 6076h Motor rated torque
-    ObjectRow { first: 24695, last: 24695, name: Part(5960, 19), object_types: Part(0, 1), need: When(3), only: None, as_many_as: Part(0, 0), entries: Part(39, 1), source: Part(0, 0), about: Part(5979, 18), confidence: High }, // 6077h Torque actual value
+    ObjectRow { first: 24695, last: 24695, name: Part(5960, 19), object_types: Part(0, 1), need: When(4), only: None, as_many_as: Part(0, 0), entries: Part(39, 1), source: Part(0, 0), about: Part(5979, 18), confidence: High }, // 6077h Torque actual value
     ObjectRow { first: 24696, last: 24696, name: Part(5997, 20), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(42, 1), source: Part(0, 0), about: Part(6017, 19), confidence: High }, // 6078h Current actual value
     ObjectRow { first: 24697, last: 24697, name: Part(6038, 23), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(43, 1), source: Part(0, 0), about: Part(6061, 27), confidence: High }, // 6079h DC link circuit voltage
-    ObjectRow { first: 24698, last: 24698, name: Part(6088, 15), object_types: Part(0, 1), need: When(4), only: None, as_many_as: Part(0, 0), entries: Part(44, 1), source: Part(0, 0), about: Part(6103, 70), confidence: High }, // 607Ah Target position
+    ObjectRow { first: 24698, last: 24698, name: Part(6088, 15), object_types: Part(0, 1), need: When(5), only: None, as_many_as: Part(0, 0), entries: Part(44, 1), source: Part(0, 0), about: Part(6103, 70), confidence: High }, // 607Ah Target position
     ObjectRow { first: 24699, last: 24699, name: Part(6221, 20), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(45, 3), source: Part(0, 0), about: Part(6241, 75), confidence: High }, // 607Bh Position range limit
     ObjectRow { first: 24700, last: 24700, name: Part(6316, 11), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(44, 1), source: Part(0, 0), about: Part(6327, 85), confidence: High }, // 607Ch Home offset
     ObjectRow { first: 24701, last: 24701, name: Part(6448, 23), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(48, 3), source: Part(0, 0), about: Part(6471, 59), confidence: High }, // 607Dh Software position limit
     ObjectRow { first: 24702, last: 24702, name: Part(6564, 8), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(51, 1), source: Part(0, 0), about: Part(6572, 36), confidence: High }, // 607Eh Polarity
     ObjectRow { first: 24703, last: 24703, name: Part(6608, 20), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 1), source: Part(0, 0), about: Part(6628, 40), confidence: High }, // 607Fh Max profile velocity
     ObjectRow { first: 24704, last: 24704, name: Part(6671, 15), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(52, 1), source: Part(0, 0), about: Part(6686, 42), confidence: High }, // 6080h Max motor speed
-    ObjectRow { first: 24705, last: 24705, name: Part(6728, 16), object_types: Part(0, 1), need: When(5), only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(6744, 54), confidence: High }, // 6081h Profile velocity
+    ObjectRow { first: 24705, last: 24705, name: Part(6728, 16), object_types: Part(0, 1), need: When(6), only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(6744, 54), confidence: High }, // 6081h Profile velocity
     ObjectRow { first: 24706, last: 24706, name: Part(6798, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 1), source: Part(0, 0), about: Part(6810, 66), confidence: High }, // 6082h End velocity
-    ObjectRow { first: 24707, last: 24707, name: Part(6876, 20), object_types: Part(0, 1), need: When(6), only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(6896, 39), confidence: High }, // 6083h Profile acceleration
+    ObjectRow { first: 24707, last: 24707, name: Part(6876, 20), object_types: Part(0, 1), need: When(7), only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(6896, 39), confidence: High }, // 6083h Profile acceleration
     ObjectRow { first: 24708, last: 24708, name: Part(6935, 20), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(6955, 39), confidence: High }, // 6084h Profile deceleration
     ObjectRow { first: 24709, last: 24709, name: Part(6994, 23), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(7017, 33), confidence: High }, // 6085h Quick stop deceleration
     ObjectRow { first: 24710, last: 24710, name: Part(7107, 19), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(53, 1), source: Part(0, 0), about: Part(7126, 45), confidence: High }, // 6086h Motion profile type
-    ObjectRow { first: 24711, last: 24711, name: Part(7207, 12), object_types: Part(0, 1), need: When(7), only: None, as_many_as: Part(0, 0), entries: Part(54, 1), source: Part(0, 0), about: Part(7219, 51), confidence: High }, // 6087h Torque slope
+    ObjectRow { first: 24711, last: 24711, name: Part(7207, 12), object_types: Part(0, 1), need: When(8), only: None, as_many_as: Part(0, 0), entries: Part(54, 1), source: Part(0, 0), about: Part(7219, 51), confidence: High }, // 6087h Torque slope
     ObjectRow { first: 24712, last: 24712, name: Part(7270, 19), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(55, 1), source: Part(0, 0), about: Part(7289, 29), confidence: High }, // 6088h Torque profile type
     ObjectRow { first: 24713, last: 24713, name: Part(7318, 23), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(56, 1), source: Part(7341, 9), about: Part(7350, 69), confidence: Medium }, // 6089h Position notation index
     ObjectRow { first: 24714, last: 24714, name: Part(7419, 24), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(20, 1), source: Part(7341, 9), about: Part(7443, 58), confidence: Medium }, // 608Ah Position dimension index
@@ -122,8 +122,8 @@ static OBJECTS: &[ObjectRow] = &[
     ObjectRow { first: 24725, last: 24725, name: Part(8583, 17), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 3), source: Part(0, 0), about: Part(8600, 55), confidence: High }, // 6095h Velocity factor 1
     ObjectRow { first: 24726, last: 24726, name: Part(8655, 15), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 3), source: Part(0, 0), about: Part(8670, 64), confidence: High }, // 6096h Velocity factor
     ObjectRow { first: 24727, last: 24727, name: Part(8734, 19), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 3), source: Part(0, 0), about: Part(8753, 71), confidence: High }, // 6097h Acceleration factor
-    ObjectRow { first: 24728, last: 24728, name: Part(9329, 13), object_types: Part(0, 1), need: When(8), only: None, as_many_as: Part(0, 0), entries: Part(75, 1), source: Part(0, 0), about: Part(9342, 46), confidence: High }, // 6098h Homing method
-    ObjectRow { first: 24729, last: 24729, name: Part(9446, 13), object_types: Part(3, 2), need: When(8), only: None, as_many_as: Part(0, 0), entries: Part(76, 3), source: Part(0, 0), about: Part(9459, 61), confidence: High }, // 6099h Homing speeds
+    ObjectRow { first: 24728, last: 24728, name: Part(9329, 13), object_types: Part(0, 1), need: When(9), only: None, as_many_as: Part(0, 0), entries: Part(75, 1), source: Part(0, 0), about: Part(9342, 46), confidence: High }, // 6098h Homing method
+    ObjectRow { first: 24729, last: 24729, name: Part(9446, 13), object_types: Part(3, 2), need: When(9), only: None, as_many_as: Part(0, 0), entries: Part(76, 3), source: Part(0, 0), about: Part(9459, 61), confidence: High }, // 6099h Homing speeds
     ObjectRow { first: 24730, last: 24730, name: Part(9520, 19), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(32, 1), source: Part(0, 0), about: Part(9539, 44), confidence: High }, // 609Ah Homing acceleration
     ObjectRow { first: 24738, last: 24738, name: Part(9583, 11), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 3), source: Part(0, 0), about: Part(9594, 62), confidence: High }, // 60A2h Jerk factor
     ObjectRow { first: 24739, last: 24739, name: Part(9656, 16), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(79, 1), source: Part(0, 0), about: Part(9672, 49), confidence: High }, // 60A3h Profile jerk use
@@ -143,7 +143,7 @@ static OBJECTS: &[ObjectRow] = &[
     ObjectRow { first: 24765, last: 24765, name: Part(10984, 27), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(11011, 50), confidence: High }, // 60BDh Touch probe 2 negative edge
     ObjectRow { first: 24768, last: 24768, name: Part(11094, 29), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(86, 1), source: Part(0, 0), about: Part(11123, 76), confidence: High }, // 60C0h Interpolation sub mode select
     ObjectRow { first: 24769, last: 24769, name: Part(11228, 25), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(87, 3), source: Part(0, 0), about: Part(11253, 45), confidence: High }, // 60C1h Interpolation data record
-    ObjectRow { first: 24770, last: 24770, name: Part(11353, 25), object_types: Part(2, 1), need: When(9), only: None, as_many_as: Part(0, 0), entries: Part(90, 3), source: Part(0, 0), about: Part(11378, 76), confidence: High }, // 60C2h Interpolation time period
+    ObjectRow { first: 24770, last: 24770, name: Part(11353, 25), object_types: Part(2, 1), need: When(10), only: None, as_many_as: Part(0, 0), entries: Part(90, 3), source: Part(0, 0), about: Part(11378, 76), confidence: High }, // 60C2h Interpolation time period
     ObjectRow { first: 24771, last: 24771, name: Part(11454, 29), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(11483, 78), confidence: High }, // 60C3h Interpolation sync definition
     ObjectRow { first: 24772, last: 24772, name: Part(11683, 32), object_types: Part(2, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(93, 7), source: Part(0, 0), about: Part(11715, 72), confidence: High }, // 60C4h Interpolation data configuration
     ObjectRow { first: 24773, last: 24773, name: Part(11787, 16), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 1), source: Part(0, 0), about: Part(11803, 41), confidence: High }, // 60C5h Max acceleration
@@ -166,36 +166,37 @@ static OBJECTS: &[ObjectRow] = &[
     ObjectRow { first: 24807, last: 24807, name: Part(13100, 69), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13169, 104), confidence: High }, // 60E7h Additional velocity encoder resolution, encoder increments per second
     ObjectRow { first: 24808, last: 24808, name: Part(13273, 46), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13319, 87), confidence: High }, // 60E8h Additional gear ratio, motor shaft revolutions
     ObjectRow { first: 24809, last: 24809, name: Part(13406, 30), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13436, 66), confidence: High }, // 60E9h Additional feed constant, feed
-    ObjectRow { first: 24811, last: 24811, name: Part(13502, 57), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13559, 73), confidence: High }, // 60EBh Additional position encoder resolution, motor revolutions
-    ObjectRow { first: 24812, last: 24812, name: Part(13632, 68), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13700, 84), confidence: High }, // 60ECh Additional velocity encoder resolution, motor revolutions per second
-    ObjectRow { first: 24813, last: 24813, name: Part(13784, 48), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13832, 64), confidence: High }, // 60EDh Additional gear ratio, driving shaft revolutions
-    ObjectRow { first: 24814, last: 24814, name: Part(13896, 51), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13947, 58), confidence: High }, // 60EEh Additional feed constant, driving shaft revolutions
-    ObjectRow { first: 24818, last: 24818, name: Part(14267, 23), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(110, 1), source: Part(0, 0), about: Part(14290, 107), confidence: High }, // 60F2h Positioning option code
-    ObjectRow { first: 24820, last: 24820, name: Part(14397, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(14425, 52), confidence: High }, // 60F4h Following error actual value
-    ObjectRow { first: 24822, last: 24822, name: Part(14477, 28), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14505, 66), confidence: High }, // 60F6h Torque control parameter set
-    ObjectRow { first: 24823, last: 24823, name: Part(14571, 22), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14593, 60), confidence: High }, // 60F7h Power stage parameters
-    ObjectRow { first: 24824, last: 24824, name: Part(14653, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(111, 1), source: Part(0, 0), about: Part(14665, 81), confidence: High }, // 60F8h Max slippage
-    ObjectRow { first: 24825, last: 24825, name: Part(14746, 30), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14776, 68), confidence: High }, // 60F9h Velocity control parameter set
-    ObjectRow { first: 24826, last: 24826, name: Part(14844, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(14858, 38), confidence: High }, // 60FAh Control effort
-    ObjectRow { first: 24827, last: 24827, name: Part(14896, 30), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14926, 68), confidence: High }, // 60FBh Position control parameter set
-    ObjectRow { first: 24828, last: 24828, name: Part(14994, 30), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(15024, 51), confidence: High }, // 60FCh Position demand internal value
-    ObjectRow { first: 24829, last: 24829, name: Part(15095, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(112, 1), source: Part(0, 0), about: Part(15109, 75), confidence: High }, // 60FDh Digital inputs
-    ObjectRow { first: 24830, last: 24830, name: Part(15217, 15), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(113, 3), source: Part(0, 0), about: Part(15232, 54), confidence: High }, // 60FEh Digital outputs
-    ObjectRow { first: 24831, last: 24831, name: Part(15286, 15), object_types: Part(0, 1), need: When(10), only: None, as_many_as: Part(0, 0), entries: Part(44, 1), source: Part(0, 0), about: Part(15301, 67), confidence: High }, // 60FFh Target velocity
-    ObjectRow { first: 25602, last: 25602, name: Part(15702, 10), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(116, 1), source: Part(0, 0), about: Part(15712, 22), confidence: High }, // 6402h Motor type
-    ObjectRow { first: 25603, last: 25603, name: Part(15734, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(15756, 34), confidence: High }, // 6403h Motor catalogue number
-    ObjectRow { first: 25604, last: 25604, name: Part(15790, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(15808, 30), confidence: High }, // 6404h Motor manufacturer
-    ObjectRow { first: 25605, last: 25605, name: Part(15838, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(15866, 41), confidence: High }, // 6405h HTTP motor catalogue address
-    ObjectRow { first: 25606, last: 25606, name: Part(15907, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(15929, 34), confidence: High }, // 6406h Motor calibration date
-    ObjectRow { first: 25607, last: 25607, name: Part(15964, 20), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(119, 1), source: Part(0, 0), about: Part(15984, 45), confidence: High }, // 6407h Motor service period
-    ObjectRow { first: 25616, last: 25616, name: Part(16029, 10), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16039, 44), confidence: High }, // 6410h Motor data
-    ObjectRow { first: 25858, last: 25858, name: Part(16083, 21), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(120, 1), source: Part(16104, 59), about: Part(16163, 61), confidence: High }, // 6502h Supported drive modes
-    ObjectRow { first: 25859, last: 25859, name: Part(16224, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(16246, 34), confidence: High }, // 6503h Drive catalogue number
-    ObjectRow { first: 25860, last: 25860, name: Part(16280, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(16298, 30), confidence: High }, // 6504h Drive manufacturer
-    ObjectRow { first: 25861, last: 25861, name: Part(16328, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(16356, 41), confidence: High }, // 6505h HTTP drive catalogue address
-    ObjectRow { first: 25872, last: 25872, name: Part(16397, 10), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16407, 44), confidence: High }, // 6510h Drive data
-    ObjectRow { first: 26622, last: 26622, name: Part(16451, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16465, 50), confidence: High }, // 67FEh Version number
-    ObjectRow { first: 26623, last: 26623, name: Part(16515, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(121, 1), source: Part(0, 0), about: Part(16533, 57), confidence: High }, // 67FFh Single device type
+    ObjectRow { first: 24810, last: 24810, name: Part(13502, 17), object_types: Part(0, 1), need: When(11), only: None, as_many_as: Part(0, 0), entries: Part(110, 1), source: Part(9870, 9), about: Part(13519, 102), confidence: Medium }, // 60EAh Commutation angle
+    ObjectRow { first: 24811, last: 24811, name: Part(13621, 57), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13678, 73), confidence: High }, // 60EBh Additional position encoder resolution, motor revolutions
+    ObjectRow { first: 24812, last: 24812, name: Part(13751, 68), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13819, 84), confidence: High }, // 60ECh Additional velocity encoder resolution, motor revolutions per second
+    ObjectRow { first: 24813, last: 24813, name: Part(13903, 48), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(13951, 64), confidence: High }, // 60EDh Additional gear ratio, driving shaft revolutions
+    ObjectRow { first: 24814, last: 24814, name: Part(14015, 51), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14066, 58), confidence: High }, // 60EEh Additional feed constant, driving shaft revolutions
+    ObjectRow { first: 24818, last: 24818, name: Part(14386, 23), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(111, 1), source: Part(0, 0), about: Part(14409, 107), confidence: High }, // 60F2h Positioning option code
+    ObjectRow { first: 24820, last: 24820, name: Part(14516, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(14544, 52), confidence: High }, // 60F4h Following error actual value
+    ObjectRow { first: 24822, last: 24822, name: Part(14596, 28), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14624, 66), confidence: High }, // 60F6h Torque control parameter set
+    ObjectRow { first: 24823, last: 24823, name: Part(14690, 22), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14712, 60), confidence: High }, // 60F7h Power stage parameters
+    ObjectRow { first: 24824, last: 24824, name: Part(14772, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(112, 1), source: Part(0, 0), about: Part(14784, 81), confidence: High }, // 60F8h Max slippage
+    ObjectRow { first: 24825, last: 24825, name: Part(14865, 30), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(14895, 68), confidence: High }, // 60F9h Velocity control parameter set
+    ObjectRow { first: 24826, last: 24826, name: Part(14963, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(14977, 38), confidence: High }, // 60FAh Control effort
+    ObjectRow { first: 24827, last: 24827, name: Part(15015, 30), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(15045, 68), confidence: High }, // 60FBh Position control parameter set
+    ObjectRow { first: 24828, last: 24828, name: Part(15113, 30), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(31, 1), source: Part(0, 0), about: Part(15143, 51), confidence: High }, // 60FCh Position demand internal value
+    ObjectRow { first: 24829, last: 24829, name: Part(15214, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(113, 1), source: Part(0, 0), about: Part(15228, 75), confidence: High }, // 60FDh Digital inputs
+    ObjectRow { first: 24830, last: 24830, name: Part(15336, 15), object_types: Part(3, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(114, 3), source: Part(0, 0), about: Part(15351, 54), confidence: High }, // 60FEh Digital outputs
+    ObjectRow { first: 24831, last: 24831, name: Part(15405, 15), object_types: Part(0, 1), need: When(2), only: None, as_many_as: Part(0, 0), entries: Part(44, 1), source: Part(0, 0), about: Part(15420, 67), confidence: High }, // 60FFh Target velocity
+    ObjectRow { first: 25602, last: 25602, name: Part(15821, 10), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 1), source: Part(0, 0), about: Part(15831, 22), confidence: High }, // 6402h Motor type
+    ObjectRow { first: 25603, last: 25603, name: Part(15853, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(15875, 34), confidence: High }, // 6403h Motor catalogue number
+    ObjectRow { first: 25604, last: 25604, name: Part(15909, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(15927, 30), confidence: High }, // 6404h Motor manufacturer
+    ObjectRow { first: 25605, last: 25605, name: Part(15957, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(15985, 41), confidence: High }, // 6405h HTTP motor catalogue address
+    ObjectRow { first: 25606, last: 25606, name: Part(16026, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(119, 1), source: Part(0, 0), about: Part(16048, 34), confidence: High }, // 6406h Motor calibration date
+    ObjectRow { first: 25607, last: 25607, name: Part(16083, 20), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(120, 1), source: Part(0, 0), about: Part(16103, 45), confidence: High }, // 6407h Motor service period
+    ObjectRow { first: 25616, last: 25616, name: Part(16148, 10), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16158, 44), confidence: High }, // 6410h Motor data
+    ObjectRow { first: 25858, last: 25858, name: Part(16202, 21), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(121, 1), source: Part(16223, 59), about: Part(16282, 61), confidence: High }, // 6502h Supported drive modes
+    ObjectRow { first: 25859, last: 25859, name: Part(16343, 22), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(16365, 34), confidence: High }, // 6503h Drive catalogue number
+    ObjectRow { first: 25860, last: 25860, name: Part(16399, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(16417, 30), confidence: High }, // 6504h Drive manufacturer
+    ObjectRow { first: 25861, last: 25861, name: Part(16447, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(118, 1), source: Part(0, 0), about: Part(16475, 41), confidence: High }, // 6505h HTTP drive catalogue address
+    ObjectRow { first: 25872, last: 25872, name: Part(16516, 10), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16526, 44), confidence: High }, // 6510h Drive data
+    ObjectRow { first: 26622, last: 26622, name: Part(16570, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(0, 0), about: Part(16584, 50), confidence: High }, // 67FEh Version number
+    ObjectRow { first: 26623, last: 26623, name: Part(16634, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(122, 1), source: Part(0, 0), about: Part(16652, 57), confidence: High }, // 67FFh Single device type
 ];
 
 static ENTRIES: &[EntryRow] = &[
@@ -309,16 +310,17 @@ static ENTRIES: &[EntryRow] = &[
     EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1122, 27), data_types: Part(2, 1), access: Part(1, 1), values: Part(16, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
     EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(12886, 32), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Additional velocity actual value
     EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(12886, 32), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Additional velocity actual value
+    EntryRow { first: 0, last: 0, mapping: Some(Any), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
     EntryRow { first: 0, last: 0, mapping: None, need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(65, 7) },
     EntryRow { first: 0, last: 0, mapping: None, need: Mandatory, name: Part(0, 0), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
     EntryRow { first: 0, last: 0, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 0), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(72, 5) },
     EntryRow { first: 0, last: 0, mapping: None, need: Mandatory, name: Part(1122, 27), data_types: Part(2, 1), access: Part(2, 2), values: Part(21, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(15193, 16), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(77, 2) }, // Physical outputs
-    EntryRow { first: 2, last: 2, mapping: Some(Any), need: Optional, name: Part(15209, 8), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(77, 2) }, // Bit mask
+    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(15312, 16), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(77, 2) }, // Physical outputs
+    EntryRow { first: 2, last: 2, mapping: Some(Any), need: Optional, name: Part(15328, 8), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(77, 2) }, // Bit mask
     EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(6, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(79, 1) },
     EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(8, 1), access: Part(6, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
     EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(9, 1), access: Part(6, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(3, 1), access: Part(6, 2), values: Part(0, 0), default: None, unit: Part(15963, 1), bits: Part(0, 0) },
+    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(3, 1), access: Part(6, 2), values: Part(0, 0), default: None, unit: Part(16082, 1), bits: Part(0, 0) },
     EntryRow { first: 0, last: 0, mapping: None, need: Mandatory, name: Part(0, 0), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(80, 11) },
     EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 5) },
 ];
@@ -389,21 +391,21 @@ static BITS: &[BitRow] = &[
     BitRow { first: 14, last: 15, name: Part(74, 19), values: Part(0, 0) }, // of the manufacturer
     BitRow { first: 0, last: 15, name: Part(11061, 13), values: Part(95, 2) }, // interpolation
     BitRow { first: 0, last: 7, name: Part(11598, 12), values: Part(97, 2) }, // organization
-    BitRow { first: 0, last: 1, name: Part(14005, 11), values: Part(99, 3) }, // relative to
-    BitRow { first: 2, last: 3, name: Part(14078, 6), values: Part(102, 2) }, // change
-    BitRow { first: 4, last: 5, name: Part(14146, 20), values: Part(0, 0) }, // request and response
-    BitRow { first: 6, last: 7, name: Part(14166, 11), values: Part(104, 4) }, // rotary axis
+    BitRow { first: 0, last: 1, name: Part(14124, 11), values: Part(99, 3) }, // relative to
+    BitRow { first: 2, last: 3, name: Part(14197, 6), values: Part(102, 2) }, // change
+    BitRow { first: 4, last: 5, name: Part(14265, 20), values: Part(0, 0) }, // request and response
+    BitRow { first: 6, last: 7, name: Part(14285, 11), values: Part(104, 4) }, // rotary axis
     BitRow { first: 8, last: 11, name: Part(11061, 13), values: Part(0, 0) }, // interpolation
-    BitRow { first: 12, last: 14, name: Part(14259, 8), values: Part(0, 0) }, // reserved
+    BitRow { first: 12, last: 14, name: Part(14378, 8), values: Part(0, 0) }, // reserved
     BitRow { first: 15, last: 15, name: Part(74, 19), values: Part(0, 0) }, // of the manufacturer
     BitRow { first: 0, last: 0, name: Part(9077, 21), values: Part(0, 0) }, // negative limit switch
     BitRow { first: 1, last: 1, name: Part(9098, 21), values: Part(0, 0) }, // positive limit switch
-    BitRow { first: 2, last: 2, name: Part(15075, 11), values: Part(0, 0) }, // home switch
-    BitRow { first: 3, last: 3, name: Part(15086, 9), values: Part(0, 0) }, // interlock
+    BitRow { first: 2, last: 2, name: Part(15194, 11), values: Part(0, 0) }, // home switch
+    BitRow { first: 3, last: 3, name: Part(15205, 9), values: Part(0, 0) }, // interlock
     BitRow { first: 16, last: 31, name: Part(74, 19), values: Part(0, 0) }, // of the manufacturer
-    BitRow { first: 0, last: 0, name: Part(15184, 9), values: Part(0, 0) }, // set brake
+    BitRow { first: 0, last: 0, name: Part(15303, 9), values: Part(0, 0) }, // set brake
     BitRow { first: 16, last: 31, name: Part(74, 19), values: Part(0, 0) }, // of the manufacturer
-    BitRow { first: 0, last: 15, name: Part(15368, 5), values: Part(108, 13) }, // motor
+    BitRow { first: 0, last: 15, name: Part(15487, 5), values: Part(108, 13) }, // motor
     BitRow { first: 0, last: 0, name: Part(3946, 16), values: Part(0, 0) }, // profile position
     BitRow { first: 1, last: 1, name: Part(3962, 8), values: Part(0, 0) }, // velocity
     BitRow { first: 2, last: 2, name: Part(3970, 16), values: Part(0, 0) }, // profile velocity
@@ -517,34 +519,35 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 32768, last: 65535, text: Part(209, 21) }, // manufacturer-specific
     MeaningRow { first: 0, last: 0, text: Part(11610, 4) }, // FIFO
     MeaningRow { first: 1, last: 1, text: Part(11614, 4) }, // ring
-    MeaningRow { first: 0, last: 0, text: Part(14016, 20) }, // last target position
-    MeaningRow { first: 1, last: 1, text: Part(14036, 21) }, // position demand value
-    MeaningRow { first: 2, last: 2, text: Part(14057, 21) }, // position actual value
-    MeaningRow { first: 0, last: 0, text: Part(14084, 7) }, // at once
-    MeaningRow { first: 1, last: 1, text: Part(14091, 55) }, // of the set-point at once, of the rest with the next one
-    MeaningRow { first: 0, last: 0, text: Part(14177, 40) }, // within one revolution like a linear axis
-    MeaningRow { first: 1, last: 1, text: Part(14217, 15) }, // always negative
-    MeaningRow { first: 2, last: 2, text: Part(14232, 15) }, // always positive
-    MeaningRow { first: 3, last: 3, text: Part(14247, 12) }, // shortest way
-    MeaningRow { first: 0, last: 0, text: Part(15373, 18) }, // non-standard motor
-    MeaningRow { first: 1, last: 1, text: Part(15391, 24) }, // phase modulated DC motor
-    MeaningRow { first: 2, last: 2, text: Part(15415, 29) }, // frequency controlled DC motor
-    MeaningRow { first: 3, last: 3, text: Part(15444, 34) }, // permanent magnet synchronous motor
-    MeaningRow { first: 4, last: 4, text: Part(15478, 38) }, // frequency controlled synchronous motor
-    MeaningRow { first: 5, last: 5, text: Part(15516, 25) }, // switched reluctance motor
-    MeaningRow { first: 6, last: 6, text: Part(15541, 27) }, // wound rotor induction motor
-    MeaningRow { first: 7, last: 7, text: Part(15568, 29) }, // squirrel cage induction motor
+    MeaningRow { first: 0, last: 0, text: Part(14135, 20) }, // last target position
+    MeaningRow { first: 1, last: 1, text: Part(14155, 21) }, // position demand value
+    MeaningRow { first: 2, last: 2, text: Part(14176, 21) }, // position actual value
+    MeaningRow { first: 0, last: 0, text: Part(14203, 7) }, // at once
+    MeaningRow { first: 1, last: 1, text: Part(14210, 55) }, // of the set-point at once, of the rest with the next one
+    MeaningRow { first: 0, last: 0, text: Part(14296, 40) }, // within one revolution like a linear axis
+    MeaningRow { first: 1, last: 1, text: Part(14336, 15) }, // always negative
+    MeaningRow { first: 2, last: 2, text: Part(14351, 15) }, // always positive
+    MeaningRow { first: 3, last: 3, text: Part(14366, 12) }, // shortest way
+    MeaningRow { first: 0, last: 0, text: Part(15492, 18) }, // non-standard motor
+    MeaningRow { first: 1, last: 1, text: Part(15510, 24) }, // phase modulated DC motor
+    MeaningRow { first: 2, last: 2, text: Part(15534, 29) }, // frequency controlled DC motor
+    MeaningRow { first: 3, last: 3, text: Part(15563, 34) }, // permanent magnet synchronous motor
+    MeaningRow { first: 4, last: 4, text: Part(15597, 38) }, // frequency controlled synchronous motor
+    MeaningRow { first: 5, last: 5, text: Part(15635, 25) }, // switched reluctance motor
+    MeaningRow { first: 6, last: 6, text: Part(15660, 27) }, // wound rotor induction motor
+    MeaningRow { first: 7, last: 7, text: Part(15687, 29) }, // squirrel cage induction motor
     MeaningRow { first: 8, last: 8, text: Part(30, 13) }, // stepper motor
-    MeaningRow { first: 9, last: 9, text: Part(15597, 24) }, // micro-step stepper motor
-    MeaningRow { first: 10, last: 10, text: Part(15621, 43) }, // brushless motor with sinusoidal commutation
-    MeaningRow { first: 11, last: 11, text: Part(15664, 38) }, // brushless motor with block commutation
+    MeaningRow { first: 9, last: 9, text: Part(15716, 24) }, // micro-step stepper motor
+    MeaningRow { first: 10, last: 10, text: Part(15740, 43) }, // brushless motor with sinusoidal commutation
+    MeaningRow { first: 11, last: 11, text: Part(15783, 38) }, // brushless motor with block commutation
     MeaningRow { first: 32768, last: 65535, text: Part(209, 21) }, // manufacturer-specific
 ];
 
 static CONDITIONS: &[Condition] = &[
     Condition::constant("6502h[1]", &[BitsIn(25858, 0, [1, 1], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[0] or 6502h[6] or 6502h[7]", &[OneOf(3), BitsIn(25858, 0, [0, 0], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [6, 6], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [7, 7], 1), Range(1, 170141183460469231731687303715884105727)]),
-    Condition::constant("6502h[2]", &[BitsIn(25858, 0, [2, 2], 1), Range(1, 170141183460469231731687303715884105727)]),
+    Condition::constant("6502h[2] or 6502h[8]", &[OneOf(2), BitsIn(25858, 0, [2, 2], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [8, 8], 1), Range(1, 170141183460469231731687303715884105727)]),
+    Condition::constant("6502h[3] or 6502h[9] or 6502h[10]", &[OneOf(3), BitsIn(25858, 0, [3, 3], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [9, 9], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [10, 10], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[3] or 6502h[9]", &[OneOf(2), BitsIn(25858, 0, [3, 3], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [9, 9], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[0] or 6502h[7]", &[OneOf(2), BitsIn(25858, 0, [0, 0], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [7, 7], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[0]", &[BitsIn(25858, 0, [0, 0], 1), Range(1, 170141183460469231731687303715884105727)]),
@@ -552,7 +555,7 @@ static CONDITIONS: &[Condition] = &[
     Condition::constant("6502h[3]", &[BitsIn(25858, 0, [3, 3], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[5]", &[BitsIn(25858, 0, [5, 5], 1), Range(1, 170141183460469231731687303715884105727)]),
     Condition::constant("6502h[7] or 6502h[8] or 6502h[9]", &[OneOf(3), BitsIn(25858, 0, [7, 7], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [8, 8], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [9, 9], 1), Range(1, 170141183460469231731687303715884105727)]),
-    Condition::constant("6502h[2] or 6502h[8]", &[OneOf(2), BitsIn(25858, 0, [2, 2], 1), Range(1, 170141183460469231731687303715884105727), BitsIn(25858, 0, [8, 8], 1), Range(1, 170141183460469231731687303715884105727)]),
+    Condition::constant("6502h[10]", &[BitsIn(25858, 0, [10, 10], 1), Range(1, 170141183460469231731687303715884105727)]),
 ];
 
 static OBJECT_TYPES: &[ObjectType] = &[Var, Array, Record, Array, Record];
@@ -742,6 +745,8 @@ static TEXTS: &str = concat!(
     "Additional gear ratio, motor shaft revolutions",
     "The motor revolutions in the gear ratio of each further encoder; 60EDh has the shaft's.",
     "Additional feed constant, feed", "The feed of each further encoder; 60EEh has the shaft revolutions.",
+    "Commutation angle",
+    "The electrical angle of the field that the drive commutates with, for motors without a rotor position.",
     "Additional position encoder resolution, motor revolutions",
     "The motor revolutions in the resolution of each further position encoder.",
     "Additional velocity encoder resolution, motor revolutions per second",

@@ -1,13 +1,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Findings, Text, counted, say, sub_index};
-use crate::model::{Device, DeviceKind, ExtensionCount, Field, Modules, Object, Part, Place};
+use crate::model::{DataType, Device, DeviceKind, ExtensionCount, Field, Modules, Object, Part, Place};
 use crate::{rule, stated};
 
 rule! {
     "cia306/missing-module-object", Warning, Device(check);
     summary: "the DCF does not describe the objects of a connected module",
-    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`: each sub-index of a fixed object, and at least as many elements of an extended object as the modules add to it.",
+    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`: each sub-index of a fixed object, and at least as many elements of an extended object as the modules add to it; modules that share an element fill it with their bits.",
     why: "The DCF describes the complete station including its modules. Objects of modules that are not described are not configured.",
     example: "`1=2` in `[ConnectedModules]` and `1=0x6423` in `[M2FixedObjects]` without `[6423]`",
     remedy: "Describe the objects as defined by the modules.",
@@ -39,17 +39,27 @@ fn check(device: &Device, findings: &mut Findings) {
 fn check_sub_indexes(device: &Device, modules: &Modules, findings: &mut Findings) {
     let connected = modules.connected.iter().flatten().filter_map(|number| modules.supported.get(number));
     let mut added: BTreeMap<u16, usize> = BTreeMap::new();
+    let mut shared: BTreeMap<(u16, u32), u32> = BTreeMap::new();
     let mut fixed: BTreeMap<u16, &Object> = BTreeMap::new();
     for module in connected {
         for (&index, extension) in &module.extensions {
-            // shared bits and extensions that continue in the next object add no fixed number
-            if let (Some(ExtensionCount::Subs(count)), None | Some(0)) =
-                (extension.count, extension.obj_extend)
-            {
-                *added.entry(index).or_default() += usize::from(count);
+            let length = extension.entry.data_type.and_then(DataType::bit_length).map(u32::from);
+            match (extension.count, length) {
+                // extensions that continue in the next object add no fixed number
+                _ if extension.obj_extend.unwrap_or(0) > 0 => {}
+                (Some(ExtensionCount::Subs(count)), _) => {
+                    *added.entry(index).or_default() += usize::from(count);
+                }
+                (Some(ExtensionCount::SharedBits(bits)), Some(length @ 1..)) => {
+                    *shared.entry((index, length)).or_default() += u32::from(bits);
+                }
+                _ => {}
             }
         }
         fixed.extend(module.fixed.iter().map(|(&index, object)| (index, object)));
+    }
+    for ((index, length), bits) in shared {
+        *added.entry(index).or_default() += bits.div_ceil(length) as usize;
     }
     for (index, object) in fixed {
         let Some(described) = described(device, index) else { continue };
