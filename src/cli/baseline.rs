@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::save::save;
+use super::save::{keep, save};
 use super::{Failure, note};
 use crate::baseline::Baseline;
 use crate::config::absolute;
@@ -104,6 +104,7 @@ impl Known {
 }
 
 fn read(path: &Path) -> Result<Baseline, Failure> {
+    keep(path);
     let source = SourceFile::open(path, &SourceOptions::default()).map_err(|error| {
         Failure::new(error).help(format!("`--write-baseline {}` writes it", path.display()))
     })?;

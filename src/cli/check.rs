@@ -113,6 +113,8 @@ struct Examined {
     deny: Severity,
     /// What is fixed in it.
     amended: Option<Amended>,
+    /// Why its fixes were not written.
+    unwritten: Option<Failure>,
 }
 
 impl Checked {
@@ -148,14 +150,19 @@ impl Worker<'_> {
         let project = file.project.as_deref();
         let options = self.settings.options(&file.path, project);
         let check = |description: &Description| crate::check_with(description, &options);
-        let (description, amended) = match self.args.fixing.safety() {
-            None => (description, None),
+        let (description, amended, unwritten) = match self.args.fixing.safety() {
+            None => (description, None, None),
             Some(_) if !self.args.fixing.diff && file.path == Path::new("-") => {
                 let failure = Failure::new("the standard input cannot be fixed in place");
                 return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }
             Some(safety) => match amend(&file.path, description, safety, check) {
-                Some(result) => result,
+                Some((description, Some(amended))) if !self.args.fixing.diff => match amended.write() {
+                    Ok(()) => (description, Some(amended), None),
+                    // what is reported is what is on the disk
+                    Err(failure) => (amended.original(), None, Some(failure)),
+                },
+                Some((description, amended)) => (description, amended, None),
                 None => {
                     let message = format_args!("cannot fix `{}`", file.path.display());
                     return Checked::Failed(Failure::new(message));
@@ -166,7 +173,7 @@ impl Worker<'_> {
             return Checked::Skipped("network without devices".to_owned());
         };
         let deny = self.settings.deny(project);
-        Checked::Description(Box::new(Examined { description, findings, deny, amended }))
+        Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten }))
     }
 }
 
@@ -251,10 +258,11 @@ impl<'a> Reporter<'a> {
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
             Checked::Description(examined) => {
-                let Examined { description, findings, deny, amended } = *examined;
-                if let Some(Err(failure)) = amended.map(|amended| self.fixing.write(&amended)) {
+                let Examined { description, findings, deny, amended, unwritten } = *examined;
+                if let Some(failure) = unwritten {
                     self.fail(&failure)?;
                 }
+                amended.iter().for_each(|amended| self.fixing.count(amended));
                 let mut next = Some(description);
                 for (number, findings) in findings.into_iter().enumerate() {
                     let Some(description) = next.and_then(|description| description.select(number)) else {

@@ -1,7 +1,6 @@
 //! `objdict configure`.
 
 use std::borrow::Cow;
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 
@@ -9,7 +8,7 @@ use super::args::ConfigureArgs;
 use super::input::{Input, name_of};
 use super::node::{Wanted, commissioning};
 use super::output::Output;
-use super::save::save;
+use super::save::{keep, save, save_in_place};
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, tell};
 use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
@@ -19,11 +18,17 @@ use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
 use crate::lint::{self, Options};
 use crate::model::{Device, DeviceKind};
 use crate::report::plural;
+use crate::source::{DEFAULT_MAX_SIZE, read_text};
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let description = description(args)?;
     let file = settings_file(args)?;
     let own = description.device();
+    if args.in_place && (own.kind != DeviceKind::Node || args.file == Path::new("-")) {
+        let failure =
+            Failure::new(format_args!("`{}` is no DCF or XDC to change in place", name_of(&args.file)));
+        return Err(failure.help("name the file to write with `--output`"));
+    }
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
     let base = plugged.as_ref().unwrap_or(own);
     let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
@@ -39,7 +44,6 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         Ok(assignments) => assignments,
         Err(problems) => return Ok(refuse(&problems)),
     };
-    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
     let file_name = file_name(args, wanted.kind);
     let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
     let configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
@@ -52,9 +56,12 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
             "note: the text has no place for these settings, so the file is written anew, without comments\n",
         );
     }
-    match output {
+    match args.output() {
         Some(path) => {
-            save(path, &configured.bytes)?;
+            match args.in_place {
+                true => save_in_place(path, &configured.bytes)?,
+                false => save(path, &configured.bytes)?,
+            };
             let count = plural(assignments.len(), "value");
             let modules = match args.modules.len() {
                 0 => String::new(),
@@ -91,8 +98,8 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
 
 fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
     let Some(path) = args.settings() else { return Ok(SettingsFile::default()) };
-    let text = fs::read_to_string(path)
-        .map_err(|error| Failure::new(format_args!("cannot read `{}`: {error}", path.display())))?;
+    keep(path);
+    let text = read_text(path, DEFAULT_MAX_SIZE).map_err(Failure::new)?;
     let file = SettingsFile::parse(&text)
         .map_err(|error| Failure::new(format_args!("`{}`: {error}", path.display())))?;
     match file.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
@@ -119,10 +126,9 @@ fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {
 
 /// The name that the description states of itself.
 fn file_name(args: &ConfigureArgs, kind: &str) -> String {
-    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
     let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
     let ending = kind.to_ascii_lowercase();
-    output.and_then(name).unwrap_or_else(|| {
+    args.output().and_then(name).unwrap_or_else(|| {
         let stem = args.file.file_stem().filter(|_| args.file != Path::new("-")).unwrap_or_default();
         let stem = if stem.is_empty() { Cow::Borrowed("device") } else { stem.to_string_lossy() };
         format!("{stem}.{ending}")

@@ -11,7 +11,7 @@ use super::files::{self, File};
 use super::input::{Input, name_of};
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Saved, is_folder, save};
+use super::save::{Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
@@ -189,7 +189,7 @@ fn file_name(path: &Path) -> String {
 }
 
 fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failure> {
-    if args.output == Path::new("-") {
+    if is_stdout(&args.output) {
         out.write_all(page.as_bytes())?;
         return Ok(());
     }
@@ -212,7 +212,7 @@ fn write_site(
     options: &Options,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    if args.output == Path::new("-") {
+    if is_stdout(&args.output) {
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
     let mut site = Site::new(form, options);

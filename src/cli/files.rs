@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
+use super::save::keep;
 use super::settings::{Project, Settings};
 use super::{Failure, detail};
 
@@ -96,7 +97,11 @@ impl Gathered<'_, '_> {
         for found in matches {
             match found {
                 Ok(path) if path.is_dir() => self.walk(&path)?,
-                Ok(path) => self.push(path, false)?,
+                Ok(path) if path.is_file() => self.push(path, false)?,
+                Ok(path) => {
+                    let message = format_args!("`{}` is a pipe or a device, not a file", path.display());
+                    self.failures.push(Failure::new(message).help("name it to read it"));
+                }
                 Err(error) => self.failures.push(Failure::new(error)),
             }
         }
@@ -114,6 +119,7 @@ impl Gathered<'_, '_> {
         let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
         if is_named || !is_excluded {
             detail(&path);
+            keep(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
             self.files.push(File { path, project, is_named, size });

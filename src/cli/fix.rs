@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::output::Output;
-use super::save::save;
+use super::save::save_in_place;
 use super::{Failure, diff, note};
 use crate::diagnostic::{Applicability, Findings};
-use crate::format::Description;
+use crate::format::{self, Description, Format};
 use crate::report::plural;
 use crate::source::SourceFile;
 use crate::{AppliedFix, fix};
@@ -37,6 +37,7 @@ impl FixArgs {
 /// A file with its findings fixed, not written yet.
 pub(super) struct Amended {
     path: PathBuf,
+    format: Format,
     before: SourceFile,
     after: SourceFile,
     bytes: Vec<u8>,
@@ -51,7 +52,7 @@ pub(super) fn amend(
     safety: Applicability,
     check: impl Fn(&Description) -> Findings,
 ) -> Option<(Description, Option<Amended>)> {
-    let before = copy(description.source())?;
+    let (format, before) = (description.format(), copy(description.source())?);
     let count = description.device_count();
     let mut next = description;
     let (mut applied, mut skipped) = (0, Vec::new());
@@ -63,9 +64,24 @@ pub(super) fn amend(
     }
     let bytes = next.print();
     let after = copy(next.source())?;
-    let amended = Amended { path: path.to_owned(), before, after, bytes, applied, skipped };
+    let amended = Amended { path: path.to_owned(), format, before, after, bytes, applied, skipped };
     let is_changed = amended.applied > 0 || !amended.skipped.is_empty();
     Some((next.select(0)?, is_changed.then_some(amended)))
+}
+
+impl Amended {
+    /// Writes the file.
+    pub(super) fn write(&self) -> Result<(), Failure> {
+        if self.applied > 0 {
+            save_in_place(&self.path, &self.bytes)?;
+        }
+        Ok(())
+    }
+
+    /// The description as it is without the fixes.
+    pub(super) fn original(self) -> Description {
+        format::read(self.before, self.format)
+    }
 }
 
 fn copy(source: &SourceFile) -> Option<SourceFile> {
@@ -83,15 +99,6 @@ pub(super) struct Fixing {
 }
 
 impl Fixing {
-    /// Writes a file.
-    pub(super) fn write(&mut self, amended: &Amended) -> Result<(), Failure> {
-        if amended.applied > 0 {
-            save(&amended.path, &amended.bytes)?;
-        }
-        self.count(amended);
-        Ok(())
-    }
-
     /// Shows what would be written.
     pub(super) fn show(&mut self, amended: &Amended, out: &mut Output) -> Result<(), Failure> {
         if amended.applied > 0 {
@@ -101,7 +108,8 @@ impl Fixing {
         Ok(())
     }
 
-    fn count(&mut self, amended: &Amended) {
+    /// Counts what was fixed in a file.
+    pub(super) fn count(&mut self, amended: &Amended) {
         self.fixed += amended.applied;
         self.files += usize::from(amended.applied > 0);
         self.skipped += amended.skipped.len();

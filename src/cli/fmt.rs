@@ -9,7 +9,7 @@ use super::input::Candidate;
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
-use super::save::{Saved, save};
+use super::save::{Saved, save_in_place};
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, diff, note};
 use crate::report::plural;
@@ -143,7 +143,7 @@ fn write(args: &FmtArgs, arranged: &Arranged, is_changed: bool, out: &mut Output
     } else if is_stdin {
         out.write_all(&arranged.bytes)?;
     } else if is_changed {
-        let _: Saved = save(&arranged.file, &arranged.bytes)?;
+        let _: Saved = save_in_place(&arranged.file, &arranged.bytes)?;
     }
     Ok(())
 }

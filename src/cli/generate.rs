@@ -8,15 +8,20 @@ use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Saved, save};
+use super::save::{Saved, keep, require_other, save};
 use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::Severity;
+use crate::download::ConciseDcf;
 use crate::format::ReadError;
 use crate::generate::Target;
 use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
 use crate::report::Tally;
+use crate::source::{self, DEFAULT_MAX_SIZE};
+
+/// The mark of objdict is in so many bytes at the start of a file.
+const HEAD: usize = 400;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
@@ -37,6 +42,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     if args.list {
         list(args, &generation, out)?;
     } else {
+        admit(args, &generation, &files)?;
         write(args, &judged, &generation, out)?;
         stamp(args, &files)?;
     }
@@ -81,6 +87,33 @@ fn write(
         }
     }
     Ok(out.flush()?)
+}
+
+/// Refuses to write over what is read, and over what objdict did not make. Nothing is written before all is admitted.
+fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<(), Failure> {
+    read.iter().for_each(|file| keep(file));
+    args.stamp.iter().chain(&args.depfile).try_for_each(|path| require_other(path))?;
+    for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
+        let path = args.output.join(&file.path);
+        require_other(&path)?;
+        if !args.force && !is_made(&path, &file.contents) {
+            let failure = Failure::new(format_args!("`{}` was not made by objdict", path.display()));
+            return Err(failure.help("name another folder, or overwrite it with `--force`"));
+        }
+    }
+    Ok(())
+}
+
+/// Whether the contents may be written to a path: a file there is empty, is a concise DCF, begins with the mark of objdict
+/// or, as the output of a custom template need not have that, with the line that the new one begins with.
+fn is_made(path: &Path, contents: &[u8]) -> bool {
+    let Ok(old) = source::read(path, DEFAULT_MAX_SIZE) else { return !path.is_file() };
+    let first = |text: &[u8]| text.split(|&byte| byte == b'\n').next().map(<[u8]>::to_vec);
+    let head = &old[..old.len().min(HEAD)];
+    old.is_empty()
+        || memchr::memmem::find(head, b"objdict").is_some()
+        || first(&old) == first(contents)
+        || (path.extension().is_some_and(|ending| ending == "cdcf") && ConciseDcf::parse(&old).is_ok())
 }
 
 fn list(args: &GenerateArgs, generation: &Generation, out: &mut Output) -> Result<(), Failure> {

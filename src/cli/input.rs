@@ -1,11 +1,14 @@
 //! The files that a command reads.
 
+use std::fs::File;
 use std::io;
 use std::path::Path;
 
 use clap::Args;
 
+use super::save::keep;
 use super::{Failure, detail};
+use crate::format::identify::ContentKind;
 use crate::format::input::Reading;
 pub(super) use crate::format::input::{FileKind, Input};
 use crate::format::{self, Description, ReadError};
@@ -78,7 +81,8 @@ impl InputArgs {
         let name = name_of(path);
         let (kind, source) = match self.reading().recognised(&name, bytes) {
             Ok(recognised) => recognised,
-            Err(ReadError::Foreign { name, found }) => {
+            // what is called a description and shows nothing of one is no other file that happens to be there
+            Err(ReadError::Foreign { name, found }) if found.kind != ContentKind::Unknown => {
                 let technology = found.technology.as_ref().map(|name| format!(" ({name})"));
                 let called = format!("{}{}", found.kind.name(), technology.unwrap_or_default());
                 return Ok(Candidate::Foreign(called, ReadError::Foreign { name, found }.into()));
@@ -112,7 +116,15 @@ impl SizeArgs {
             let bytes = source::read_stream(io::stdin().lock(), STDIN, self.max_size, Vec::new());
             return Ok(bytes.map_err(ReadError::from)?);
         }
-        Ok(source::read(path, self.max_size).map_err(ReadError::from)?)
+        keep(path);
+        let bytes = match path.metadata() {
+            // one that is named may be a pipe, as in `objdict check <(unzip -p device.zip)`
+            Ok(found) if !found.is_file() && !found.is_dir() => File::open(path)
+                .map_err(|error| SourceError::Io { path: name_of(path), error })
+                .and_then(|file| source::read_stream(file, &name_of(path), self.max_size, Vec::new())),
+            _ => source::read(path, self.max_size),
+        };
+        Ok(bytes.map_err(ReadError::from)?)
     }
 }
 
@@ -126,6 +138,9 @@ impl From<ReadError> for Failure {
         let help = match &error {
             ReadError::Source(SourceError::TooLarge { .. }) => {
                 Some("raise the limit with `--max-size`".to_owned())
+            }
+            ReadError::Foreign { found, .. } if found.kind == ContentKind::Unknown => {
+                Some("read it nevertheless by naming its format with `--from`".to_owned())
             }
             ReadError::SeveralDevices { .. } => Some("choose one with `--device`, counted from 1".to_owned()),
             error => error.help(),

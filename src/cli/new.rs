@@ -1,13 +1,12 @@
 //! `objdict new`.
 
 use std::io::Write;
-use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::args::NewArgs;
 use super::input::FileKind;
 use super::output::Output;
-use super::save::save;
+use super::save::{is_stdout, save};
 use super::{Failure, Outcome, note};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
@@ -23,7 +22,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     }
     let (date, time) = when(args)?;
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
-    let is_stdout = args.output == Path::new("-");
+    let is_stdout = is_stdout(&args.output);
     let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
     let kind = args.to.map_or_else(by_name, FileKind::from);
     let wanted = Wanted {

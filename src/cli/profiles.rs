@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::Failure;
+use super::save::keep;
 use crate::profile::{self, OpenError, Profile, ProfileError};
 use crate::report::problem;
 
@@ -25,6 +26,7 @@ impl ProfileArgs {
 
 /// The profile of a number such as `401` or `CiA 401`, or that of a file with a path from `folder` on.
 pub(super) fn load(name: &str, folder: &Path) -> Result<Arc<Profile>, Failure> {
+    keep(&folder.join(name));
     Ok(profile::open(name, folder)?)
 }
 

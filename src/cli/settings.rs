@@ -9,6 +9,7 @@ use clap::Args;
 
 use super::args::{Deny, node_id};
 use super::profiles::ProfileArgs;
+use super::save::keep;
 use super::{Failure, detail};
 use crate::config::Config;
 pub(super) use crate::config::Project;
@@ -228,7 +229,9 @@ impl<'a> Settings<'a> {
             return Ok(project.clone());
         }
         detail(path);
+        keep(path);
         let project = Arc::new(Project::open(path).map_err(Failure::new)?);
+        project.files().for_each(|file| keep(&file));
         self.projects.push((path.to_owned(), project.clone()));
         Ok(project)
     }

@@ -327,7 +327,7 @@ impl Reading {
     }
 
     /// The source in the bytes of a file, and what kind of file it is: what the user says, else what its content shows, else
-    /// its name, else an EDS.
+    /// its name.
     ///
     /// # Errors
     /// When it is something that nothing here reads: [`ReadError::Foreign`]; when there are too many bytes.
@@ -351,19 +351,39 @@ fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
     let found = identify_source(source);
     match FileKind::of_content(found.kind) {
         Some(kind) => Ok(kind),
-        None if found.kind == ContentKind::Unknown => {
-            Ok(FileKind::of(Path::new(source.name())).unwrap_or(FileKind::Eds))
+        None => {
+            let named = FileKind::of(Path::new(source.name())).filter(|_| found.kind == ContentKind::Unknown);
+            named
+                .filter(|&kind| has_syntax(kind, source.text()))
+                .ok_or_else(|| ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) })
         }
-        None => Err(ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) }),
+    }
+}
+
+/// Whether a text that shows nothing of its format has at least the syntax of the kind that its name says, so that its
+/// mistakes can be reported.
+fn has_syntax(kind: FileKind, text: &str) -> bool {
+    match kind.format().map(Format::syntax) {
+        Some(Syntax::Ini) => {
+            let is_binary = |c: char| c.is_control() && !matches!(c, '\t' | '\r' | '\n' | '\x0C' | '\x1A');
+            let has_sign = |line: &str| {
+                let key = line.split_once('=').map(|(key, _)| key.trim_end());
+                let is_key = |key: &str| !key.is_empty() && key.bytes().all(|b| b.is_ascii_alphanumeric());
+                line.starts_with(['[', ';']) || key.is_some_and(is_key)
+            };
+            !text.contains(is_binary) && text.lines().any(|line| has_sign(line.trim_start()))
+        }
+        Some(Syntax::Xml) => text.trim_start().starts_with('<'),
+        // their readers report the mistakes
+        None => true,
     }
 }
 
 /// Reads the description at `path` as what its content shows it to be ([`identify()`](super::identify::identify)). Where that
-/// is not known, as in a malformed file, the name decides, and an unknown name is taken for an EDS. Of a file with several
-/// devices it is the first.
+/// is not known, as in a malformed file, the name decides. Of a file with several devices it is the first.
 ///
 /// # Errors
-/// When the file cannot be opened, or is something else for certain. Problems in a description are among the findings.
+/// When the file cannot be opened, or is no description. Problems in a description are among the findings.
 pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
     let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
     let name = path.display().to_string();

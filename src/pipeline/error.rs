@@ -23,7 +23,7 @@ pub enum Error {
     /// The description cannot be read.
     #[error(transparent)]
     Input(#[from] ReadError),
-    /// A configuration cannot be opened.
+    /// A configuration, or another file that an option names, cannot be read.
     #[error(transparent)]
     Config(#[from] SourceError),
     /// A profile cannot be used.
@@ -59,14 +59,6 @@ pub enum Error {
     /// An option has a value that it cannot have.
     #[error(transparent)]
     Choice(#[from] ChoiceError),
-    /// A file that an option names cannot be read.
-    #[error("cannot read `{}`: {error}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        error: io::Error,
-    },
     /// A target cannot express the device.
     #[error("target `{target}`: {error}")]
     Target {
@@ -152,7 +144,6 @@ impl Error {
             }
             Self::Config(_)
             | Self::Choice(_)
-            | Self::Unreadable { .. }
             | Self::Target { .. }
             | Self::Unwritable { .. }
             | Self::Cargo(_) => None,

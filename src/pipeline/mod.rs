@@ -17,9 +17,9 @@ pub use self::error::Error;
 pub(crate) use self::error::placed;
 #[cfg(feature = "cli")]
 pub(crate) use self::error::report_lines;
-#[cfg(feature = "cli")]
-pub(crate) use self::save::Saved;
 pub(crate) use self::save::save;
+#[cfg(feature = "cli")]
+pub(crate) use self::save::{Saved, abandon};
 #[cfg(feature = "lint")]
 use crate::config::{Config, Project};
 use crate::diagnostic::one_line;
@@ -33,6 +33,8 @@ use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
 use crate::report::{Location, Subject, grouped, listed};
 use crate::source::hash;
+#[cfg(feature = "lint")]
+use crate::source::{DEFAULT_MAX_SIZE, read_text};
 
 /// So many errors are shown of a file; the rest is counted.
 const MAX_SHOWN: usize = 50;
@@ -396,8 +398,7 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
 /// The names that a file gives to objects and entries.
 #[cfg(feature = "lint")]
 fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
-    let text =
-        std::fs::read_to_string(path).map_err(|error| Error::Unreadable { path: path.to_owned(), error })?;
+    let text = read_text(path, DEFAULT_MAX_SIZE)?;
     generate::renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
 }
 

@@ -15,7 +15,8 @@ fn limit_kib(bytes: usize) -> usize {
 fn check(name: &str, text: &[u8]) {
     let mut file = tempfile::Builder::new().suffix(".eds").tempfile().unwrap();
     file.write_all(text).unwrap();
-    let script = format!("ulimit -d {} && exec \"$0\" check \"$1\" --format json", limit_kib(text.len()));
+    let script =
+        format!("ulimit -d {} && exec \"$0\" check \"$1\" --from eds --format json", limit_kib(text.len()));
     let status = Command::new("sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_objdict")])
         .arg(file.path())

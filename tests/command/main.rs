@@ -10,6 +10,7 @@ mod ci;
 mod cli;
 mod flags;
 mod limits;
+mod outputs;
 mod page;
 mod reports;
 #[path = "../support/mod.rs"]

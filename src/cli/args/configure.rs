@@ -8,6 +8,7 @@ use clap::{Parser, ValueEnum};
 
 use super::{node_id, node_name};
 use crate::cli::input::{InputArgs, SizeArgs};
+use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
 use crate::configure::Setting;
 use crate::format::input::{FileKind, Reading};
@@ -24,7 +25,10 @@ pub(in crate::cli) struct ConfigureArgs {
     pub file: PathBuf,
     /// The file to write [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    output: Option<PathBuf>,
+    /// Change the DCF or XDC itself
+    #[arg(long, conflicts_with = "output")]
+    pub in_place: bool,
     /// The node-ID
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
@@ -82,6 +86,12 @@ fn from(text: &str) -> Result<From, Infallible> {
 }
 
 impl ConfigureArgs {
+    /// The file to write; `None` is the standard output.
+    pub(in crate::cli) fn output(&self) -> Option<&Path> {
+        let output = if self.in_place { Some(&self.file) } else { self.output.as_ref() };
+        output.map(PathBuf::as_path).filter(|path| !is_stdout(path))
+    }
+
     /// The file of settings.
     pub(in crate::cli) fn settings(&self) -> Option<&Path> {
         match (&self.settings, &self.from) {

@@ -4,9 +4,7 @@ mod device;
 mod jobs;
 mod losses;
 
-use std::fs;
 use std::io::Write;
-use std::path::Path;
 
 use self::device::Converted;
 pub(super) use self::device::{read_data, refusal, tell_skipped};
@@ -17,13 +15,16 @@ use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::progress::{Progress, give_way};
-use super::save::{Saved, save};
+use super::save::{Saved, is_stdout, keep, require_other, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
 use crate::format::{LossKind, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
+    // nothing is written over a file that is read later
+    jobs.iter().for_each(|job| keep(&job.input));
+    args.loss_report.iter().try_for_each(|path| require_other(path))?;
     let mut report = LossReport::default();
     let mut all_done = true;
     let progress = Progress::new("converting", jobs.len());
@@ -37,7 +38,7 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     drop(progress);
     if let Some(path) = &args.loss_report {
         let document = report.to_json();
-        match path == Path::new("-") {
+        match is_stdout(path) {
             true => out.write_all(document.as_bytes())?,
             false => save(path, document.as_bytes()).map(|_| ())?,
         }
@@ -101,15 +102,11 @@ fn finish(
     let Converted { bytes, losses } = converted;
     let to = job.to;
     give_way();
-    if job.output == Path::new("-") {
+    if is_stdout(&job.output) {
         out.write_all(&bytes)?;
         let shown: Vec<_> = losses.iter().filter(|loss| loss.kind != LossKind::Embedded).cloned().collect();
         super::tell(&losses::text(&shown));
     } else {
-        if is_same_file(&job.input, &job.output) {
-            let failure = Failure::new(format_args!("`{}` would overwrite itself", job.input.display()));
-            return Err(failure.help("name another file for the output"));
-        }
         let note = match save(&job.output, &bytes)? {
             Saved::Written => "",
             Saved::Unchanged => ", unchanged",
@@ -120,10 +117,6 @@ fn finish(
     }
     report.add(job, from, losses);
     Ok(())
-}
-
-fn is_same_file(a: &Path, b: &Path) -> bool {
-    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
 /// What is made of a concise DCF.

@@ -12,7 +12,7 @@ use super::annotation::Described;
 use super::args::{DcfCommand, ExpandArgs, NamingArgs};
 use super::input::{Input, InputArgs, name_of};
 use super::output::Output;
-use super::save::save;
+use super::save::{is_stdout, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
 use crate::format::concise;
@@ -94,7 +94,7 @@ impl NamingArgs {
 
 /// Writes to a file and says so, or to the standard output.
 fn deliver(path: Option<&Path>, bytes: &[u8], what: &str, out: &mut Output) -> Result<(), Failure> {
-    match path.filter(|path| *path != Path::new("-")) {
+    match path.filter(|path| !is_stdout(path)) {
         Some(path) => {
             save(path, bytes)?;
             writeln!(out, "{}: {what}", path.display())?;

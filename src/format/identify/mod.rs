@@ -17,7 +17,6 @@ use std::fmt;
 #[cfg(feature = "node")]
 pub(super) use self::ini::is_topology;
 pub use self::kind::ContentKind;
-use super::Format;
 use crate::source::{Encoding, SourceFile};
 
 /// So many bytes from the start are looked at; single words are looked for in all of them.
@@ -91,16 +90,6 @@ impl Identification {
         }
     }
 
-    /// The format in which a file of this name is read as a description of a device: what it is, and where that is not
-    /// known, what the name says, so that a malformed file is read too; an unknown name is taken for an EDS. `None` for
-    /// what is something else for certain.
-    pub fn format(&self, name: &str) -> Option<Format> {
-        match self.kind {
-            ContentKind::Unknown => Some(Format::from_name(file_name(name)).unwrap_or(Format::Eds)),
-            kind => kind.format(),
-        }
-    }
-
     /// What a file is that no description can be read from, with a verb in front: "describes an EtherCAT device (ESI), not
     /// a CANopen one".
     pub fn verdict(&self) -> Cow<'static, str> {
@@ -153,7 +142,7 @@ impl Identification {
                 ));
             }
             Kind::OtherXml => return Cow::Owned(format!("is XML, but no description: {}", self.reason)),
-            Kind::Unknown => return Cow::Owned(format!("is nothing known: {}", self.reason)),
+            Kind::Unknown => return Cow::Owned(format!("is no file that objdict knows: {}", self.reason)),
         })
     }
 

@@ -5,10 +5,10 @@ mod filters;
 
 use std::ffi::OsStr;
 use std::io::Write;
-use std::path::Path;
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
+use objdict_model::source::read_text;
 
 use super::dictionary::Dictionary;
 use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile, Sizes};
@@ -46,7 +46,7 @@ impl Backend for Template {
         let output = file.strip_suffix(".j2").filter(|name| !name.is_empty());
         let output =
             output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
-        let source = read(path).map_err(fail)?;
+        let source = read_text(path, LONGEST_TEMPLATE).map_err(|error| fail(error.to_string()))?;
         let dictionary = Dictionary::new(device, options)?;
         let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
         let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
@@ -59,14 +59,6 @@ impl Backend for Template {
     fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
         Ok(Sizes::Unknown("nobody but the template knows what it makes"))
     }
-}
-
-fn read(path: &Path) -> Result<String, String> {
-    let length = std::fs::metadata(path).map_err(|error| format!("cannot be read: {error}"))?.len();
-    if length > LONGEST_TEMPLATE {
-        return Err(format!("a template has {LONGEST_TEMPLATE} bytes at most, not {length}"));
-    }
-    std::fs::read_to_string(path).map_err(|error| format!("cannot be read: {error}"))
 }
 
 fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>, minijinja::Error> {

@@ -1,10 +1,9 @@
 //! Reads the files that a description references, only from its folder.
 
 use std::fs;
-use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::HARD_LIMIT;
+use super::{HARD_LIMIT, SourceError, read};
 
 /// A folder whose files a description may reference, and further allowed folders.
 #[derive(Clone, Debug)]
@@ -17,27 +16,14 @@ pub struct Folder {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {
-    /// The operating system reported an error.
-    #[error("cannot read `{path}`: {error}")]
-    Io {
-        /// The file.
-        path: String,
-        /// The error of the operating system.
-        error: io::Error,
-    },
+    /// The file cannot be read, or is none.
+    #[error(transparent)]
+    Unreadable(#[from] SourceError),
     /// The name points outside the folder.
     #[error("`{name}` is not in the folder of the description")]
     Outside {
         /// The name, as in the description.
         name: String,
-    },
-    /// The file is larger than the hard limit.
-    #[error("`{path}` has {size} bytes, more than the limit of {HARD_LIMIT}")]
-    TooLarge {
-        /// The file.
-        path: String,
-        /// Its size.
-        size: u64,
     },
 }
 
@@ -48,7 +34,7 @@ impl FolderError {
             Self::Outside { .. } => {
                 Some("allow its folder with `--allow-path`, if you trust the description")
             }
-            Self::Io { .. } | Self::TooLarge { .. } => None,
+            Self::Unreadable(_) => None,
         }
     }
 }
@@ -75,34 +61,34 @@ impl Folder {
     /// with the separators of Windows are accepted.
     ///
     /// # Errors
-    /// When the file cannot be read, is outside the allowed folders, or is larger than 1 GiB.
+    /// When the file cannot be read, is outside the allowed folders, is a pipe or a device, or is larger than 1 GiB.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
-        let path = self.path_of(name);
-        let failed = |error| FolderError::Io { path: path.display().to_string(), error };
+        let outside = || FolderError::Outside { name: name.to_owned() };
         // before accessing the file system, to reveal nothing about its contents
-        if !self.may_lead_to(&path) {
-            return Err(FolderError::Outside { name: name.to_owned() });
-        }
+        let path = self.path_of(name).ok_or_else(outside)?;
+        let failed = |error| SourceError::Io { path: path.display().to_string(), error };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =
             |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));
         if !self.folders().any(is_below) {
-            return Err(FolderError::Outside { name: name.to_owned() });
+            return Err(outside());
         }
-        let size = fs::metadata(&real).map_err(failed)?.len();
-        if size > HARD_LIMIT {
-            return Err(FolderError::TooLarge { path: path.display().to_string(), size });
-        }
-        fs::read(&real).map_err(failed)
+        Ok(read(&real, HARD_LIMIT)?)
     }
 
     fn folders(&self) -> impl Iterator<Item = &PathBuf> {
         std::iter::once(&self.folder).chain(&self.allowed)
     }
 
-    fn path_of(&self, name: &str) -> PathBuf {
+    /// The path that a name means: as it is or, where there is no such file, with the separators of Windows. `None` where
+    /// the name leads out of the allowed folders.
+    fn path_of(&self, name: &str) -> Option<PathBuf> {
         let plain = self.folder.join(name);
-        if plain.exists() || !name.contains('\\') { plain } else { self.folder.join(name.replace('\\', "/")) }
+        let of_windows = self.folder.join(name.replace('\\', "/"));
+        if !self.may_lead_to(&plain) || !self.may_lead_to(&of_windows) {
+            return None;
+        }
+        Some(if plain.exists() { plain } else { of_windows })
     }
 
     /// Whether the name alone stays in the folder, or can lead to an allowed folder.
@@ -142,7 +128,7 @@ mod tests {
             std::os::unix::fs::symlink(&absolute, inside.join("link")).unwrap();
             assert!(matches!(folder.read("link"), Err(FolderError::Outside { .. })));
         }
-        assert!(matches!(folder.read("none"), Err(FolderError::Io { .. })));
+        assert!(matches!(folder.read("none"), Err(FolderError::Unreadable(SourceError::Io { .. }))));
         let allowed = folder.allow(&root);
         assert_eq!(allowed.read("../secret.bin").unwrap(), b"secret");
         fs::remove_dir_all(root).unwrap();

@@ -61,6 +61,12 @@ pub enum SourceError {
         /// The directory.
         path: String,
     },
+    /// The path is a pipe, a socket or a device, which need not end.
+    #[error("`{path}` is a pipe or a device, not a file")]
+    Special {
+        /// The path.
+        path: String,
+    },
     /// The file is larger than allowed.
     #[error("`{path}` has {size} bytes, more than the limit of {limit}")]
     TooLarge {
@@ -73,10 +79,11 @@ pub enum SourceError {
     },
 }
 
-/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB.
+/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB. A pipe or a device is refused before it is
+/// opened, as that alone may wait for ever.
 ///
 /// # Errors
-/// When the system cannot read the file, or it is larger.
+/// When the system cannot read the file, it is larger, or it is none.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     let name = path.display().to_string();
     let unreadable = |error| match path.is_dir() {
@@ -84,8 +91,12 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
         false => SourceError::Io { path: name.clone(), error },
     };
     let limit = limit.min(HARD_LIMIT);
+    let metadata = path.metadata().map_err(unreadable)?;
+    if !metadata.is_file() && !metadata.is_dir() {
+        return Err(SourceError::Special { path: name });
+    }
     let file = File::open(path).map_err(unreadable)?;
-    let size = file.metadata().map_err(unreadable)?.len();
+    let size = metadata.len();
     if size > limit {
         return Err(SourceError::TooLarge { path: name, size, limit });
     }
@@ -94,6 +105,17 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     read_stream(file, &name, limit, bytes).map_err(|error| match error {
         SourceError::Io { error, .. } => unreadable(error),
         error => error,
+    })
+}
+
+/// The text of a file in UTF-8, at most `limit` bytes.
+///
+/// # Errors
+/// Like [`read`], and when it is not UTF-8.
+pub fn read_text(path: &Path, limit: u64) -> Result<String, SourceError> {
+    String::from_utf8(read(path, limit)?).map_err(|error| {
+        let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
+        SourceError::Io { path: path.display().to_string(), error }
     })
 }
 
@@ -232,6 +254,13 @@ impl SourceFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_no_file() {
+        let error = read(Path::new("/dev/zero"), DEFAULT_MAX_SIZE).unwrap_err();
+        assert_eq!(error.to_string(), "`/dev/zero` is a pipe or a device, not a file");
+    }
 
     #[test]
     fn bytes_that_decoding_damages_are_kept() {
