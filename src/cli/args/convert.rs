@@ -1,0 +1,176 @@
+//! The arguments of `objdict convert`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Parser, ValueEnum};
+
+use super::{ExpandArgs, node_id, node_name};
+use crate::cli::input::{FileKind, InputArgs};
+use crate::format::literal::RealSpelling;
+use crate::format::{WriteOptions, XddVersion};
+use crate::source::Encoding;
+
+/// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF
+///
+/// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
+/// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
+/// properties or sections of objdict (docs/formats.md). Exits with 1 when --deny-loss is given and data are lost.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct ConvertArgs {
+    /// Files to convert; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt; `-` is the standard output. For several files a
+    /// folder, with --to
+    #[arg(short, long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// The format to write [default: by the extension of the output]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub to: Option<WrittenKind>,
+    /// Write lost, omitted and embedded data to this file, as JSON (docs/json.md); `-` is the standard output
+    #[arg(long, value_name = "FILE")]
+    pub loss_report: Option<PathBuf>,
+    /// Exit with 1 when data are lost
+    #[arg(long)]
+    pub deny_loss: bool,
+    /// Embed nothing in properties or sections of objdict: data without a place in the format are lost
+    #[arg(long, alias = "no-carry")]
+    pub no_embed: bool,
+    /// Version of CiA 311 of a new XDD or XDC
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub xdd_version: Option<Version>,
+    /// Node-ID in the DCF, XDC or concise DCF
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// Bit rate in kbit/s in the DCF or XDC
+    #[arg(long, alias = "baudrate", value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
+    pub bit_rate: Option<u16>,
+    /// Node name in the DCF or XDC
+    #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
+    pub name: Option<String>,
+    /// Write all values into a concise DCF, not only those that differ from the default
+    #[arg(long)]
+    pub all: bool,
+    /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub allow_path: Vec<PathBuf>,
+    #[command(flatten)]
+    pub canonical: CanonicalArgs,
+    #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+/// How an EDS or DCF is written that is no edit of a text.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Canonical EDS and DCF")]
+pub(in crate::cli) struct CanonicalArgs {
+    /// Write an EDS or DCF anew instead of editing its text, in the order and spelling that most tools read
+    #[arg(long)]
+    pub canonical: bool,
+    /// Spelling of REAL numbers; implies --canonical
+    #[arg(long, value_enum, value_name = "SPELLING")]
+    pub real: Option<Real>,
+    /// Quote strings, as Lely's tools require; implies --canonical
+    #[arg(long)]
+    pub quote_strings: bool,
+    /// Keep compact storage (CompactSubObj), which many tools do not support; implies --canonical
+    #[arg(long)]
+    pub compact: bool,
+    /// Encoding of the output; without it ISO 646, as CiA 306 requires, with `ü` written as `ue`; implies --canonical
+    #[arg(long, value_name = "ENCODING")]
+    pub output_encoding: Option<Encoding>,
+}
+
+/// A spelling of REAL numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum Real {
+    /// As decimal numbers
+    Decimal,
+    /// As the hex digits of their bits, as Lely's tools read them
+    Bits,
+}
+
+impl CanonicalArgs {
+    /// Whether a new text is wanted although there is one to edit.
+    pub(in crate::cli) fn is_asked(&self) -> bool {
+        self.canonical
+            || self.real.is_some()
+            || self.quote_strings
+            || self.compact
+            || self.output_encoding.is_some()
+    }
+
+    /// How the text is written; an encoding that was said for reading holds for writing too.
+    pub(in crate::cli) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
+        let mut options = WriteOptions::default();
+        if self.real == Some(Real::Bits) {
+            options.eds.real = RealSpelling::Hex;
+        }
+        options.eds.quote_strings = self.quote_strings;
+        options.eds.compact = self.compact;
+        options.eds.encoding = self.output_encoding.or(read_in);
+        options
+    }
+}
+
+impl ConvertArgs {
+    /// The inputs and the output. Without `--output` the last of several files is the output, as in `cp`.
+    pub(in crate::cli) fn paths(&self) -> (&[PathBuf], Option<&Path>) {
+        match (&self.output, self.files.as_slice()) {
+            (None, [inputs @ .., output]) if !inputs.is_empty() => (inputs, Some(output)),
+            (output, inputs) => (inputs, output.as_deref()),
+        }
+    }
+
+    /// Whether anything about the node is to be changed.
+    pub(in crate::cli) fn changes_node(&self) -> bool {
+        self.node_id.is_some() || self.bit_rate.is_some() || self.name.is_some()
+    }
+}
+
+/// A version of CiA 311, as an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum Version {
+    #[value(name = "1.0")]
+    V1_0,
+    #[value(name = "1.1")]
+    V1_1,
+}
+
+impl From<Version> for XddVersion {
+    fn from(version: Version) -> Self {
+        match version {
+            Version::V1_0 => Self::V1_0,
+            Version::V1_1 => Self::V1_1,
+        }
+    }
+}
+
+/// A kind of file that can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum WrittenKind {
+    Eds,
+    Dcf,
+    Xdd,
+    Xdc,
+    Json,
+    Cdcf,
+    #[value(name = "cdcf.txt")]
+    CdcfText,
+}
+
+impl From<WrittenKind> for FileKind {
+    fn from(kind: WrittenKind) -> Self {
+        match kind {
+            WrittenKind::Eds => Self::Eds,
+            WrittenKind::Dcf => Self::Dcf,
+            WrittenKind::Xdd => Self::Xdd,
+            WrittenKind::Xdc => Self::Xdc,
+            WrittenKind::Json => Self::Json,
+            WrittenKind::Cdcf => Self::Cdcf,
+            WrittenKind::CdcfText => Self::CdcfText,
+        }
+    }
+}
