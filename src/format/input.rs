@@ -37,6 +37,9 @@ pub enum FileKind {
     CdcfText,
     /// Node list (CiA 306-3)
     Cpj,
+    /// The messages of nodes on the CAN bus, which is only written
+    #[cfg_attr(feature = "cli", value(skip))]
+    Dbc,
 }
 
 impl FileKind {
@@ -50,6 +53,7 @@ impl FileKind {
             "json" => Some(Self::Json),
             "cdcf" => Some(Self::Cdcf),
             "cpj" => Some(Self::Cpj),
+            "dbc" => Some(Self::Dbc),
             ending => Format::from_name(ending).map(Self::from),
         })
     }
@@ -76,6 +80,7 @@ impl FileKind {
             Self::Cdcf => "cdcf",
             Self::CdcfText => "cdcf.txt",
             Self::Cpj => "cpj",
+            Self::Dbc => "dbc",
         }
     }
 
@@ -86,18 +91,19 @@ impl FileKind {
             Self::Dcf => Some(Format::Dcf),
             Self::Xdd => Some(Format::Xdd),
             Self::Xdc => Some(Format::Xdc),
-            Self::Json | Self::Cdcf | Self::CdcfText | Self::Cpj => None,
+            Self::Json | Self::Cdcf | Self::CdcfText | Self::Cpj | Self::Dbc => None,
         }
     }
 
-    /// The feature of this crate with which it is read.
-    const fn feature(self) -> &'static str {
-        match self {
+    /// The feature of this crate with which it is read; `None` if nothing reads it.
+    const fn feature(self) -> Option<&'static str> {
+        Some(match self {
             Self::Eds | Self::Dcf => "default",
             Self::Xdd | Self::Xdc => "xdd",
             Self::Json | Self::Cdcf => "json",
             Self::CdcfText | Self::Cpj => "node",
-        }
+            Self::Dbc => return None,
+        })
     }
 
     /// What people call it.
@@ -111,6 +117,7 @@ impl FileKind {
             Self::Cdcf => "concise DCF",
             Self::CdcfText => "concise DCF as text",
             Self::Cpj => "node list",
+            Self::Dbc => "DBC",
         }
     }
 }
@@ -233,7 +240,8 @@ impl ReadError {
             Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),
             Self::NotBuilt { kind, .. } => {
-                Some(format!("enable the feature `{}` of the crate `objdict`", kind.feature()))
+                let feature = kind.feature()?;
+                Some(format!("enable the feature `{feature}` of the crate `objdict`"))
             }
             Self::Source(_) | Self::Content { .. } | Self::NoSuchDevice { .. } => None,
         }
@@ -354,7 +362,7 @@ fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
         None => {
             let named = FileKind::of(Path::new(source.name())).filter(|_| found.kind == ContentKind::Unknown);
             named
-                .filter(|&kind| has_syntax(kind, source.text()))
+                .filter(|&kind| kind.feature().is_some() && has_syntax(kind, source.text()))
                 .ok_or_else(|| ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) })
         }
     }

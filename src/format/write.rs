@@ -53,6 +53,9 @@ pub struct Loss {
     /// What the text says in its place; `None` for nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub becomes: Option<Value>,
+    /// Why, if the format has a place for other data of this kind.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
 }
 
 /// What became of a datum that the format has no place for.
@@ -61,7 +64,7 @@ pub struct Loss {
 pub enum LossKind {
     /// It is gone.
     Lost,
-    /// It belongs to a node, and the format describes a type of device.
+    /// It belongs to a node, and the format describes a type of device; or the format is for other data.
     LeftOut,
     /// objdict reads it from a section or property of its own; other tools do not see it.
     #[serde(rename = "carried")]
@@ -96,7 +99,9 @@ impl Loss {
                     Self::of(DatumDifference { path, left: Some(value), right: None }, kind, losses);
                 }
             }
-            (Some(value), becomes) => losses.push(Self { place, path, kind, value, becomes }),
+            (Some(value), becomes) => {
+                losses.push(Self { place, path, kind, value, becomes, reason: None });
+            }
             (None, _) => {}
         }
     }
@@ -116,7 +121,10 @@ const PARTS: [&str; 8] = [
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, kind, value, becomes, .. } = self;
+        let Self { place, kind, value, becomes, reason, .. } = self;
+        if let Some(reason) = reason {
+            return write!(f, "{}: {place}: {reason}", kind.name());
+        }
         write!(f, "{}: {place}: {}", kind.name(), Shown(value))?;
         match becomes {
             Some(becomes) => write!(f, " becomes {}", Shown(becomes)),

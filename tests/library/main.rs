@@ -8,6 +8,8 @@ mod concise;
 mod config;
 mod configure;
 mod configure_node;
+#[cfg(feature = "document")]
+mod dbc;
 mod device_profile;
 #[cfg(feature = "document")]
 mod document;

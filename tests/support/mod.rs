@@ -79,6 +79,13 @@ pub(crate) fn unless_offline<T>(needed: Result<T, String>) -> Option<T> {
         .ok()
 }
 
+/// All files below a folder with one of the endings.
+pub(crate) fn files_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    collect(folder, endings, &mut found);
+    found
+}
+
 fn collect(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
         let path = entry.unwrap().path();

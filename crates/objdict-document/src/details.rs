@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use super::anchor::Anchor;
 use super::page::Context;
 use crate::Language;
-use crate::model::{Entry, Field, Meaning, Parameter, Unit};
+use crate::model::{Entry, Field, Meaning, Parameter, Scaling};
 use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
 
 /// Fields shown elsewhere on a page.
@@ -218,21 +218,15 @@ fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Deta
 /// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how the engineering value is
 /// computed from the raw number.
 fn scaled_unit(context: &Context<'_>, parameter: &Parameter) -> Option<String> {
-    let template = context.meanings.as_ref().and_then(|meanings| meanings.template_of(parameter));
-    let text_of = |field: fn(&Parameter) -> Option<&str>| {
-        let text = field(parameter).or_else(|| field(template?)).map(str::trim);
-        text.filter(|text| !text.is_empty())
-    };
-    let unit: Option<&Unit> =
-        parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref()));
+    let Scaling { unit, offset, multiplier } = context.meanings.as_ref()?.scaling(parameter);
     let mut text =
         unit.and_then(|unit| unit.labels.name_in(context.tag)).unwrap_or_default().trim().to_owned();
     if let Some(base) = unit.map(|unit| unit.multiplier.trim()).filter(|factor| !matches!(*factor, "" | "1"))
     {
         text.push_str(&format!(" (× {base})"));
     }
-    let factor = text_of(|of| of.multiplier.as_deref()).filter(|factor| *factor != "1");
-    let offset = text_of(|of| of.offset.as_deref()).filter(|offset| *offset != "0");
+    let factor = multiplier.filter(|factor| *factor != "1");
+    let offset = offset.filter(|offset| *offset != "0");
     let value = context.language.pick("value", "Wert");
     let formula = match (offset, factor) {
         (None, None) => None,

@@ -1,4 +1,4 @@
-//! Documentation generated from a description: pages for reading, tables for programs.
+//! Documentation generated from a description: pages for reading, tables for programs, a DBC for tools of the bus.
 //!
 //! A page contains the words in reading order; a [`Form`] writes it. Neither reads files: the findings of
 //! `check` and the file name are passed with the device ([`Subject`]).
@@ -8,6 +8,7 @@ mod card;
 mod communication;
 mod connections;
 mod csv;
+pub mod dbc;
 pub mod describe;
 mod details;
 mod diagram;
@@ -34,7 +35,7 @@ pub use self::finding::Finding;
 use self::page::{Context, Page};
 pub use self::site::{Site, SiteFile};
 use crate::model::Device;
-use objdict_model::{Language, diagnostic, model};
+use objdict_model::{Language, diagnostic, model, source};
 use objdict_profile as profile;
 
 /// The documented device with its context.

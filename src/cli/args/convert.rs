@@ -10,18 +10,19 @@ use crate::format::literal::RealSpelling;
 use crate::format::{WriteOptions, XddVersion};
 use crate::source::Encoding;
 
-/// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF
+/// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
 ///
 /// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
 /// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
-/// properties or sections of objdict (docs/formats.md). Exits with 1 when --deny-loss is given and data are lost.
+/// properties or sections of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network. Exits
+/// with 1 when --deny-loss is given and data are lost.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConvertArgs {
     /// Files to convert; `-` is the standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt; `-` is the standard output. For several files a
-    /// folder, with --to
+    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is the standard output. For several
+    /// files a folder, with --to, or the DBC of all of them
     #[arg(short, long, value_name = "PATH")]
     output: Option<PathBuf>,
     /// The format to write [default: by the extension of the output]
@@ -39,13 +40,13 @@ pub(in crate::cli) struct ConvertArgs {
     /// Version of CiA 311 of a new XDD or XDC
     #[arg(long, value_enum, value_name = "VERSION")]
     pub xdd_version: Option<Version>,
-    /// Node-ID in the DCF, XDC or concise DCF
+    /// Node-ID in the DCF, XDC, concise DCF or DBC
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     /// Bit rate in kbit/s in the DCF or XDC
     #[arg(long, alias = "baudrate", value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
     pub bit_rate: Option<u16>,
-    /// Node name in the DCF or XDC
+    /// Node name in the DCF, XDC or DBC
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
     /// Write all values into a concise DCF, not only those that differ from the default
@@ -56,6 +57,8 @@ pub(in crate::cli) struct ConvertArgs {
     pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
     pub canonical: CanonicalArgs,
+    #[command(flatten)]
+    pub dbc: DbcArgs,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -81,6 +84,18 @@ pub(in crate::cli) struct CanonicalArgs {
     /// Encoding of the output; without it ISO 646, as CiA 306 requires, with `ü` written as `ue`; implies --canonical
     #[arg(long, value_name = "ENCODING")]
     pub output_encoding: Option<Encoding>,
+}
+
+/// What a DBC describes.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[command(next_help_heading = "DBC")]
+pub(in crate::cli) struct DbcArgs {
+    /// Add the SDOs of each node to a DBC, with a multiplexed signal for each entry of at most 4 bytes
+    #[arg(long)]
+    pub sdo: bool,
+    /// Give each named bit field of a word a signal of its own in a DBC, instead of one for the word
+    #[arg(long)]
+    pub bits: bool,
 }
 
 /// A spelling of REAL numbers.
@@ -124,6 +139,11 @@ impl ConvertArgs {
         }
     }
 
+    /// Whether the output is the last of the files, or not stated.
+    pub(in crate::cli) fn has_no_output(&self) -> bool {
+        self.output.is_none()
+    }
+
     /// Whether anything about the node is to be changed.
     pub(in crate::cli) fn changes_node(&self) -> bool {
         self.node_id.is_some() || self.bit_rate.is_some() || self.name.is_some()
@@ -159,6 +179,7 @@ pub(in crate::cli) enum WrittenKind {
     Cdcf,
     #[value(name = "cdcf.txt")]
     CdcfText,
+    Dbc,
 }
 
 impl From<WrittenKind> for FileKind {
@@ -171,6 +192,7 @@ impl From<WrittenKind> for FileKind {
             WrittenKind::Json => Self::Json,
             WrittenKind::Cdcf => Self::Cdcf,
             WrittenKind::CdcfText => Self::CdcfText,
+            WrittenKind::Dbc => Self::Dbc,
         }
     }
 }

@@ -83,7 +83,9 @@ pub(super) fn of_device(
             let text = concise::print(&configuration, |download| described.annotate(download));
             Ok(Converted::whole(text.into_bytes()))
         }
-        FileKind::Cpj => Err(Failure::new("node lists are not written")),
+        FileKind::Cpj | FileKind::Dbc => {
+            Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
+        }
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), embed)),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();

@@ -27,9 +27,9 @@ impl Job {
     }
 }
 
-const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json` and `.cdcf` (concise DCF) are known";
+const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json`, `.cdcf` (concise DCF) and `.dbc` are known";
 
-/// What the arguments ask for: one file for one, or a folder for all of them.
+/// What the arguments ask for: one file for one, a folder for all of them, or one DBC of all of them.
 pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
     let stated = args.to.map(FileKind::from);
     let (inputs, output) = args.paths();
@@ -40,9 +40,23 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
             return Err(Failure::new("missing output").help("name the file to write with `--output`"));
         }
     };
+    let named = FileKind::of(output);
     match inputs {
+        inputs if !is_folder(output) && stated.or(named) == Some(FileKind::Dbc) => {
+            if args.has_no_output() && named.is_some_and(|named| named != FileKind::Dbc) {
+                let message = format!("`{}` is not the name of a DBC", output.display());
+                return Err(Failure::new(message).help("name the file to write with `--output`"));
+            }
+            let job = |input: &PathBuf| Job {
+                input: input.clone(),
+                output: output.to_owned(),
+                to: FileKind::Dbc,
+                is_named: false,
+            };
+            Ok(inputs.iter().map(job).collect())
+        }
         [input] if !is_folder(output) => {
-            let to = stated.or_else(|| FileKind::of(output)).ok_or_else(|| {
+            let to = stated.or(named).ok_or_else(|| {
                 let message = format!("`{}` has no extension of a known format", output.display());
                 Failure::new(message).help(format!("{KNOWN}; or name the format with `--to`"))
             })?;

@@ -73,12 +73,27 @@ impl LossReport {
     }
 }
 
-/// A line for each loss, and how many there are.
+/// A line for each loss, or for all with the same reason, and how many there are.
 pub(super) fn text(losses: &[Loss]) -> String {
     if losses.is_empty() {
         return String::new();
     }
-    let mut text: String = losses.iter().map(|loss| format!("  {loss}\n")).collect();
+    let mut text = String::new();
+    for (position, loss) in losses.iter().enumerate() {
+        let is_same = |other: &&Loss| (other.kind, &other.reason) == (loss.kind, &loss.reason);
+        let others = match loss.reason {
+            Some(_) if losses[..position].iter().any(|other| is_same(&other)) => continue,
+            Some(_) => losses[position..].iter().filter(is_same).count() - 1,
+            None => 0,
+        };
+        let line = match (&loss.reason, others) {
+            (Some(reason), 1..) => {
+                format!("{}: {} and {others} more: {reason}", loss.kind.name(), loss.place)
+            }
+            _ => loss.to_string(),
+        };
+        text.push_str(&format!("  {line}\n"));
+    }
     let counts = [LossKind::Lost, LossKind::LeftOut, LossKind::Embedded].map(|kind| {
         let count = losses.iter().filter(|loss| loss.kind == kind).count();
         (count > 0).then(|| format!("{count} {}", kind.name()))

@@ -1,5 +1,6 @@
 //! `objdict convert`.
 
+mod dbc;
 mod device;
 mod jobs;
 mod losses;
@@ -28,12 +29,18 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     let mut report = LossReport::default();
     let mut all_done = true;
     let progress = Progress::new("converting", jobs.len());
-    for job in &jobs {
-        if let Err(failure) = convert_one(args, job, &mut report, out) {
+    for jobs in jobs.chunk_by(|job, next| job.output == next.output) {
+        let done = match jobs {
+            [job] if job.to != FileKind::Dbc => convert_one(args, job, &mut report, out),
+            jobs => dbc::convert(args, jobs, &mut report, out),
+        };
+        if let Err(failure) = done {
             failure.print();
             all_done = false;
         }
-        progress.step_with(out)?;
+        for _ in jobs {
+            progress.step_with(out)?;
+        }
     }
     drop(progress);
     if let Some(path) = &args.loss_report {

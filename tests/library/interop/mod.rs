@@ -1,7 +1,7 @@
 //! Other tools read what we write: python-canopen 2.4.1 uploads every entry, dcf-tools 2.4.2 accepts what is within its
-//! range.
+//! range, cantools 45.1.0 and canmatrix 1.3.3 decode the frames of a DBC.
 //!
-//! The test makes a Python environment below `target` and installs both packages. Without Python or network it says so
+//! The test makes a Python environment below `target` and installs the packages. Without Python or network it says so
 //! and passes, except when `CI=true`.
 
 #![allow(clippy::print_stdout, reason = "says why it is skipped")]
@@ -24,7 +24,10 @@ use serde_json::json;
 
 use crate::support;
 
-const PACKAGES: [&str; 2] = ["canopen==2.4.1", "dcf-tools==2.4.2"];
+#[cfg(feature = "document")]
+mod dbc;
+
+const PACKAGES: [&str; 4] = ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3"];
 
 /// The folder with the programs of the environment, made once; `None` when it cannot be made here.
 fn environment() -> Option<&'static Path> {

@@ -48,6 +48,11 @@ const CODES: [(u32, u32, &str, &str); 31] = [
     (0xF000, 0x7000, "additional modules", "Zusatzmodule"),
 ];
 
+/// The error codes with words of their own, and their English words.
+pub(crate) fn error_codes() -> impl Iterator<Item = (i128, &'static str)> {
+    CODES.into_iter().map(|(_, code, english, _)| (i128::from(code), english))
+}
+
 impl Decoder<'_> {
     pub(super) fn error_register(&self, number: u32) -> String {
         let set = REGISTER.into_iter().filter(|(bit, ..)| number >> bit & 1 == 1);

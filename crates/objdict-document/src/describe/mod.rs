@@ -9,6 +9,7 @@ pub(crate) mod time;
 mod value;
 
 pub(crate) use self::cob_id::{can_id, spelled};
+pub(crate) use self::error::error_codes;
 pub use self::value::Reader;
 use crate::Language;
 use crate::model::{Device, Value};

@@ -76,7 +76,7 @@ pub use field::Field;
 pub use file_info::{ClockTime, Date, FileInfo};
 pub use identity::Identity;
 pub use label::{Label, Labels, TextRef};
-pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue};
+pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};
 pub use module::{Extension, ExtensionCount, Module, Modules};
 pub use node_list::{Network, NetworkNode, NodeList};
 pub use object::{Compact, Object, Subs};

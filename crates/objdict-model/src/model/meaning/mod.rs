@@ -11,7 +11,7 @@ pub use enumeration::{Enumeration, NamedValue};
 
 use super::{
     AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, FunctionType, Parameter,
-    TypeDefinition, TypeShape, VarDeclaration,
+    TypeDefinition, TypeShape, Unit, VarDeclaration,
 };
 
 /// The maximum depth of derived types; a deeper chain is a cycle.
@@ -36,6 +36,17 @@ pub struct Meanings<'a> {
     allowed: HashMap<&'a str, &'a AllowedValues>,
     /// Shared targets of entries: parameters, members of structs, variables of functions.
     shared: HashMap<&'a str, Described<'a>>,
+}
+
+/// How the engineering value of a parameter is made of its value: (value + offset) × multiplier, in a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scaling<'a> {
+    /// The unit.
+    pub unit: Option<&'a Unit>,
+    /// The offset as written, 0 if missing.
+    pub offset: Option<&'a str>,
+    /// The multiplier as written, 1 if missing.
+    pub multiplier: Option<&'a str>,
 }
 
 /// The type and the allowed values of an item.
@@ -140,8 +151,25 @@ impl<'a> Meanings<'a> {
     }
 
     /// The template of a parameter, for what the parameter does not define.
-    pub fn template_of(&self, parameter: &Parameter) -> Option<&'a Parameter> {
+    fn template_of(&self, parameter: &Parameter) -> Option<&'a Parameter> {
         self.templates.get(parameter.template.as_deref()?).copied()
+    }
+
+    /// The engineering value of a parameter, as it or its template says.
+    pub fn scaling<'p>(&self, parameter: &'p Parameter) -> Scaling<'p>
+    where
+        'a: 'p,
+    {
+        let template = self.template_of(parameter);
+        let text = |field: fn(&Parameter) -> Option<&str>| {
+            let text = field(parameter).or_else(|| field(template?)).map(str::trim);
+            text.filter(|text| !text.is_empty())
+        };
+        Scaling {
+            unit: parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref())),
+            offset: text(|of| of.offset.as_deref()),
+            multiplier: text(|of| of.multiplier.as_deref()),
+        }
     }
 
     /// The definition behind a reference, with aliases resolved.

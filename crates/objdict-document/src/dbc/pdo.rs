@@ -1,0 +1,229 @@
+//! Messages of PDOs: one for a CAN-ID, with the signals of the node that sends it.
+
+use std::collections::BTreeMap;
+
+use super::Database;
+use super::identifier::words;
+use super::message::{CanId, Message};
+use super::signal::{Number, Signal};
+use super::value::Carried;
+use crate::describe::spelled;
+use crate::layout::{Content, Field, FieldKind, Layout};
+use crate::model::{DataType, Pdo, PdoKind, Place, TypeKind, restricted};
+
+/// A PDO of a node.
+struct Port<'a> {
+    node: usize,
+    pdo: Pdo<'a>,
+    layout: Layout,
+}
+
+/// Why a PDO has no message: the place, and whether the bus carries it.
+struct Refusal {
+    place: Place,
+    is_lost: bool,
+    reason: String,
+}
+
+impl Port<'_> {
+    /// The place of a mapped object.
+    fn slot(&self, field: &Field) -> Place {
+        Place::entry(self.pdo.mapping_index(), field.slot)
+    }
+}
+
+impl<'a> Database<'a> {
+    /// The valid PDOs of all nodes.
+    pub(super) fn add_pdos(&mut self) {
+        let mut frames: BTreeMap<CanId, Vec<Port<'a>>> = BTreeMap::new();
+        for node in 0..self.stations.len() {
+            let device = self.stations[node].device;
+            for pdo in device.pdos() {
+                let layout = Layout::new(device, &pdo, &|_| String::new());
+                match can_id(&pdo, &layout, self.stations[node].node_id) {
+                    Ok(id) => frames.entry(id).or_default().push(Port { node, pdo, layout }),
+                    Err(Refusal { place, is_lost, reason }) => self.omit(node, place, is_lost, reason),
+                }
+            }
+        }
+        for (id, ports) in frames {
+            self.add_frame(id, ports);
+        }
+    }
+
+    fn add_frame(&mut self, id: CanId, mut ports: Vec<Port<'a>>) {
+        if let Some(other) = self.messages.iter().find(|message| message.id == id) {
+            let other = other.comment.split(':').next().unwrap_or_default();
+            let reason = format!("CAN-ID {} is that of {other}", spelled(id.number, id.is_extended));
+            for port in ports {
+                let place = Place::entry(port.pdo.communication_index(), 1);
+                self.omit(port.node, place, true, reason.clone());
+            }
+            return;
+        }
+        // the node that sends the frame describes it, else the first that receives it
+        ports.sort_by_key(|port| port.pdo.kind == PdoKind::Rpdo);
+        let Some((main, others)) = ports.split_first() else { return };
+        let mut message = self.message(id, main);
+        for other in others {
+            self.join(&mut message, main, other);
+        }
+        self.messages.push(message);
+    }
+
+    /// The message of a PDO.
+    fn message(&mut self, id: CanId, port: &Port<'a>) -> Message {
+        let station = &self.stations[port.node];
+        let name = words(&format!("{} {}{}", station.title, port.pdo.kind, port.pdo.number));
+        let name = self.names.claim(&name, &station.node_id.to_string());
+        let mut message = Message::new(id, name, port.layout.bytes(), self.title(port));
+        if let Some(number) = port.pdo.transmission_type {
+            let transmission = station.decoder.transmission_type(port.pdo.kind, number.into());
+            message.comment.push_str(&format!(": {transmission}"));
+        }
+        match port.layout.content {
+            Content::SourceMultiplexed | Content::DestinationMultiplexed => {
+                message.length = 8;
+                multiplexed().into_iter().for_each(|signal| message.push(signal));
+            }
+            _ => self.put_fields(&mut message, port),
+        }
+        match port.pdo.kind {
+            PdoKind::Tpdo => {
+                message.senders.push(port.node);
+                message.cycle = port.pdo.event_timer.filter(|&time| time > 0).map(u32::from);
+            }
+            PdoKind::Rpdo => message.received_by(port.node),
+        }
+        message
+    }
+
+    /// `TPDO 1 of Drive (1800h, 1A00h)`.
+    fn title(&self, port: &Port<'_>) -> String {
+        let Port { pdo, node, .. } = port;
+        let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
+        format!("{pdo} of {} ({communication:04X}h, {mapping:04X}h)", self.stations[*node].title)
+    }
+
+    fn put_fields(&mut self, message: &mut Message, port: &Port<'_>) {
+        for field in &port.layout.fields {
+            match self.signals(port, field) {
+                Ok(signals) => {
+                    if let Some(object) = field.object.filter(|_| field.kind == FieldKind::Object) {
+                        self.carried.insert((port.node, object.index, object.sub));
+                    }
+                    signals.into_iter().for_each(|signal| message.push(signal));
+                }
+                Err(reason) => {
+                    let object = field.object.map(|object| format!("{object}: ")).unwrap_or_default();
+                    self.omit(port.node, port.slot(field), true, format!("{object}{reason}"));
+                }
+            }
+        }
+    }
+
+    /// The signals of a mapped object; none for a dummy.
+    fn signals(&self, port: &Port<'_>, field: &Field) -> Result<Vec<Signal>, &'static str> {
+        let Some(object) = field.object else {
+            return Err("it has no value, so the place of the objects behind it is not known");
+        };
+        let is_carried = matches!(field.kind, FieldKind::Object | FieldKind::Missing);
+        let Some(start) = field.first.filter(|_| is_carried) else {
+            return if is_carried { Err("its place is not known") } else { Ok(Vec::new()) };
+        };
+        if field.is_cut() {
+            return Err("it ends behind the 64 bits of a frame");
+        }
+        let station = &self.stations[port.node];
+        let entry = station.device.entry(object.index, object.sub);
+        let carried = Carried { station, index: object.index, sub: object.sub, entry: entry.as_deref() };
+        let mut signals = carried.signals(field.bits, self.options.bits)?;
+        for signal in &mut signals {
+            signal.first += start;
+        }
+        Ok(signals)
+    }
+
+    /// Adds another PDO with the CAN-ID of a message.
+    fn join(&mut self, message: &mut Message, main: &Port<'a>, other: &Port<'a>) {
+        let title = self.title(main);
+        if other.pdo.kind == PdoKind::Tpdo {
+            let place = Place::entry(other.pdo.communication_index(), 1);
+            let id = spelled(message.id.number, message.id.is_extended);
+            self.omit(other.node, place, true, format!("CAN-ID {id} is that of {title}"));
+            return;
+        }
+        message.comment.push_str(&format!("; {}", self.title(other)));
+        let fields = other.layout.fields.iter();
+        for field in fields.filter(|field| matches!(field.kind, FieldKind::Object | FieldKind::Missing)) {
+            let Some(object) = field.object else { continue };
+            let key = |of: &Field| (of.first, of.bits, number_of(of));
+            let is_same = |of: &Field| of.first.is_some() && key(of) == key(field);
+            if main.layout.fields.iter().any(is_same) {
+                self.carried.insert((other.node, object.index, object.sub));
+            } else {
+                let reason = format!("{object}: the signals of the frame are those of {title}");
+                self.omit(other.node, other.slot(field), true, reason);
+            }
+            let Some(span) = field.span() else { continue };
+            let signals = message.signals.iter_mut().map(|(_, signal)| signal);
+            for signal in signals.filter(|signal| signal.first < span.end && span.start < signal.end()) {
+                signal.receivers.insert(other.node);
+            }
+        }
+    }
+}
+
+/// How the bits of a mapped object are a number.
+fn number_of(field: &Field) -> Number {
+    match field.data_type.map(DataType::kind) {
+        Some(TypeKind::Signed(_)) => Number::Signed,
+        Some(TypeKind::Real32) => Number::Real32,
+        Some(TypeKind::Real64) => Number::Real64,
+        _ => Number::Unsigned,
+    }
+}
+
+/// The CAN-ID of a PDO with a message.
+fn can_id(pdo: &Pdo<'_>, layout: &Layout, node_id: u8) -> Result<CanId, Refusal> {
+    let communication = Place::entry(pdo.communication_index(), 1);
+    let refuse = |place, is_lost, reason: String| Err(Refusal { place, is_lost, reason });
+    let Some(cob_id) = pdo.cob_id else {
+        return refuse(communication, true, "the COB-ID of the PDO is not stated".to_owned());
+    };
+    if !cob_id.is_valid() {
+        return refuse(communication, false, "the PDO is not valid (bit 31 of its COB-ID)".to_owned());
+    }
+    let id = CanId { is_extended: cob_id.is_extended(), number: cob_id.can_id(node_id) };
+    let owner = restricted(id.number).filter(|owner| !id.is_extended && *owner != "reserved");
+    if let Some(owner) = owner {
+        return refuse(
+            communication,
+            true,
+            format!("CAN-ID {} is that of {owner}", spelled(id.number, false)),
+        );
+    }
+    let mapping = Place::entry(pdo.mapping_index(), 0);
+    match layout.content {
+        Content::Nothing => refuse(mapping, false, "nothing is mapped".to_owned()),
+        Content::Unstated if layout.fields.is_empty() => {
+            refuse(mapping, true, "what is mapped is not stated".to_owned())
+        }
+        Content::Reserved(count) => {
+            refuse(mapping, true, format!("`{count}` is not a number of mapped objects"))
+        }
+        _ => Ok(id),
+    }
+}
+
+/// The frame of a multiplexed PDO (CiA 301 §7.2.2.6).
+fn multiplexed() -> [Signal; 5] {
+    [
+        Signal::new("Node", 0, 7).with_values([(0, "all nodes")]),
+        Signal::new("Destination", 7, 1)
+            .with_values([(0, "source addressing"), (1, "destination addressing")]),
+        Signal::new("Index", 8, 16),
+        Signal::new("Sub_index", 24, 8),
+        Signal::new("Data", 32, 32),
+    ]
+}

@@ -1,0 +1,120 @@
+//! Signals: numbers in bits of a frame.
+
+use std::collections::BTreeSet;
+
+use super::decimal::Decimal;
+
+/// A signal.
+#[derive(Clone, Debug)]
+pub(super) struct Signal {
+    /// The words of its name.
+    pub(super) words: String,
+    /// What is added to the name if several signals have the same: `6041_00`.
+    pub(super) suffix: String,
+    pub(super) mux: Mux,
+    /// The lowest bit.
+    pub(super) first: u32,
+    /// Length in bits, 1 to 64.
+    pub(super) bits: u32,
+    pub(super) number: Number,
+    pub(super) scale: Scale,
+    /// The smallest and the largest value, scaled.
+    pub(super) limits: Option<[Decimal; 2]>,
+    pub(super) unit: String,
+    /// The nodes that receive it.
+    pub(super) receivers: BTreeSet<usize>,
+    /// Names of values.
+    pub(super) values: Vec<(i128, String)>,
+    pub(super) comment: String,
+}
+
+/// How a signal is multiplexed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mux {
+    /// It is in every frame.
+    None,
+    /// It selects the others.
+    Selector,
+    /// It is in frames whose selector has this value.
+    In(u32),
+}
+
+/// How bits are a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Number {
+    Unsigned,
+    Signed,
+    Real32,
+    Real64,
+}
+
+/// The value of a number in its unit: number times factor plus offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Scale {
+    pub(super) factor: Decimal,
+    pub(super) offset: Decimal,
+}
+
+impl Scale {
+    /// The number itself.
+    pub(super) const NONE: Self = Self { factor: Decimal::ONE, offset: Decimal::ZERO };
+
+    pub(super) fn apply(self, number: Decimal) -> Option<Decimal> {
+        number.times(self.factor)?.plus(self.offset)
+    }
+}
+
+impl Signal {
+    /// A number without further meaning.
+    pub(super) fn new(words: impl Into<String>, first: u32, bits: u32) -> Self {
+        Self {
+            words: words.into(),
+            suffix: first.to_string(),
+            mux: Mux::None,
+            first,
+            bits,
+            number: Number::Unsigned,
+            scale: Scale::NONE,
+            limits: None,
+            unit: String::new(),
+            receivers: BTreeSet::new(),
+            values: Vec::new(),
+            comment: String::new(),
+        }
+    }
+
+    /// The same in a unit.
+    #[must_use]
+    pub(super) fn in_unit(self, unit: &str) -> Self {
+        Self { unit: unit.to_owned(), ..self }
+    }
+
+    /// The same with names of values. Of two names of a value the first counts, and numbers that the bits cannot have are
+    /// left out.
+    #[must_use]
+    pub(super) fn with_values(mut self, values: impl IntoIterator<Item = (i128, impl Into<String>)>) -> Self {
+        let (low, high) = self.range();
+        for (number, name) in values {
+            let is_known = self.values.iter().any(|(known, _)| *known == number);
+            let name = name.into();
+            if (low..=high).contains(&number) && !is_known && !name.trim().is_empty() {
+                self.values.push((number, name));
+            }
+        }
+        self
+    }
+
+    /// The smallest and the largest integer.
+    pub(super) fn range(&self) -> (i128, i128) {
+        match self.number {
+            Number::Unsigned => (0, (1 << self.bits) - 1),
+            Number::Signed => (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1),
+            Number::Real32 | Number::Real64 => (0, -1),
+        }
+    }
+
+    /// The bit after the highest.
+    pub(super) fn end(&self) -> u32 {
+        self.first + self.bits
+    }
+}
