@@ -13,6 +13,14 @@ const MAX_ROUNDS: u32 = 10;
 /// So many texts are tried in a round to find the fixes that do harm.
 const MAX_TRIALS: u32 = 100;
 
+/// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
+const LEFT_OPEN: [&str; 4] = [
+    "cia306/missing-device-info-key",
+    "cia306/missing-file-info-key",
+    "cia306/missing-last-eds",
+    "cia306/no-baud-rate",
+];
+
 /// A rule with so many fixes in a round that did harm gets no further trial.
 const MAX_HARM: usize = 8;
 
@@ -236,8 +244,10 @@ impl Counts {
         counts
     }
 
-    /// Whether the findings that were `fixed` are gone and no other has come.
+    /// Whether the findings that were `fixed` are gone and no other has come but what a new section leaves open.
     fn is_better_than(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> bool {
+        let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
+        let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
         let mut fixed_of_rules: BTreeMap<&str, u32> = BTreeMap::new();
         for (key, count) in fixed {
             *fixed_of_rules.entry(key.0).or_default() += count;
@@ -246,12 +256,14 @@ impl Counts {
             now + fixed.copied().unwrap_or_default() <= before.copied().unwrap_or_default()
         };
         let is_known = |key: &Key| !self.capped.contains(key.0) && !before.capped.contains(key.0);
-        self.rules.iter().all(|(rule, &now)| is_less(now, before.rules.get(rule), fixed_of_rules.get(rule)))
+        let rule_is_less =
+            |rule: &str, now| is_less(now, before.rules.get(rule), fixed_of_rules.get(rule)) || is_open(rule);
+        self.rules.iter().all(|(rule, &now)| rule_is_less(rule, now))
             && self
                 .parts
                 .iter()
                 .filter(|(key, _)| is_known(key))
-                .all(|(key, &now)| is_less(now, before.parts.get(key), fixed.get(key)))
+                .all(|(key, &now)| is_less(now, before.parts.get(key), fixed.get(key)) || is_open(key.0))
     }
 }
 

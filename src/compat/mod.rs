@@ -5,6 +5,7 @@
 //! severity of the effect. Findings of the group `portability` are reported for affected tools only.
 
 mod canchkeds;
+mod fixes;
 mod reactions;
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
@@ -76,12 +77,13 @@ impl Effect {
     }
 }
 
-/// Adds the reactions of the selected tools to the findings; removes findings of the group `portability` that affect none
-/// of them.
+/// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the
+/// group `portability` that affect none of them.
 pub(crate) fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {
     // CANchkEDS does not check configurations
     let is_type = description.device().kind == DeviceKind::Type;
     findings.filter_map(|finding| {
+        let finding = fixes::choose(finding, description, tools)?;
         let messages = MESSAGES.iter().filter(|_| is_type);
         let reactions = REACTIONS.iter().chain(messages).filter(|reaction| reaction.rule == finding.rule.id);
         let of_these = |reaction: &&Reaction| {

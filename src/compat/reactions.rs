@@ -138,9 +138,10 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/misspelt-section", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/misspelt-section", WRITERS, Dropped, "the section is lost"),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/not-ascii", PYTHON, Refused, "the file is refused").when("not UTF-8", is_of_one_byte),
+    row("cia306/not-ascii", PYTHON, Refused, "the file is refused")
+        .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/not-ascii", EDITOR, Wrong, "each such character becomes U+FFFD")
-        .when("not UTF-8", is_of_one_byte),
+        .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
@@ -225,11 +226,15 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/dummy-usage", PYTHON_CANOPEN, Refused, "the file is refused"),
     row("portability/dynamic-channels", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/dynamic-channels", WRITERS, Dropped, "the section is lost"),
-    row("portability/empty-key", PYTHON_CANOPEN, Refused, "the file is refused")
-        .when("`ObjectType` or `PDOMapping`", |description, finding| {
+    row("portability/empty-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
+        "`ObjectType`, `PDOMapping` or a number of [DeviceInfo]",
+        |description, finding| {
             ["ObjectType", "PDOMapping"].contains(&shown(description, finding))
-        }),
-    row("portability/empty-key", EDITOR, Dropped, "the object is skipped"),
+                || is_of_device(description, finding)
+        },
+    ),
+    row("portability/empty-key", EDITOR, Dropped, "the object is skipped")
+        .when("outside [DeviceInfo]", |description, finding| !is_of_device(description, finding)),
     row("portability/file-reference", WRITERS, Dropped, "it is lost"),
     row("portability/hash-in-text", DCF_TOOLS, Wrong, "the text ends before the `#`"),
     row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is refused"),
@@ -327,8 +332,12 @@ fn before<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     description.source().text().get(..start as usize).unwrap_or_default()
 }
 
-fn is_of_comments(description: &Description, finding: &Diagnostic) -> bool {
+pub(super) fn is_of_comments(description: &Description, finding: &Diagnostic) -> bool {
     section_of(description, finding).eq_ignore_ascii_case("Comments")
+}
+
+fn is_of_device(description: &Description, finding: &Diagnostic) -> bool {
+    section_of(description, finding).eq_ignore_ascii_case("DeviceInfo")
 }
 
 fn is_of_names(description: &Description, finding: &Diagnostic) -> bool {
@@ -381,7 +390,7 @@ fn is_read_number(description: &Description, finding: &Diagnostic) -> bool {
 }
 
 /// Whether the text is in an encoding of one byte a character.
-fn is_of_one_byte(description: &Description, _: &Diagnostic) -> bool {
+pub(super) fn is_of_one_byte(description: &Description) -> bool {
     let encoding = description.source().encoding();
     !matches!(encoding, Encoding::Utf8 | Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be)
 }

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use objdict::compat::{Effect, MESSAGES, REACTIONS};
-use objdict::diagnostic::{Findings, Severity, Tool};
-use objdict::format;
+use objdict::diagnostic::{Applicability, Findings, Severity, Tool};
+use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::registry;
-use objdict::source::SourceOptions;
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -126,6 +126,36 @@ fn a_vendor_sees_the_severity_that_canchkeds_has() {
         assert_eq!(finding.severity, Severity::Error);
         assert!(finding.help.as_ref().unwrap().shown().ends_with("; canchkeds: error E11"));
     }
+}
+
+/// A fixture after the safe fixes for a tool.
+fn fixed_for(tool: Tool, text: &str) -> String {
+    let source = SourceFile::from_bytes("device.eds", text.into(), &SourceOptions::default()).unwrap();
+    let options = Options { tools: vec![tool], ..Options::default() };
+    let fixed = objdict::fix(format::read(source, Format::Eds), Applicability::Safe, |description| {
+        objdict::check_with(description, &options)
+    });
+    String::from_utf8(fixed.bytes()).unwrap()
+}
+
+#[test]
+fn fixes_are_those_that_the_tool_needs() {
+    let read = |path: &str| std::fs::read_to_string(support::fixtures().join(path)).unwrap();
+    let bits = read("rules/cia306/real-as-bits/bad.eds");
+    assert_eq!(fixed_for(Tool::DcfTools, &bits), bits);
+    assert!(fixed_for(Tool::PythonCanopen, &bits).contains("DefaultValue=1.5"));
+    let decimal = read("rules/portability/real-as-decimal/bad.eds");
+    let for_lely = fixed_for(Tool::DcfTools, &decimal);
+    assert!(for_lely.contains("DefaultValue=0x3FC00000") && for_lely.contains("DefaultValue=0x40000000"));
+    assert_eq!(fixed_for(Tool::PythonCanopen, &decimal), decimal);
+    let device = read("eds/minimal.eds");
+    let before_header = device.replacen("[DeviceInfo]", "50 [DeviceInfo]", 1);
+    assert!(fixed_for(Tool::PythonCanopen, &before_header).contains("; 50\r\n[DeviceInfo]\r\n"));
+    let vendor = format!("{device}[Tool Data]\r\nColour=red\r\n");
+    assert!(fixed_for(Tool::DcfTools, &vendor).ends_with("; [Tool Data]\r\n; Colour=red\r\n"));
+    let start = device.find("[DeviceInfo]").unwrap();
+    let without_info = fixed_for(Tool::CanOpenEditor, &device[start..]);
+    assert!(without_info.contains("[FileInfo]\r\nEDSVersion=4.0\r\n"));
 }
 
 #[test]

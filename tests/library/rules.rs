@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use objdict::compat::{MESSAGES, REACTIONS, Reaction};
 use objdict::config::Config;
-use objdict::diagnostic::{Applicability, At, Diagnostic, Findings, FixSafety};
+use objdict::diagnostic::{Applicability, At, Diagnostic, Findings, FixSafety, Tool};
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description, Format};
 use objdict::lint::Options;
@@ -295,9 +295,17 @@ fn a_rule_offers_the_fixes_that_it_declares() {
             }
         }
     };
-    for path in rule_folders().iter().flat_map(|(_, folder)| devices(folder, "bad")) {
-        if let Examined::Description(description, findings) = Examined::new(&path) {
+    for (id, folder) in rule_folders() {
+        let tools = REACTIONS.iter().filter(|row| row.rule == id).flat_map(|row| row.tools);
+        let tools: BTreeSet<&str> = tools.map(|tool| tool.name()).collect();
+        for path in devices(&folder, "bad") {
+            let Examined::Description(description, findings) = Examined::new(&path) else { continue };
             offer(&description, &findings);
+            // what is a fix for one of the tools
+            for tool in tools.iter().filter_map(|name| Tool::named(name)) {
+                let options = Options { tools: vec![tool], ..Options::default() };
+                offer(&description, &objdict::check_with(&description, &options));
+            }
         }
     }
     for path in ["broken", "torture"].iter().flat_map(|folder| devices(&support::fixtures().join(folder), ""))

@@ -59,22 +59,22 @@ text_rule! {
 }
 
 text_rule! {
-    UNKNOWN_SECTION = "cia306/unknown-section", Note;
+    UNKNOWN_SECTION = "cia306/unknown-section", Note, fix Safe;
     summary: "the standard does not define a section",
     checks: "Whether each section is defined in CiA 306-1 or CiA 306-3. Unknown sections are kept.",
     why: "The standard allows unknown sections, dcf-tools refuses them.",
     example: "`[ToolInfos]`",
-    remedy: "Check the spelling, or remove the section if no tool needs it.",
+    remedy: "Check the spelling, or remove the section if no tool needs it. With `--compat dcf-tools` the fix makes comments of its lines.",
     source: "CiA 306-1 §4.2",
 }
 
 text_rule! {
-    UNKNOWN_KEY = "cia306/unknown-key", Note;
+    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Mixed;
     summary: "the standard does not define a key in its section",
     checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
     why: "The standard allows unknown keys, dcf-tools refuses them.",
     example: "`Unit=ms`",
-    remedy: "Check the spelling, or remove the key if no tool needs it.",
+    remedy: "Check the spelling, or remove the key if no tool needs it. With `--compat dcf-tools` the fix makes a comment of the line, for review if python-canopen or CANopenEditor reads the key.",
     source: "CiA 306-1 §4.2",
 }
 

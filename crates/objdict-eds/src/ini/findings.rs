@@ -35,7 +35,7 @@ text_rule! {
 }
 
 text_rule! {
-    NOT_ASCII = "cia306/not-ascii", Warning, fix Unsafe;
+    NOT_ASCII = "cia306/not-ascii", Warning, fix Mixed;
     summary: "the file contains characters outside ISO 646",
     checks: "Whether all characters in values, names and comments are 7-bit characters. Only the first one is shown.",
     why: "The file does not declare its encoding, so tools show different characters or refuse the file.",
@@ -76,7 +76,7 @@ text_rule! {
 
 text_rule! {
     // the line is a mark of a merge, the header of a section that is not read, or a key that its section lacks
-    JUNK_LINE = "cia306/junk-line", Error, fix Unsafe,
+    JUNK_LINE = "cia306/junk-line", Error, fix Mixed,
         explains Conflict ["duplicate-key"],
         explains Header [
             "key-before-section", "duplicate-key", "unknown-key", "unsupported-key", "missing-section",

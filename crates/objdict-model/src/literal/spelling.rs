@@ -189,7 +189,7 @@ text_rule! {
 }
 
 text_rule! {
-    REAL_AS_BITS = "cia306/real-as-bits", Note, fix Unsafe;
+    REAL_AS_BITS = "cia306/real-as-bits", Note, fix Mixed;
     summary: "a REAL is written as the hex digits of its bits",
     checks: "Whether a REAL32 or REAL64 is a hex number. The number is read as the bits of IEEE 754.",
     why: "The standard does not define the notation of a REAL. Lely reads bits, python-canopen and npm's canopen do not.",
@@ -209,7 +209,7 @@ text_rule! {
 }
 
 text_rule! {
-    QUOTED_STRING = "cia306/quoted-string", Warning, fix Unsafe;
+    QUOTED_STRING = "cia306/quoted-string", Warning, fix Mixed;
     summary: "a string is in quotes",
     checks: r#"Whether the value of a string type starts and ends with `"`; the quotes are ignored. Names and other texts of the device are also reported, but read with their quotes."#,
     why: "An EDS has strings without quotes. python-canopen and others make the quotes part of the text.",

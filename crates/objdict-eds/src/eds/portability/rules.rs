@@ -54,9 +54,9 @@ text_rule! {
 
 text_rule! {
     EMPTY_KEY = "portability/empty-key", Warning, fix Safe;
-    summary: "a key of an object has no value",
-    checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj` has no value. Each key is reported once, at its first place.",
-    why: "An empty key is the same as a missing one. python-canopen parses the first two as numbers and fails; CANopenEditor parses all of them and skips the object.",
+    summary: "a key has no value",
+    checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, or a number of `[DeviceInfo]`, has no value. Each key of objects is reported once, at its first place.",
+    why: "An empty key is the same as a missing one. python-canopen parses the first two and the numbers of `[DeviceInfo]` and fails; CANopenEditor parses all of an object and skips it.",
     example: "`PDOMapping=`",
     remedy: "Remove the line.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
@@ -123,12 +123,12 @@ text_rule! {
 }
 
 text_rule! {
-    REAL_AS_DECIMAL = "portability/real-as-decimal", Warning;
+    REAL_AS_DECIMAL = "portability/real-as-decimal", Warning, fix Safe;
     summary: "a REAL is written as a decimal number",
     checks: "Whether a value or limit of a REAL32 or REAL64 is something other than the hex digits of its bits, or 0. The first one is shown, the others are counted.",
     why: "CiA 306 does not define the notation of a REAL. dcf-tools reads bits: it refuses `1.5`, and reads `2` as 2.8e-45. python-canopen reads numbers, so only `0` works for both.",
     example: "`DefaultValue=1.5`",
-    remedy: "Write `0x3FC00000` in a separate copy for dcf-tools.",
+    remedy: "Write `0x3FC00000` in a separate copy for dcf-tools. The fix does so unless python-canopen is to read the file too.",
     source: "dcf-tools 2.4.2",
 }
 

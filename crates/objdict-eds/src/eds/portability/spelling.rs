@@ -10,8 +10,8 @@ use crate::model::{Field, Part};
 pub(super) struct Spellings {
     sections: Together,
     keys: Together,
-    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj` without a value.
-    empty: [Together; 4],
+    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj`, and numbers of `[DeviceInfo]` without a value.
+    empty: [Together; 5],
 }
 
 impl Spellings {
@@ -70,10 +70,12 @@ impl Spellings {
 
     /// Keys for which an empty value means the same as a missing key.
     fn check_empty(&mut self, section: &Section<'_>, line: &Line<'_>) {
-        if !line.value.is_empty() || !matches!(section.part(), Part::Object(_) | Part::Entry(..)) {
+        if !line.value.is_empty() {
             return;
         }
         let number = match line.field() {
+            Some(field) if *section.part() == Part::DeviceInfo && is_number(field) => 4,
+            _ if !matches!(section.part(), Part::Object(_) | Part::Entry(..)) => return,
             Some(Field::ObjectType) => 0,
             Some(Field::PdoMapping) if holds_value(section) => 1,
             Some(Field::ObjFlags) => 2,
@@ -132,6 +134,20 @@ fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings)
     findings.push(
         Diagnostic::new(rule, line.value_at, message).help(say!("write `{}={}`", line.name, number)).fix(fix),
     );
+}
+
+/// Whether a key of `[DeviceInfo]` is a number that a tool parses.
+fn is_number(field: &Field) -> bool {
+    let is_other = matches!(
+        field,
+        Field::VendorNumber
+            | Field::ProductNumber
+            | Field::RevisionNumber
+            | Field::Granularity
+            | Field::NrOfRxPdo
+            | Field::NrOfTxPdo
+    );
+    is_other || is_flag(field)
 }
 
 fn is_flag(field: &Field) -> bool {

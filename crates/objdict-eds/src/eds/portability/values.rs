@@ -5,6 +5,7 @@ use super::rules::{
 };
 use super::{Line, Section, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
+use crate::literal::{self, Quirk, Quirks};
 use crate::model::{DataType, Field, Part, TypeKind};
 
 /// Findings that are reported once per file.
@@ -45,7 +46,7 @@ impl Values {
         self.reals.finish(
             &REAL_AS_DECIMAL,
             "write the bits in hex, such as `0x3FC00000`, in a copy for this tool",
-            no_fix,
+            "write the bits of all REAL numbers",
             findings,
         );
         self.strings.finish(
@@ -61,6 +62,9 @@ impl Values {
         let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
         if is_real && line.value != "0" && !is_hex(line.value) {
             self.reals.add(line.value_at, || say!("the REAL `{}` is not written as its bits", line.value));
+            if let Some(bits) = bits_of(line.value, data_type) {
+                self.reals.fix(line.value_at, bits);
+            }
         }
     }
 
@@ -87,6 +91,14 @@ impl Values {
         };
         self.limits.add(line.value_at, || say!("`{}` is {}", field, reason));
     }
+}
+
+/// The bits of a REAL in hex; `None` where a comment would be lost.
+fn bits_of(text: &str, data_type: Option<DataType>) -> Option<String> {
+    let mut quirks = Quirks::default();
+    let value = literal::value(text, data_type, &mut quirks).ok()?;
+    let spelling = literal::Spelling { real: literal::RealSpelling::Hex, ..literal::Spelling::default() };
+    (!quirks.has(Quirk::TrailingComment)).then(|| literal::print(&value, spelling))
 }
 
 fn is_hex(value: &str) -> bool {

@@ -207,6 +207,12 @@ impl LineCheck<'_> {
             Diagnostic::new(&JUNK_LINE, line.span, say!("`{}` is not a section, key or comment", shown));
         self.findings.push(if is_merge {
             finding.help("resolve the merge conflict: keep one of the two versions and remove the markers")
+        } else if let Some(before) = before_header(text) {
+            let start = line.span.of(self.text).find(before).unwrap_or_default() as u32 + line.span.start;
+            let before = Span::new(line.span.start, start + before.len() as u32);
+            let comment = Change::Comment(before, before.of(self.text).trim().to_owned());
+            let fix = Fix::risky("put the text before the header in a separate comment line");
+            finding.help("remove the text before the header").fix(fix.replace(before, "").with(comment))
         } else {
             let fix = Fix::risky("change the line to a comment").replace(Span::empty(line.span.start), "; ");
             finding.help("remove the line, or put a `;` before it").fix(fix)
@@ -283,6 +289,12 @@ impl LineCheck<'_> {
             self.findings.push(finding.help("check the file name: the file is not an EDS or DCF"));
         }
     }
+}
+
+/// The text before a section header in the same line.
+fn before_header(text: &str) -> Option<&str> {
+    let (before, name) = text.strip_suffix(']')?.rsplit_once('[')?;
+    (!name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(before)
 }
 
 /// Moves text after a section header to a comment above it. Text that does not look like a comment may have

@@ -50,7 +50,12 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
         _ => say!("{}", kind),
     };
     let message = say!("{} needs {}", kind, listing(&missing));
-    let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
+    let mut finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
+    // sub-index 0 has one type (CiA 301 §7.4.7.2), except the numbers of PDOs in 1004h
+    if missing == [Field::DataType] && at.sub == Some(0) && at.index != 0x1004 && is_structure(at) {
+        let fix = Fix::safe(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
+        finding = finding.fix(fix);
+    }
     findings.push(finding.help(match missing.as_slice() {
         [Field::DataType] => say!("add `{DataType}` with the type of the value"),
         [Field::AccessType] => say!("add `{AccessType}`, such as `{AccessType=rw}`"),
@@ -58,6 +63,10 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
             say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`")
         }
     }));
+}
+
+fn is_structure(at: &EntryAt<'_>) -> bool {
+    stated::object_type(at.object).is_some_and(ObjectType::has_subs)
 }
 
 fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {

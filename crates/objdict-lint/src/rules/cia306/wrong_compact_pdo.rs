@@ -3,7 +3,7 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    "cia306/wrong-compact-pdo", Warning, Device(check), fix Safe;
+    "cia306/wrong-compact-pdo", Warning, Device(check), fix Mixed;
     summary: "`CompactPDO` has an invalid mask",
     checks: "Whether `CompactPDO` has bits 0 and 1 (COB-ID and transmission type, present in every PDO), no bits 6 and 7 (sub-indexes 7 and 8 do not exist) and no bit 3 (sub-index 4 is reserved; used by many masters, so a note), and whether the device has PDOs.",
     why: "Tools create the communication records of all implied PDOs from this mask.",
@@ -36,7 +36,7 @@ fn check(device: &Device, findings: &mut Findings) {
             present => say!("every PDO has {}", subs(MANDATORY & !present)),
         };
         let title = say!("write `CompactPDO={:#04x}`", corrected);
-        let fix = Fix::safe(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
+        let fix = Fix::risky(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
         let only_sub_4 = mask ^ corrected == 1 << 3;
         let finding =
             Diagnostic::new(&RULE.info, place, say!("`{CompactPDO}` is {:#04x}, but {}", mask, message))

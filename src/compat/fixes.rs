@@ -1,0 +1,140 @@
+//! The fixes that depend on the selected tools: what one tool reads better, another may read worse.
+//!
+//! Without tools only fixes that every tool survives are safe. With tools, a fix is safe when one of them reads the file better
+//! and none of them reads it worse; a fix that makes the file worse for one of them is not offered.
+
+use super::reactions::{is_of_comments, is_of_one_byte, shown};
+use crate::diagnostic::{Applicability, Change, Diagnostic, Fix, Tool, say};
+use crate::format::Description;
+use crate::format::ini::{Line, LineKind};
+use crate::model::{Device, Field, Part};
+use crate::source::Span;
+
+/// A section with more lines is left as it is.
+const MAX_LINES: usize = 1000;
+
+use Tool::{CanOpenEditor, DcfTools, PythonCanopen};
+
+/// The existing fixes of a rule, which are safe for the first tools and do harm to the others.
+struct Choice {
+    rule: &'static str,
+    better: &'static [Tool],
+    worse: &'static [Tool],
+    /// Whether the fix can be safe in this file.
+    when: fn(&Description) -> bool,
+}
+
+const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [Tool]) -> Choice {
+    Choice { rule, better, worse, when: |_| true }
+}
+
+const CHOICES: [Choice; 5] = [
+    choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[]),
+    Choice {
+        when: is_refused_for_its_letters,
+        ..choice("cia306/not-ascii", &[DcfTools, PythonCanopen, CanOpenEditor], &[])
+    },
+    choice("cia306/quoted-string", &[CanOpenEditor, PythonCanopen], &[DcfTools]),
+    choice("cia306/real-as-bits", &[PythonCanopen], &[DcfTools]),
+    choice("portability/real-as-decimal", &[DcfTools], &[PythonCanopen]),
+];
+
+/// The finding with its fix as the tools need it; `None` if the finding is what they need.
+pub(super) fn choose(
+    mut finding: Diagnostic,
+    description: &Description,
+    tools: &[Tool],
+) -> Option<Diagnostic> {
+    let has = |of: &[Tool]| of.iter().any(|tool| tools.contains(tool));
+    // the bits of a REAL are the only spelling that dcf-tools reads
+    if finding.rule.id == "cia306/real-as-bits" && has(&[DcfTools]) && !has(&[PythonCanopen]) {
+        return None;
+    }
+    if let Some(choice) = CHOICES.iter().find(|choice| choice.rule == finding.rule.id) {
+        if has(choice.worse) {
+            finding.fix = None;
+        } else if let Some(fix) = finding.fix.as_mut().filter(|_| has(choice.better)) {
+            if (choice.when)(description) {
+                fix.safety = Applicability::Safe;
+            }
+        }
+    }
+    if finding.fix.is_none() {
+        finding.fix = match finding.rule.id {
+            "cia306/unknown-key" if has(&[DcfTools]) => comment_key(&finding, description),
+            "cia306/unknown-section" if has(&[DcfTools]) => comment_section(&finding, description),
+            "cia306/missing-section" if has(&[CanOpenEditor]) => add_section(&finding, description.device()),
+            _ => None,
+        };
+    }
+    Some(finding)
+}
+
+/// Whether tools refuse or misread the encoding, and no value of the device has other letters.
+fn is_refused_for_its_letters(description: &Description) -> bool {
+    let has_value = |line: Line, text: &str| match line.kind {
+        LineKind::Entry { key, .. } => {
+            let key = key.of(text).to_ascii_lowercase();
+            let names = ["value", "file", "filename", "lasteds"];
+            key.bytes().all(|byte| byte.is_ascii_digit()) || names.iter().any(|name| key.ends_with(name))
+        }
+        _ => false,
+    };
+    is_of_one_byte(description)
+        && description.document().is_some_and(|document| {
+            let text = document.text();
+            !document.lines().any(|line| !line.span.of(text).is_ascii() && has_value(line, text))
+        })
+}
+
+/// Keys beyond the standard that other tools read.
+const READ_BY_OTHERS: [&str; 5] = ["StorageLocation", "TPDODetectCos", "Factor", "Unit", "Description"];
+
+/// Makes a comment of a key that the standard does not define.
+fn comment_key(finding: &Diagnostic, description: &Description) -> Option<Fix> {
+    let name = shown(description, finding);
+    // a key of another section may be one that the tool reads there
+    let is_of_standard = finding.message.shown().contains("does not belong");
+    if is_of_standard || is_of_comments(description, finding) {
+        return None;
+    }
+    let is_read = READ_BY_OTHERS.iter().any(|key| name.eq_ignore_ascii_case(key));
+    let title = say!("make a comment of `{}`", name);
+    let fix = if is_read { Fix::risky(title) } else { Fix::safe(title) };
+    let line = description.document()?.line_at(start_of(finding, description)?)?;
+    Some(fix.replace(Span::empty(line.span.start), "; "))
+}
+
+/// Makes comments of the lines of a section that the standard does not define.
+fn comment_section(finding: &Diagnostic, description: &Description) -> Option<Fix> {
+    let name = shown(description, finding);
+    let document = description.document()?;
+    let header = document.line_at(start_of(finding, description)?)?.span.start;
+    let section = document.section_at(header)?;
+    if name.eq_ignore_ascii_case("TypeDefinitions") || section.entries.len() > MAX_LINES {
+        return None;
+    }
+    let starts = std::iter::once(header).chain(section.entries.iter().map(|entry| entry.key.start));
+    let lines = starts.filter_map(|start| document.line_at(start));
+    let fix = Fix::safe(say!("make comments of the lines of `[{}]`", name));
+    Some(lines.fold(fix, |fix, line| fix.replace(Span::empty(line.span.start), "; ")))
+}
+
+/// Adds a section that CANopenEditor cannot do without.
+fn add_section(finding: &Diagnostic, device: &Device) -> Option<Fix> {
+    let is_missing = |part: Part| finding.message.names_part(|named| *named == part);
+    let count = |range: std::ops::RangeInclusive<u16>| device.objects.range(range).count().to_string();
+    let change = if is_missing(Part::FileInfo) {
+        Change::Add(Part::FileInfo, vec![(Field::EdsVersion, "4.0".to_owned())])
+    } else if is_missing(Part::DeviceInfo) {
+        let rpdos = (Field::NrOfRxPdo, count(0x1400..=0x15FF));
+        Change::Add(Part::DeviceInfo, vec![rpdos, (Field::NrOfTxPdo, count(0x1800..=0x19FF))])
+    } else {
+        return None;
+    };
+    Some(Fix::safe(say!("add the {section} with what is known")).with(change))
+}
+
+fn start_of(finding: &Diagnostic, description: &Description) -> Option<u32> {
+    Some(description.span_of(&finding.labels.first()?.at).start)
+}
