@@ -70,7 +70,7 @@ pub(super) fn choose(
     Some(finding)
 }
 
-/// Whether tools refuse or misread the encoding, and no value of the device has other letters.
+/// Whether tools refuse or misread the encoding, and all values of the device are in ISO 646.
 fn is_refused_for_its_letters(description: &Description) -> bool {
     let has_value = |line: Line, text: &str| match line.kind {
         LineKind::Entry { key, .. } => {
