@@ -22,7 +22,7 @@ struct Case {
     name: String,
     before: PathBuf,
     after: PathBuf,
-    /// What objdict reads before.
+    /// What objdict reads before; after, where it reads nothing before.
     meant: BTreeMap<String, [Json; 6]>,
     /// The tools that may not read it worse.
     tools: Vec<Tool>,
@@ -36,11 +36,15 @@ fn cases(folder: &Path) -> Vec<Case> {
             let Ok(description) = format::open(&path, &SourceOptions::default()) else { continue };
             let options = Options { tools: selected.to_vec(), ..Options::default() };
             let before = description.print();
-            let meant = expected(&description);
+            let mut meant = expected(&description);
             let check = |description: &Description| objdict::check_with(description, &options);
             let fixed = objdict::fix(description, Applicability::Safe, check);
             if fixed.applied.is_empty() {
                 continue;
+            }
+            for (place, columns) in expected(&fixed.description) {
+                let before = meant.entry(place).or_insert_with(|| columns.clone());
+                before.iter_mut().zip(columns).filter(|(old, _)| old.is_null()).for_each(|(old, new)| *old = new);
             }
             let rules: Vec<&str> = fixed.applied.iter().map(|applied| applied.rule).collect();
             let place = folder.join(cases.len().to_string());

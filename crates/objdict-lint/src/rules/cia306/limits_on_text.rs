@@ -3,12 +3,12 @@ use crate::model::{Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    "cia306/limits-on-text", Warning, Entry(check), fix Safe;
+    "cia306/limits-on-text", Warning, Entry(check), fix Unsafe;
     summary: "a string has limits",
     checks: "Whether `LowLimit` and `HighLimit` are used with numbers only, not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
     why: "Strings have no defined order, so limits have no meaning. They may have been meant as lengths, or the data type is wrong.",
     example: "`DataType=0x0009` with `HighLimit=20`",
-    remedy: "Remove the limits.",
+    remedy: "Remove the limits, or correct the data type.",
     source: "CiA 306-1 §4.6.3.2",
 }
 
@@ -32,7 +32,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         let stated =
             [(Field::LowLimit, entry.low_limit.is_some()), (Field::HighLimit, entry.high_limit.is_some())];
         let stated = stated.into_iter().filter(|(_, stated)| *stated);
-        let fix = stated.fold(Fix::safe("remove the limits"), |fix, (field, _)| fix.remove(at.field(field)));
+        let fix = stated.fold(Fix::risky("remove the limits"), |fix, (field, _)| fix.remove(at.field(field)));
         findings.push(finding.help("remove the limits").fix(fix));
     }
 }
