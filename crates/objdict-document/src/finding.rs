@@ -49,13 +49,8 @@ impl Finding {
     /// The object or entry of the finding.
     pub(crate) fn anchor(&self) -> Option<Anchor> {
         match self.place.as_ref()?.part {
-            Part::Object(index)
-            | Part::CompactNames(index)
-            | Part::CompactValues(index)
-            | Part::CompactDenotations(index)
-            | Part::Links(index) => Some(Anchor::object(index)),
             Part::Entry(index, sub) => Some(Anchor::entry(index, sub)),
-            _ => None,
+            ref part => part.object().map(Anchor::object),
         }
     }
 }

@@ -137,7 +137,7 @@ impl<'a> Rewriter<'a> {
     /// Removes all sections of a part: an object with its sub-indexes and related sections.
     fn remove_part(&mut self, part: &Part) -> Option<()> {
         let sections = match *part {
-            Part::Object(index) => self.sections_of(|part| object_of(part) == Some(index)),
+            Part::Object(index) => self.sections_of(|part| part.object() == Some(index)),
             Part::Module(number, ModulePart::Info) => {
                 self.sections_of(|part| matches!(part, Part::Module(other, _) if *other == number))
             }
@@ -230,19 +230,6 @@ impl<'a> Rewriter<'a> {
             }
         }
         Some(())
-    }
-}
-
-/// The object that a section belongs to.
-fn object_of(part: &Part) -> Option<u16> {
-    match *part {
-        Part::Object(index)
-        | Part::Entry(index, _)
-        | Part::CompactNames(index)
-        | Part::CompactValues(index)
-        | Part::CompactDenotations(index)
-        | Part::Links(index) => Some(index),
-        _ => None,
     }
 }
 

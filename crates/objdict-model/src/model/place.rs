@@ -77,6 +77,21 @@ pub enum Part {
     Section(Box<str>),
 }
 
+impl Part {
+    /// The index of the object that this part belongs to.
+    pub fn object(&self) -> Option<u16> {
+        match *self {
+            Self::Object(index)
+            | Self::Entry(index, _)
+            | Self::CompactNames(index)
+            | Self::CompactValues(index)
+            | Self::CompactDenotations(index)
+            | Self::Links(index) => Some(index),
+            _ => None,
+        }
+    }
+}
+
 /// One of the three object lists of a device (CiA 306-1 §4.6.3.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

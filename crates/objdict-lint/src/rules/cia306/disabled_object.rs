@@ -1,5 +1,5 @@
 use crate::diagnostic::{At, Diagnostic, Findings, counted, say};
-use crate::model::{Device, Part, Place};
+use crate::model::{Device, Place};
 use crate::{canopennode, rule};
 
 rule! {
@@ -29,22 +29,10 @@ pub fn without_disabled(device: &Device, findings: Findings) -> Findings {
     }
     findings.filter_map(|finding| {
         let index = match finding.labels.first().map(|label| &label.at) {
-            Some(At::Place(place)) => index_of(&place.part),
+            Some(At::Place(place)) => place.part.object(),
             _ => None,
         };
         let is_disabled = index.and_then(|index| device.object(index)).is_some_and(canopennode::is_disabled);
         (!is_disabled || finding.rule.id == RULE.info.id).then_some(finding)
     })
-}
-
-fn index_of(part: &Part) -> Option<u16> {
-    match *part {
-        Part::Object(index)
-        | Part::Entry(index, _)
-        | Part::CompactNames(index)
-        | Part::CompactValues(index)
-        | Part::CompactDenotations(index)
-        | Part::Links(index) => Some(index),
-        _ => None,
-    }
 }
