@@ -7,11 +7,14 @@ use crate::format::{self, Description};
 use crate::model::Part;
 use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
-/// So often the text is read and checked anew; what needs more rounds than that is left.
-const MAX_ROUNDS: u32 = 10;
+/// So many texts are read and checked; the fixes that need more than that are left ([`Fixed::is_unfinished`]).
+const MAX_TRIALS: u32 = 1000;
 
-/// So many texts are tried in a round to find the fixes that do harm.
-const MAX_TRIALS: u32 = 100;
+/// So many are read and checked to find the fixes that a report offers.
+const MAX_OFFER_TRIALS: u32 = 100;
+
+/// For larger texts a report offers no fixes.
+const MAX_OFFER_SIZE: usize = 1 << 20;
 
 /// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
 const LEFT_OPEN: [&str; 4] = [
@@ -33,8 +36,10 @@ pub struct Fixed {
     pub findings: Findings,
     /// The fixes that were made, in their order.
     pub applied: Vec<AppliedFix>,
-    /// The fixes that were not made, for their finding would still be there, or another one would have come.
+    /// The fixes that cannot be made, for their finding would still be there, or another one would have come.
     pub skipped: Vec<AppliedFix>,
+    /// Whether fixes are left because a thousand texts were tried; fixing the result again goes on.
+    pub is_unfinished: bool,
 }
 
 /// A fix of a finding.
@@ -56,92 +61,115 @@ impl Fixed {
 }
 
 /// Fixes what `check` finds in a description and a fix no less safe than `safety` can fix. Fixes that touch each other are
-/// made one after the other: after each round the text is read and checked again, at most ten times. A fix after which its
-/// finding is still there, or another one has come, is taken back.
+/// made one after the other: after each round the text is read and checked again. A fix after which its finding is still
+/// there, or another one has come, is taken back, and tried again when other fixes have changed the text. So the result
+/// has no fix that another run makes, unless [`Fixed::is_unfinished`].
 pub fn fix(
     description: Description,
     safety: Applicability,
     check: impl Fn(&Description) -> Findings,
 ) -> Fixed {
     let findings = check(&description);
-    let mut fixed = Fixed { description, findings, applied: Vec::new(), skipped: Vec::new() };
-    for _ in 0..MAX_ROUNDS {
-        let candidates = candidates(&fixed, safety);
-        if candidates.is_empty() {
+    let (applied, skipped) = (Vec::new(), Vec::new());
+    let mut fixed = Fixed { description, findings, applied, skipped, is_unfinished: false };
+    let mut left = MAX_TRIALS;
+    // by the numbers of their findings; it holds for this text alone
+    let mut refused: BTreeMap<usize, AppliedFix> = BTreeMap::new();
+    loop {
+        let Fixed { description, findings, .. } = &fixed;
+        let mut candidates = candidates(description, findings, safety, &refused);
+        // alone: in another encoding everything may be another text
+        if let Some(number) = candidates.iter().position(|candidate| candidate.encoding.is_some()) {
+            candidates = vec![candidates.swap_remove(number)];
+        }
+        if candidates.is_empty() || left == 0 {
+            fixed.is_unfinished = !candidates.is_empty();
             break;
         }
-        round(&mut fixed, &candidates, &check);
+        let mut trials = Trials::new(description, findings, &candidates, &check, left);
+        let accepted = trials.run();
+        left = trials.left;
+        let applied = |number: usize| candidates[number].applied.clone();
+        match trials.best.take() {
+            Some((description, findings)) => {
+                refused.clear();
+                fixed.applied.extend(accepted.into_iter().map(applied));
+                (fixed.description, fixed.findings) = (description, findings);
+            }
+            None => refused.extend(trials.harmful.iter().map(|&n| (candidates[n].finding, applied(n)))),
+        }
     }
+    fixed.skipped.extend(refused.into_values());
     fixed
+}
+
+/// The findings with those fixes alone offered ([`Fix::is_offered`](crate::diagnostic::Fix::is_offered)) that [`fix`] makes of this
+/// text at once: no two of them touch each other, and each fixes its finding and causes no other. In a file of more than 1 MiB
+/// that would take too long, and none is offered.
+pub fn with_sound_fixes(
+    description: &Description,
+    findings: Findings,
+    check: impl Fn(&Description) -> Findings,
+) -> Findings {
+    let mut offers = BTreeSet::new();
+    if description.source().text().len() <= MAX_OFFER_SIZE {
+        let candidates = candidates(description, &findings, Applicability::Unsafe, &BTreeMap::new());
+        let mut trials = Trials::new(description, &findings, &candidates, &check, MAX_OFFER_TRIALS);
+        offers.extend(trials.run().into_iter().map(|number| candidates[number].finding));
+    }
+    findings.rearrange(|mut kept| {
+        for (number, finding) in kept.iter_mut().enumerate() {
+            finding.fix.iter_mut().for_each(|fix| fix.is_offered = offers.contains(&number));
+        }
+        kept
+    })
 }
 
 /// A fix as what it does to the text.
 struct Candidate {
     applied: AppliedFix,
+    safety: Applicability,
+    /// The number of its finding.
+    finding: usize,
     key: Key,
     edits: Vec<(Span, String)>,
     encoding: Option<Encoding>,
 }
 
-/// The fixes to be made in one round: those that do not touch one that was taken before.
-fn candidates(fixed: &Fixed, safety: Applicability) -> Vec<Candidate> {
-    let description = &fixed.description;
-    let refused: BTreeSet<&AppliedFix> = fixed.skipped.iter().collect();
+/// The fixes to be made in one round: those that do not touch one that was taken before. Safe ones come first.
+fn candidates(
+    description: &Description,
+    findings: &Findings,
+    safety: Applicability,
+    refused: &BTreeMap<usize, AppliedFix>,
+) -> Vec<Candidate> {
+    let fixes = findings.iter().enumerate().filter_map(|(number, finding)| {
+        let fix =
+            finding.fix.as_ref().filter(|fix| fix.safety <= safety && !refused.contains_key(&number))?;
+        Some((number, finding, fix))
+    });
+    let mut fixes: Vec<_> = fixes.collect();
+    fixes.sort_by_key(|(.., fix)| fix.safety);
     let mut taken = Taken::default();
-    let mut candidates = Vec::new();
-    for finding in &fixed.findings {
-        let Some(fix) = finding.fix.as_ref().filter(|fix| fix.safety <= safety) else { continue };
-        let applied = AppliedFix {
-            rule: finding.rule.id,
-            message: finding.message.to_string(),
-            title: fix.title.to_string(),
+    let candidates = fixes.into_iter().filter_map(|(number, finding, fix)| {
+        let encoding = description.encoding_of(fix);
+        let edits = match encoding {
+            Some(_) => Vec::new(),
+            None => description.edits(fix).filter(|edits| taken.take(edits))?,
         };
-        if refused.contains(&applied) {
-            continue;
-        }
-        let key = Key::of(finding);
-        if let Some(encoding) = description.encoding_of(fix) {
-            // alone: in another encoding everything may be another text
-            return vec![Candidate { applied, key, edits: Vec::new(), encoding: Some(encoding) }];
-        }
-        if let Some(edits) = description.edits(fix)
-            && taken.take(&edits)
-        {
-            candidates.push(Candidate { applied, key, edits, encoding: None });
-        }
-    }
-    candidates
-}
-
-/// Makes those of the fixes that do no harm.
-fn round(fixed: &mut Fixed, candidates: &[Candidate], check: &impl Fn(&Description) -> Findings) {
-    let before = Counts::of(&fixed.findings);
-    let mut trials = Trials {
-        description: &fixed.description,
-        candidates,
-        check,
-        before,
-        left: MAX_TRIALS,
-        best: None,
-        harmful: Vec::new(),
-    };
-    let mut numbers: Vec<usize> = (0..candidates.len()).collect();
-    // those of one rule fail together, and are found fast where they stand together
-    numbers.sort_by_key(|&number| candidates[number].applied.rule);
-    let mut accepted = trials.narrow(Vec::new(), &numbers);
-    accepted.sort_unstable();
-    let Trials { best, harmful, .. } = trials;
-    let applied = |numbers: Vec<usize>| numbers.into_iter().map(|number| candidates[number].applied.clone());
-    fixed.applied.extend(applied(accepted));
-    fixed.skipped.extend(applied(harmful));
-    if let Some((description, findings)) = best {
-        (fixed.description, fixed.findings) = (description, findings);
-    }
+        let (message, title) = (finding.message.to_string(), fix.title.to_string());
+        let applied = AppliedFix { rule: finding.rule.id, message, title };
+        let (safety, key) = (fix.safety, Key::of(finding));
+        Some(Candidate { applied, safety, finding: number, key, edits, encoding })
+    });
+    candidates.collect()
 }
 
 /// The search for the fixes that can be made together.
 struct Trials<'a, F> {
     description: &'a Description,
+    /// Whether the encoding of the file is not the one that its bytes are recognised by.
+    is_encoding_given: bool,
     candidates: &'a [Candidate],
     check: &'a F,
     before: Counts,
@@ -152,7 +180,37 @@ struct Trials<'a, F> {
     harmful: Vec<usize>,
 }
 
-impl<F: Fn(&Description) -> Findings> Trials<'_, F> {
+impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
+    fn new(
+        description: &'a Description,
+        findings: &Findings,
+        candidates: &'a [Candidate],
+        check: &'a F,
+        left: u32,
+    ) -> Self {
+        let before = Counts::of(findings);
+        let source = description.source();
+        let is_encoding_given = Encoding::detect(&source.to_bytes()) != source.encoding();
+        let (best, harmful) = (None, Vec::new());
+        Self { description, is_encoding_given, candidates, check, before, left, best, harmful }
+    }
+
+    /// The fixes that are made in this round, in the order of their findings. Safe ones are tried first, because they must
+    /// do no harm without the others.
+    fn run(&mut self) -> Vec<usize> {
+        let mut numbers: Vec<usize> = (0..self.candidates.len()).collect();
+        // those of one rule fail together, and are found fast where they are side by side
+        numbers.sort_by_key(|&number| (self.candidates[number].safety, self.candidates[number].applied.rule));
+        let is_safe = |&number: &usize| self.candidates[number].safety == Applicability::Safe;
+        let (safe, others) = numbers.split_at(numbers.partition_point(is_safe));
+        let mut accepted = Vec::new();
+        for numbers in [safe, others].into_iter().filter(|numbers| !numbers.is_empty()) {
+            accepted = self.narrow(accepted, numbers);
+        }
+        accepted.sort_by_key(|&number| self.candidates[number].finding);
+        accepted
+    }
+
     /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else each half
     /// is tried alone.
     fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
@@ -161,6 +219,9 @@ impl<F: Fn(&Description) -> Findings> Trials<'_, F> {
         if let Some(outcome) = self.attempt(&all) {
             self.best = Some(outcome);
             return all;
+        }
+        if self.left == 0 {
+            return accepted;
         }
         if let [only] = numbers {
             self.harmful.push(*only);
@@ -197,8 +258,10 @@ impl<F: Fn(&Description) -> Findings> Trials<'_, F> {
             *fixed.entry(&candidate.key).or_default() += 1;
         }
         let bytes = encoding.encode(&edits.text().ok()?).ok()?;
+        // without the bytes that a fix removes, the others may be those of another encoding
         let mut options = SourceOptions::default();
-        (options.encoding, options.max_size) = (Some(encoding), u64::MAX);
+        options.encoding = self.is_encoding_given.then_some(encoding);
+        options.max_size = u64::MAX;
         let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
         let number = self.description.number();
         let description = format::read(source, self.description.format()).select(number)?;

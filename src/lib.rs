@@ -213,7 +213,7 @@ pub mod scaffold;
 
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]
-pub use fix::{AppliedFix, Fixed, fix};
+pub use fix::{AppliedFix, Fixed, fix, with_sound_fixes};
 #[cfg(feature = "document")]
 pub use objdict_document::{self as document, describe};
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]

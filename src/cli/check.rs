@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::args::CheckArgs;
+use super::args::{CheckArgs, ReportFormat};
 use super::baseline::Known;
 use super::files::{File, gather};
 use super::fix::{Amended, FixArgs, Fixing, amend};
@@ -169,7 +169,13 @@ impl Worker<'_> {
                 }
             },
         };
-        let Some((description, findings)) = check_devices(description, check) else {
+        // what these formats offer, other programs apply without a check of the result
+        let is_offered = matches!(self.args.format, ReportFormat::Json | ReportFormat::Sarif);
+        let examine = |description: &Description| match check(description) {
+            findings if is_offered => crate::with_sound_fixes(description, findings, check),
+            findings => findings,
+        };
+        let Some((description, findings)) = check_devices(description, examine) else {
             return Checked::Skipped("network without devices".to_owned());
         };
         let deny = self.settings.deny(project);

@@ -43,6 +43,7 @@ pub(super) struct Amended {
     bytes: Vec<u8>,
     applied: usize,
     skipped: Vec<AppliedFix>,
+    is_unfinished: bool,
 }
 
 /// Fixes all devices of a file. The description of the first one comes back, and the change where there is one.
@@ -55,17 +56,19 @@ pub(super) fn amend(
     let (format, before) = (description.format(), copy(description.source())?);
     let count = description.device_count();
     let mut next = description;
-    let (mut applied, mut skipped) = (0, Vec::new());
+    let (mut applied, mut skipped, mut is_unfinished) = (0, Vec::new(), false);
     for number in 0..count {
         let fixed = fix(next.select(number)?, safety, &check);
         applied += fixed.applied.len();
         skipped.extend(fixed.skipped);
+        is_unfinished |= fixed.is_unfinished;
         next = fixed.description;
     }
     let bytes = next.print();
     let after = copy(next.source())?;
-    let amended = Amended { path: path.to_owned(), format, before, after, bytes, applied, skipped };
-    let is_changed = amended.applied > 0 || !amended.skipped.is_empty();
+    let amended =
+        Amended { path: path.to_owned(), format, before, after, bytes, applied, skipped, is_unfinished };
+    let is_changed = amended.applied > 0 || is_unfinished || !amended.skipped.is_empty();
     Some((next.select(0)?, is_changed.then_some(amended)))
 }
 
@@ -96,6 +99,7 @@ pub(super) struct Fixing {
     fixed: usize,
     files: usize,
     skipped: usize,
+    unfinished: usize,
 }
 
 impl Fixing {
@@ -113,6 +117,7 @@ impl Fixing {
         self.fixed += amended.applied;
         self.files += usize::from(amended.applied > 0);
         self.skipped += amended.skipped.len();
+        self.unfinished += usize::from(amended.is_unfinished);
     }
 
     /// Whether a file was changed, or would be.
@@ -135,6 +140,12 @@ impl Fixing {
                 count => format!("{count} fixes"),
             };
             note(&format!("note: {fixes} {are} not made because it would cause other findings\n"));
+        }
+        if self.unfinished > 0 {
+            let files = plural(self.unfinished, "file");
+            note(&format!(
+                "note: {files} would take too long to fix at once; run `objdict check --fix` again\n"
+            ));
         }
     }
 }

@@ -147,11 +147,11 @@ fn ranges(spots: &[Spot]) -> Text {
     }
 }
 
-/// The fix of all findings of a cause that this file has a place for; `None` where it has none for any of them.
+/// The offered fixes of all findings of a cause that this file has a place for; `None` where it has none for any of them.
 pub(super) fn joint_fix(description: &Description, finding: &Diagnostic) -> Option<Fix> {
     let all = std::iter::once(finding).chain(&finding.also);
-    let mut fixes =
-        all.filter_map(|one| one.fix.as_ref()).filter(|fix| description.can_fix(fix)).cloned().peekable();
+    let fixes = all.filter_map(|one| one.fix.as_ref()).filter(|fix| fix.is_offered);
+    let mut fixes = fixes.filter(|fix| description.can_fix(fix)).cloned().peekable();
     let first = fixes.next()?;
     if fixes.peek().is_none() {
         return Some(first);

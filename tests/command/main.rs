@@ -8,6 +8,7 @@ mod building;
 #[cfg(unix)]
 mod ci;
 mod cli;
+mod fixing;
 mod flags;
 mod limits;
 mod outputs;

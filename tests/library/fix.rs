@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use objdict::diagnostic::{Applicability, Findings, Fix};
 use objdict::format::{self, Description};
 use objdict::source::{Edits, SourceFile, SourceOptions};
-use objdict::{Fixed, check, fix};
+use objdict::{AppliedFix, Fixed, check, fix, with_sound_fixes};
 
 use crate::support;
 
@@ -112,4 +112,43 @@ fn each_fix_alone_fixes_its_finding() {
         }
     }
     assert!(failures.is_empty(), "{failures}");
+}
+
+/// The fixes that reports offer of a description, up to a safety, with the text that they make together.
+fn offers(description: &Description, safety: Applicability) -> (Vec<AppliedFix>, Vec<u8>) {
+    let findings = with_sound_fixes(description, check(description), check);
+    let mut edits = Edits::new(description.source());
+    let (mut encoding, mut offers) = (description.source().encoding(), Vec::new());
+    for finding in &findings {
+        let Some(fix) = finding.fix.as_ref().filter(|fix| fix.is_offered && fix.safety <= safety) else {
+            continue;
+        };
+        let (message, title) = (finding.message.to_string(), fix.title.to_string());
+        encoding = description.encoding_of(fix).unwrap_or(encoding);
+        let changes = description.edits(fix).unwrap_or_default();
+        changes.into_iter().for_each(|(span, text)| edits.replace(span, text));
+        offers.push(AppliedFix { rule: finding.rule.id, message, title });
+    }
+    (offers, encoding.encode(&edits.text().expect("offers do not overlap")).unwrap())
+}
+
+#[test]
+fn reports_offer_what_is_made() {
+    let (mut offered, mut at_once) = (0, 0);
+    for description in descriptions() {
+        for safety in [Applicability::Safe, Applicability::Unsafe] {
+            let (offers, bytes) = offers(&description, safety);
+            let fixed = fix(copy(&description), safety, check);
+            let name = description.source().name();
+            for offer in &offers {
+                assert!(fixed.applied.contains(offer), "{name}: {offer:?} is not made");
+            }
+            assert_eq!(offers.is_empty(), fixed.applied.is_empty(), "{name}: {:?}", fixed.applied);
+            offered += offers.len();
+            at_once += usize::from(!offers.is_empty() && bytes == fixed.bytes());
+            let rest = fix(read(&description, bytes), safety, check);
+            assert_eq!(rest.bytes(), fixed.bytes(), "{name}: the offers are what `--fix` begins with");
+        }
+    }
+    assert!(offered > 400 && at_once > 300, "{offered} offers, {at_once} files need no second round");
 }

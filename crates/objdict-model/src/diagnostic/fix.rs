@@ -16,6 +16,8 @@ pub struct Fix {
     pub safety: Applicability,
     /// The changes; either all or none are made.
     pub changes: Vec<Change>,
+    /// Whether reports offer it; `objdict::with_sound_fixes` decides for a file.
+    pub is_offered: bool,
 }
 
 /// Whether a fix may be applied without review.
@@ -118,7 +120,7 @@ pub const MAX_FIX_LINES: usize = 50_000;
 impl Fix {
     /// A fix that preserves the meaning, without changes yet.
     pub fn safe(title: impl Into<Text>) -> Self {
-        Self { title: title.into(), safety: Applicability::Safe, changes: Vec::new() }
+        Self { title: title.into(), safety: Applicability::Safe, changes: Vec::new(), is_offered: true }
     }
 
     /// A fix that needs review, without changes yet.

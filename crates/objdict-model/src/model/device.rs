@@ -123,12 +123,21 @@ impl ObjectLists {
 
     /// The indexes of a list; empty for a missing list.
     pub fn get(&self, list: ObjectList) -> &[u16] {
+        self.indexes(list).unwrap_or_default()
+    }
+
+    /// Whether there is a list, an empty one too.
+    pub fn has(&self, list: ObjectList) -> bool {
+        self.indexes(list).is_some()
+    }
+
+    fn indexes(&self, list: ObjectList) -> Option<&[u16]> {
         let indexes = match list {
             ObjectList::Mandatory => &self.mandatory,
             ObjectList::Optional => &self.optional,
             ObjectList::Manufacturer => &self.manufacturer,
         };
-        indexes.as_deref().unwrap_or_default()
+        indexes.as_deref()
     }
 
     /// Mutable access to a list.

@@ -19,13 +19,10 @@ fn check(device: &Device, findings: &mut Findings) {
     let unlisted: Vec<u16> =
         objects.map(|(&index, _)| index).filter(|&index| !listed.contains(index)).collect();
     let mut fixes = ListFixes::new();
-    for (list, members) in
-        ObjectList::ALL.into_iter().zip([&lists.mandatory, &lists.optional, &lists.manufacturer])
-    {
-        // another rule reports a missing list
-        let Some(members) = members else { continue };
+    // another rule reports a missing list
+    for list in ObjectList::ALL.into_iter().filter(|&list| lists.has(list)) {
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
-        let all = with_members(members, others.clone());
+        let all = with_members(lists.get(list), others.clone());
         for index in others {
             let message = say!("{:04X}h is described, but not in any object list", index);
             let finding = Diagnostic::new(&RULE.info, Place::object(index), message);

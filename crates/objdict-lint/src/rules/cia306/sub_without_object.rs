@@ -26,8 +26,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let title =
             say!("add {a section} `{}` with name, object type and `{SubNumber}`", Part::Object(index));
         let mut finding = finding.help(title.clone());
-        let list = ObjectList::of(index)
-            .filter(|&list| !listed.contains(index) && !device.lists.get(list).is_empty());
+        let list = ObjectList::of(index).filter(|&list| !listed.contains(index) && device.lists.has(list));
         finding.fix = match list {
             Some(list) => {
                 let members = device.lists.get(list);
