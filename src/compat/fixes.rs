@@ -53,10 +53,11 @@ pub(super) fn choose(
     if let Some(choice) = CHOICES.iter().find(|choice| choice.rule == finding.rule.id) {
         if has(choice.worse) {
             finding.fix = None;
-        } else if let Some(fix) = finding.fix.as_mut().filter(|_| has(choice.better)) {
-            if (choice.when)(description) {
-                fix.safety = Applicability::Safe;
-            }
+        } else if let Some(fix) = &mut finding.fix
+            && has(choice.better)
+            && (choice.when)(description)
+        {
+            fix.safety = Applicability::Safe;
         }
     }
     if finding.fix.is_none() {

@@ -54,7 +54,12 @@ fn examine(format: Format, bytes: Vec<u8>, options: &Options, fixes: bool) {
     for finding in &findings {
         for label in &finding.labels {
             let span = description.span_of(&label.at);
-            assert!(description.source().text().get(span.start as usize..span.end as usize).is_some());
+            assert!(
+                description.source().text().get(span.start as usize..span.end as usize).is_some(),
+                "{} at {span:?}: {}",
+                finding.rule.id,
+                finding.message
+            );
         }
     }
     if fixes {

@@ -44,7 +44,11 @@ fn cases(folder: &Path) -> Vec<Case> {
             }
             for (place, columns) in expected(&fixed.description) {
                 let before = meant.entry(place).or_insert_with(|| columns.clone());
-                before.iter_mut().zip(columns).filter(|(old, _)| old.is_null()).for_each(|(old, new)| *old = new);
+                before
+                    .iter_mut()
+                    .zip(columns)
+                    .filter(|(old, _)| old.is_null())
+                    .for_each(|(old, new)| *old = new);
             }
             let rules: Vec<&str> = fixed.applied.iter().map(|applied| applied.rule).collect();
             let place = folder.join(cases.len().to_string());

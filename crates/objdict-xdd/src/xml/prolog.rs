@@ -39,7 +39,7 @@ pub(super) fn declaration(text: &str, span: Span) -> Declaration {
                 }
             }
             Step::MissingValue(name) => Some((name, format!("`{}` has no value", name.of(text)))),
-            Step::MissingBlank(at) => Some((Span::new(at, at + 1), "a space is missing".to_owned())),
+            Step::MissingBlank(at) => Some((Span::empty(at), "a space is missing".to_owned())),
             Step::Junk(junk) => Some((junk, format!("unexpected `{}`", junk.of(text)))),
             Step::Unclosed(at) => {
                 Some((Span::new(span.start, at), "the XML declaration has no `?>`".to_owned()))
