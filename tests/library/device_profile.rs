@@ -92,14 +92,17 @@ fn parameters_speak_of_their_entries() {
     assert_eq!((stack.detects_change, stack.srdo_access), (Some(true), Some(SrdoAccess::Tx)));
     assert_eq!(device.entry(0x6064, 0).unwrap().pdo_mapping, Some(PdoMapping::Tpdo));
 
-    // one range is the limits of the entry, several are not
+    // the limits of the entry are those of its range, or the outer ones of several
     let depth = device.entry(0x2010, 1).unwrap();
     assert_eq!(
         (&depth.low_limit, &depth.high_limit),
         (&Some(Value::Signed(-120_000)), &Some(Value::Signed(0)))
     );
     let dwell = device.entry(0x2010, 4).unwrap();
-    assert_eq!((&dwell.low_limit, &dwell.high_limit), (&None, &None));
+    assert_eq!(
+        (&dwell.low_limit, &dwell.high_limit),
+        (&Some(Value::Unsigned(0)), &Some(Value::Unsigned(60_000)))
+    );
     assert_eq!(dwell.parameter.as_ref().unwrap().allowed_values.as_ref().unwrap().ranges.len(), 2);
 
     let mode = device.entry(0x2001, 0).unwrap();

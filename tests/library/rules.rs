@@ -299,7 +299,11 @@ fn a_rule_offers_the_fixes_that_it_declares() {
         let tools = REACTIONS.iter().filter(|row| row.rule == id).flat_map(|row| row.tools);
         let tools: BTreeSet<&str> = tools.map(|tool| tool.name()).collect();
         for path in devices(&folder, "bad") {
-            let Examined::Description(description, findings) = Examined::new(&path) else { continue };
+            let (description, findings) = match Examined::new(&path) {
+                Examined::Description(description, findings) => (*description, findings),
+                Examined::Tree(_, findings) => (open(&path), findings),
+                Examined::Config(_) => continue,
+            };
             offer(&description, &findings);
             // what is a fix for one of the tools
             for tool in tools.iter().filter_map(|name| Tool::named(name)) {

@@ -460,6 +460,103 @@ fn what_is_not_stated_is_not_stated_afterwards() {
     assert_eq!((again.file_info, again.functions.len()), (None, 0));
 }
 
+/// The XDD of a device with these objects and parameters, from lamp.xdd.
+fn lamp(objects: &str, parameters: &str) -> Device {
+    let base = std::fs::read_to_string(support::fixtures().join("bases/lamp.xdd")).unwrap();
+    let text = base.replace("</CANopenObjectList>", &format!("{objects}</CANopenObjectList>"));
+    let process = format!(
+        "<ApplicationProcess><parameterList>{parameters}</parameterList></ApplicationProcess></ProfileBody>"
+    );
+    read(&text.replacen("</ProfileBody>", &process, 1), Format::Xdd).into_device()
+}
+
+#[test]
+fn elements_without_a_type_inherit_that_of_their_array() {
+    let device = lamp(
+        r#"<CANopenObject index="1016" name="Times" objectType="8" dataType="0007" accessType="rw">
+            <CANopenSubObject subIndex="00" name="Count" objectType="7" dataType="0000" accessType="ro" defaultValue="1"/>
+            <CANopenSubObject subIndex="01" name="First" objectType="7" dataType="0000" accessType="rw" defaultValue="0x10"/>
+            <CANopenSubObject subIndex="02" name="Other" objectType="7" accessType="rw" defaultValue="1"/>
+        </CANopenObject><CANopenObject index="2001" name="None" objectType="7" dataType="0000" accessType="rw"/>"#,
+        "",
+    );
+    let entry = |sub| device.entry(0x1016, sub).unwrap();
+    assert_eq!(entry(0).data_type, Some(DataType::UNSIGNED8));
+    assert_eq!(
+        (entry(1).data_type, &entry(1).default),
+        (Some(DataType::UNSIGNED32), &Some(Value::Unsigned(16)))
+    );
+    assert_eq!(entry(2).data_type, None);
+    assert_eq!(only_entry(&device, 0x2001).data_type, None);
+}
+
+#[test]
+fn the_mapping_decides_between_input_and_output() {
+    let device = lamp(
+        r#"<CANopenObject index="2001" name="Out" objectType="7" PDOmapping="RPDO" uniqueIDRef="A"/>
+           <CANopenObject index="2002" name="In" objectType="7" accessType="rw" PDOmapping="TPDO" uniqueIDRef="B"/>
+           <CANopenObject index="2003" name="Both" objectType="7" PDOmapping="optional" uniqueIDRef="C"/>"#,
+        r#"<parameter uniqueID="A" access="readWriteInput"><label lang="en">Out</label><UINT/></parameter>
+           <parameter uniqueID="B" access="readWriteOutput"><label lang="en">In</label><UINT/></parameter>
+           <parameter uniqueID="C" access="readWriteInput"><label lang="en">Both</label><UINT/></parameter>"#,
+    );
+    let access = |index| only_entry(&device, index).access;
+    assert_eq!(
+        [access(0x2001), access(0x2002), access(0x2003)],
+        [Some(Access::Rww), Some(Access::Rwr), Some(Access::Rwr)]
+    );
+    let text = write(&device, XddVersion::V1_1);
+    assert_eq!(text.matches("readWriteOutput").count(), 1, "{text}");
+}
+
+#[test]
+fn ranges_with_steps_and_several_ranges_give_limits() {
+    let device = lamp(
+        r#"<CANopenObject index="2001" name="Step" objectType="7" uniqueIDRef="A"/>
+           <CANopenObject index="2002" name="Two" objectType="7" uniqueIDRef="B"/>"#,
+        r#"<parameter uniqueID="A" access="readWrite"><label lang="en">Step</label><INT/><allowedValues>
+             <range><minValue value="-10"/><maxValue value="10"/><step value="5"/></range></allowedValues></parameter>
+           <parameter uniqueID="B" access="readWrite"><label lang="en">Two</label><INT/><allowedValues>
+             <range><minValue value="20"/><maxValue value="30"/></range>
+             <range><minValue value="-9"/><maxValue value="0x0A"/></range></allowedValues></parameter>"#,
+    );
+    for (index, low, high) in [(0x2001, -10, 10), (0x2002, -9, 30)] {
+        let entry = only_entry(&device, index);
+        let limits = (&entry.low_limit, &entry.high_limit);
+        assert_eq!(limits, (&Some(Value::Signed(low)), &Some(Value::Signed(high))));
+        // the steps and the gap have no other place
+        assert!(entry.parameter.as_ref().unwrap().allowed_values.is_some());
+    }
+    let again = read(&write(&device, XddVersion::V1_1), Format::Xdd).into_device();
+    assert_eq!(again.objects, device.objects);
+}
+
+#[test]
+fn bytes_are_written_with_blanks_and_read_in_every_spelling() {
+    let entry = |text: &str| {
+        let object = format!(
+            r#"<CANopenObject index="2001" name="Key" objectType="7" dataType="000A" accessType="rw" defaultValue="{text}"/>"#
+        );
+        lamp(&object, "")
+    };
+    let bytes = Some(Value::Bytes([1, 0xA1, 0].into()));
+    for text in ["01 A1 00", "01A100", "0x01A100", " 01 a1 00 "] {
+        assert_eq!(only_entry(&entry(text), 0x2001).default, bytes, "{text}");
+    }
+    assert!(write(&entry("01A100"), XddVersion::V1_1).contains(r#"defaultValue="01 A1 00""#));
+}
+
+#[test]
+fn a_domain_says_what_it_is() {
+    let domain = r#"<CANopenObject index="2001" name="Program" objectType="2" uniqueIDRef="A"/>"#;
+    let device = lamp(domain, r#"<parameter uniqueID="A"><label lang="en">Program</label></parameter>"#);
+    assert_eq!(only_entry(&device, 0x2001).access, Some(Access::Rw));
+    let main = Entry { object_type: Some(ObjectType::Domain), ..Entry::default() };
+    let device = with_objects(vec![(0x2001, Object { main, ..Object::default() })]);
+    let text = write(&device, XddVersion::V1_0);
+    assert!(text.contains(r#"objectType="2" dataType="000F" accessType="rw""#), "{text}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
@@ -485,7 +582,8 @@ proptest! {
             for (sub, entry) in object.described() {
                 let read = sub.map_or(&back.main, |sub| back.subs.get(sub).unwrap());
                 prop_assert_eq!(&read.default, &entry.default, "{:04X}h {:?}", index, sub);
-                prop_assert_eq!(read.data_type, entry.data_type);
+                let domain = entry.object_type.filter(|object_type| *object_type == ObjectType::Domain);
+                prop_assert_eq!(read.data_type, entry.data_type.or(domain.map(|_| DataType::DOMAIN)));
                 prop_assert_eq!(&*read.name, entry.name.trim());
                 prop_assert_eq!(read.configured_value(), entry.configured_value());
                 prop_assert_eq!(&read.low_limit, &entry.low_limit);

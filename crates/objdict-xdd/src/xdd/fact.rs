@@ -167,7 +167,7 @@ impl<'a> Text<'a> {
     ) -> Result<Option<Value>, Reason> {
         let Some(text) = value_text(&self.text, data_type) else { return Ok(None) };
         let mut quirks = Quirks::default();
-        let value = literal::value(text, data_type, &mut quirks)?;
+        let value = value(text, data_type, &mut quirks)?;
         literal::spelling(text, self.at, quirks, Some(&value), findings);
         Ok(Some(value))
     }
@@ -202,8 +202,19 @@ words! {
         flags @ 0..=0xFFFF => format!("{flags:04X}"),
         flags => format!("{flags:08X}"),
     };
-    // two or four hex digits, or a name
-    DataType: NotANumber, data_type, |data_type| format!("{:04X}", data_type.0);
+}
+
+/// Two or four hex digits, or a name. Older versions of CANopenEditor write `0000` for a type that is not stated.
+impl Fact for Option<DataType> {
+    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+        *self = None;
+        *self = text.word(data_type, Reason::NotANumber)?.filter(|data_type| data_type.0 != 0);
+        Ok(())
+    }
+
+    fn text(&self, _: &Attribute) -> Option<String> {
+        self.map(|data_type| format!("{:04X}", data_type.0))
+    }
 }
 
 /// Numbers, and bit rates in kbit/s.
@@ -338,6 +349,18 @@ pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     let text = if is_string { text } else { text.trim_ascii() };
     Some(text).filter(|text| !text.is_empty())
+}
+
+/// The value of a text. Blanks between the bytes of an OCTET_STRING are no quirk: without them CANopenEditor reads
+/// a single byte.
+pub(crate) fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
+    let mut bytes = text.split_ascii_whitespace();
+    let are_pairs = data_type == Some(DataType::OCTET_STRING) && bytes.all(|byte| byte.len() == 2);
+    if are_pairs {
+        let joined: String = text.split_ascii_whitespace().collect();
+        return literal::value(&joined, data_type, quirks);
+    }
+    literal::value(text, data_type, quirks)
 }
 
 /// A number in hex, with or without `0x`, of at most `digits` digits.

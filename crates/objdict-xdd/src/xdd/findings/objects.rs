@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, counted, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, counted, text_rules};
 use crate::model::{DataType, SimpleType};
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -41,6 +41,14 @@ text_rules! {
     why: "Tools use one or the other: they refuse to write a writable entry, or try to write a read-only one.",
     example: r#"`accessType="ro"` of an object whose parameter has `access="readWrite"`"#,
     remedy: "Correct one of the two, or remove `accessType`.",
+    source: "CiA 311 annex A",
+
+    CONTRADICTING_MAPPING = "cia311/contradicting-mapping", Warning, fix Unsafe;
+    summary: "an object and its parameter name different PDO directions",
+    checks: "Whether `PDOmapping=\"RPDO\"` of an object has no `access=\"readWriteInput\"` in the parameter that it refers to, and `TPDO` no `readWriteOutput`. `PDOmapping` is used.",
+    why: "A process input is sent in a TPDO, an output received in an RPDO. Some versions of CANopenEditor confuse the two in `access`; tools that go by it offer the entry for PDOs of the wrong direction.",
+    example: r#"`PDOmapping="RPDO"` of an object whose parameter has `access="readWriteInput"`"#,
+    remedy: "Write `readWriteOutput` for an RPDO and `readWriteInput` for a TPDO.",
     source: "CiA 311 annex A",
 
     CONTRADICTING_VALUE = "cia311/contradicting-value", Warning;
@@ -124,6 +132,7 @@ fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings
         match attribute.tag() {
             n::dataType => data_type(object, attribute, parameter, findings),
             n::accessType => access(attribute, parameter, findings),
+            n::PDOmapping => mapping(attribute, parameter, findings),
             n::defaultValue => value(attribute, parameter, parameter.child(n::defaultValue), findings),
             n::actualValue => value(attribute, parameter, parameter.child(n::actualValue), findings),
             n::lowLimit => value(attribute, parameter, single_range(parameter, n::minValue), findings),
@@ -196,6 +205,24 @@ fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findi
         [right, ..] => format!("write `{right}`, correct the parameter or remove `accessType`"),
     };
     findings.push(finding.label(other.value_span(), "the parameter").help(help));
+}
+
+fn mapping(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {
+    let Some(access) = parameter.attribute(n::access) else { return };
+    let (stated, other) = (attribute.value(), access.value());
+    let right = match (stated.trim_ascii(), other.trim_ascii()) {
+        ("RPDO", "readWriteInput") => "readWriteOutput",
+        ("TPDO", "readWriteOutput") => "readWriteInput",
+        _ => return,
+    };
+    let (stated, other) = (stated.trim_ascii(), other.trim_ascii());
+    let message = format!(
+        "`PDOmapping` is `{stated}` here, but `access` of the parameter is `{other}`; `{stated}` is used"
+    );
+    let fix = Fix::risky(format!("write `{right}`")).replace(access.value_span(), right);
+    let finding = Diagnostic::new(&CONTRADICTING_MAPPING, attribute.value_span(), message);
+    findings
+        .push(finding.label(access.value_span(), "the parameter").help(format!("write `{right}`")).fix(fix));
 }
 
 /// An end of the range of a parameter whose allowed values are a single range.

@@ -5,10 +5,10 @@ use super::parameters::Definitions;
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, Parameter, ParameterAccess,
-    Place, ScaledValue, ValueRange,
+    Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, ObjectType, Parameter,
+    ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
 };
-use crate::xdd::fact::value_text;
+use crate::xdd::fact::{self, value_text};
 use crate::xdd::schema::Slots;
 use crate::xdd::types;
 
@@ -66,10 +66,14 @@ pub(crate) fn data_type(entry: &mut Entry, parameter: &mut Parameter, definition
 }
 
 /// The access type of an entry. Only the parameter can specify rwr and rww; without any access type the
-/// entry is readable.
+/// entry is readable, and a DOMAIN also writable (CiA 306-1 §4.6.3.2).
 fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parameter>) {
     let stated = parameter.access.or(template.and_then(|template| template.access));
-    let access = match stated.unwrap_or(ParameterAccess::Read) {
+    let unstated = match entry.object_type {
+        Some(ObjectType::Domain) => ParameterAccess::ReadWrite,
+        _ => ParameterAccess::Read,
+    };
+    let access = match stated.unwrap_or(unstated) {
         ParameterAccess::Const => Some(Access::Const),
         ParameterAccess::Read => Some(Access::Ro),
         ParameterAccess::Write => Some(Access::Wo),
@@ -83,6 +87,15 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
         (Some(Access::Rw), Some(Access::Rwr | Access::Rww)) => entry.access = access,
         (None, _) if !is_invalid => entry.access = access,
         _ => {}
+    }
+    // some versions of CANopenEditor confuse input and output, but not the directions of PDOs
+    let other = match (entry.access, entry.pdo_mapping) {
+        (Some(Access::Rwr), Some(PdoMapping::Rpdo)) => Some(Access::Rww),
+        (Some(Access::Rww), Some(PdoMapping::Tpdo)) => Some(Access::Rwr),
+        _ => None,
+    };
+    if other.is_some() {
+        (entry.access, parameter.access) = (other, None);
     }
     if entry.access.is_some_and(|access| parameter.access == Some(written_access(access))) {
         parameter.access = None;
@@ -124,18 +137,20 @@ impl Values<'_> {
         }
     }
 
-    /// Takes the limits if the parameter allows a single range of plain values.
+    /// Takes the limits if the parameter allows only ranges; of several, the outer limits. The parameter keeps
+    /// what the limits do not express.
     fn range(&mut self, allowed: &mut Option<AllowedValues>, definitions: &Definitions<'_>) {
         let Some(stated) = allowed.as_ref() else { return };
         let AllowedValues { values, ranges, .. } = definitions.allowed(stated);
-        let [ValueRange { min, max, step: None }] = &ranges[..] else { return };
         if !values.is_empty() {
             return;
         }
+        let Some((min, max)) = outer_limits(ranges, self.data_type) else { return };
         // no short circuit: both limits are filled
         let is_stated = self.fill(Slots::Low, min) & self.fill(Slots::High, max);
         let is_own = stated.template.is_none();
-        if is_stated && is_own {
+        let is_all = matches!(&ranges[..], [ValueRange { step: None, .. }]);
+        if is_stated && is_own && is_all {
             *allowed = None;
         }
     }
@@ -148,7 +163,7 @@ impl Values<'_> {
             return is_plain && &*invalid.text == text;
         }
         let mut quirks = Quirks::default();
-        let read = literal::value(text, self.data_type, &mut quirks);
+        let read = fact::value(text, self.data_type, &mut quirks);
         if let Some(own) = slot.get(self.entry) {
             return is_plain && read.as_ref() == Ok(own);
         }
@@ -162,6 +177,27 @@ impl Values<'_> {
         }
         is_plain
     }
+}
+
+/// The lowest minimum and the highest maximum; `None` if several ranges cannot be compared.
+fn outer_limits(ranges: &[ValueRange], data_type: Option<DataType>) -> Option<(&ScaledValue, &ScaledValue)> {
+    if let [ValueRange { min, max, .. }] = ranges {
+        return Some((min, max));
+    }
+    let number = |value: &ScaledValue| {
+        let text = value_text(&value.value, data_type)?;
+        fact::value(text, data_type, &mut Quirks::default()).ok()?.as_real()
+    };
+    let limits =
+        ranges.iter().map(|ValueRange { min, max, .. }| Some(((number(min)?, min), (number(max)?, max))));
+    limits
+        .collect::<Option<Vec<_>>>()?
+        .into_iter()
+        .fold(None, |outer, (min, max)| {
+            let Some((low, high)) = outer else { return Some((min, max)) };
+            Some((if min.0 < low.0 { min } else { low }, if max.0 > high.0 { max } else { high }))
+        })
+        .map(|(low, high)| (low.1, high.1))
 }
 
 /// The name of the entry in the application. An English name moves to the entry; others also stay in the

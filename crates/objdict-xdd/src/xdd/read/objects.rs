@@ -6,10 +6,10 @@ use super::entry::EntryAttributes;
 use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
 use crate::diagnostic::Findings;
 use crate::model::{
-    ApplicationProcess, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues, Object, ObjectList,
-    ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues, Object,
+    ObjectList, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
-use crate::xdd::fact::Text;
+use crate::xdd::fact::{Text, hex};
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::shape::take_stack_options;
 use crate::xdd::types;
@@ -75,7 +75,7 @@ struct Entries<'t, 'a> {
 
 impl<'t> Entries<'t, '_> {
     fn object(&mut self, element: Element<'t>, attributes: &EntryAttributes<'t>, index: u16) -> Object {
-        let main = self.entry(attributes, index, None);
+        let main = self.entry(attributes, index, None, None);
         let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
         if let Some(text) = attributes.get(n::subNumber).map(Text::of) {
             match text.integer(255, self.findings) {
@@ -91,7 +91,8 @@ impl<'t> Entries<'t, '_> {
             let attributes = EntryAttributes::of(child);
             match attributes.sub_index().filter(|&sub| object.subs.get(sub).is_none()) {
                 Some(sub) => {
-                    let mut entry = self.entry(&attributes, index, Some(sub));
+                    let inherited = element_type(&object.main, &attributes, sub);
+                    let mut entry = self.entry(&attributes, index, Some(sub), inherited);
                     if let Some(attribute) = attributes.get(n::subNumber) {
                         entry.extra.push(attribute.name(), &attribute.value());
                     }
@@ -107,7 +108,14 @@ impl<'t> Entries<'t, '_> {
         object
     }
 
-    fn entry(&mut self, attributes: &EntryAttributes<'_>, index: u16, sub: Option<u8>) -> Entry {
+    /// An entry; `inherited` is its data type if neither the entry nor its parameter states one.
+    fn entry(
+        &mut self,
+        attributes: &EntryAttributes<'_>,
+        index: u16,
+        sub: Option<u8>,
+        inherited: Option<DataType>,
+    ) -> Entry {
         let mut entry = attributes.read(self.findings);
         let reference = self.parameters.reference(self.number);
         self.number += 1;
@@ -120,6 +128,7 @@ impl<'t> Entries<'t, '_> {
             // the data type must be known before the values
             absorb::data_type(&mut entry, source.parameter(), self.definitions);
         }
+        entry.data_type = entry.data_type.or(inherited);
         attributes.read_values(&mut entry, self.findings);
         match &mut source {
             None => {}
@@ -163,6 +172,15 @@ impl<'t> Entries<'t, '_> {
             }
         }
     }
+}
+
+/// The data type that an element inherits from an ARRAY: older versions of CANopenEditor state it there, and for
+/// the elements `0000`.
+fn element_type(array: &Entry, attributes: &EntryAttributes<'_>, sub: u8) -> Option<DataType> {
+    let stated = attributes.get(n::dataType)?.value();
+    let of_elements = array.data_type.filter(|_| array.object_type == Some(ObjectType::Array))?;
+    let inherited = if sub == 0 { DataType::UNSIGNED8 } else { of_elements };
+    (hex(stated.trim_ascii(), 4) == Some(0)).then_some(inherited)
 }
 
 /// The parameter from which an entry takes what its attributes do not have.

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use crate::literal::{self, Spelling};
-use crate::model::{DataType, Entry, Field, Object, ObjectList, Value};
+use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, ObjectType, Value};
 use crate::xdd::read::{count, count_attribute};
 use crate::xdd::schema::{At, Attribute, Element, OBJECT, OBJECT_LIST, SUB_OBJECT};
 use crate::xdd::xdd_writer::XddWriter;
@@ -62,6 +62,8 @@ impl Writer<'_> {
                 let number = object?.sub_number.map(|number| number.to_string());
                 number.or_else(|| invalid(&Field::SubNumber))
             }
+            n::dataType => fact::text(entry, attribute).or_else(|| unstated(entry, DOMAIN_TYPE)),
+            n::accessType => fact::text(entry, attribute).or_else(|| unstated(entry, Access::Rw.name())),
             _ => match attribute.at {
                 At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
                 _ => fact::text(entry, attribute),
@@ -75,6 +77,14 @@ impl Writer<'_> {
     }
 }
 
+/// DOMAIN as `dataType`.
+const DOMAIN_TYPE: &str = "000F";
+
+/// What an object of type DOMAIN has if it does not state it (CiA 306-1 §4.6.3.2).
+fn unstated(entry: &Entry, text: &str) -> Option<String> {
+    (entry.object_type == Some(ObjectType::Domain)).then(|| text.to_owned())
+}
+
 /// The text of a value, or the invalid text.
 pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
     match value {
@@ -83,11 +93,15 @@ pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field
     }
 }
 
-/// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS. XML preserves
-/// blanks, so a string needs quotes only if it is empty or contains quotes.
+/// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS, and the bytes of an
+/// OCTET_STRING with blanks between them, without which CANopenEditor reads only the first. XML preserves blanks, so a string needs quotes only if it is empty or contains quotes.
 fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
     match value {
         Value::Text(text) if !text.is_empty() && !is_quoted(text) => text.to_string(),
+        Value::Bytes(bytes) if data_type == Some(DataType::OCTET_STRING) && !bytes.is_empty() => {
+            let bytes: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+            bytes.join(" ")
+        }
         _ => {
             let hex = (0x1000..=0x1FFF).contains(&index) && data_type == Some(DataType::UNSIGNED32);
             literal::print(value, Spelling { hex, ..Spelling::default() })
