@@ -123,6 +123,15 @@ impl Description {
         }
     }
 
+    /// Whether the text is a project of the editors for CANopenNode from before XDD. It is read and never changed.
+    pub fn is_project(&self) -> bool {
+        match &self.text {
+            Text::Ini(..) => false,
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, _) => xdd::is_project(tree),
+        }
+    }
+
     /// The bytes of the file, put together from what was read: always the bytes as they came.
     pub fn print(&self) -> Vec<u8> {
         match &self.text {
@@ -261,7 +270,7 @@ impl Description {
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
-        if self.source().is_read_only() {
+        if self.source().is_read_only() || self.is_project() {
             return None;
         }
         let edits = match &self.text {

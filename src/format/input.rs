@@ -28,6 +28,9 @@ pub enum FileKind {
     Xdd,
     /// XML device configuration (CiA 311)
     Xdc,
+    /// Project of the editors for CANopenNode from before XDD
+    #[cfg_attr(feature = "cli", value(name = "canopennode"))]
+    CanopenNode,
     /// The model of a device, or the downloads of a concise DCF, as JSON
     Json,
     /// Concise DCF (CiA 302-3)
@@ -61,6 +64,7 @@ impl FileKind {
     /// The kind of a content that commands read.
     fn of_content(kind: ContentKind) -> Option<Self> {
         match kind {
+            ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
             ContentKind::NodeList => Some(Self::Cpj),
             ContentKind::ConciseDcf => Some(Self::Cdcf),
             ContentKind::ConciseText => Some(Self::CdcfText),
@@ -76,6 +80,7 @@ impl FileKind {
             Self::Dcf => "dcf",
             Self::Xdd => "xdd",
             Self::Xdc => "xdc",
+            Self::CanopenNode => "xml",
             Self::Json => "json",
             Self::Cdcf => "cdcf",
             Self::CdcfText => "cdcf.txt",
@@ -89,7 +94,8 @@ impl FileKind {
         match self {
             Self::Eds => Some(Format::Eds),
             Self::Dcf => Some(Format::Dcf),
-            Self::Xdd => Some(Format::Xdd),
+            // its objects are those of an XDD
+            Self::Xdd | Self::CanopenNode => Some(Format::Xdd),
             Self::Xdc => Some(Format::Xdc),
             Self::Json | Self::Cdcf | Self::CdcfText | Self::Cpj | Self::Dbc => None,
         }
@@ -99,7 +105,7 @@ impl FileKind {
     const fn feature(self) -> Option<&'static str> {
         Some(match self {
             Self::Eds | Self::Dcf => "default",
-            Self::Xdd | Self::Xdc => "xdd",
+            Self::Xdd | Self::Xdc | Self::CanopenNode => "xdd",
             Self::Json | Self::Cdcf => "json",
             Self::CdcfText | Self::Cpj => "node",
             Self::Dbc => return None,
@@ -113,6 +119,7 @@ impl FileKind {
             Self::Dcf => "DCF",
             Self::Xdd => "XDD",
             Self::Xdc => "XDC",
+            Self::CanopenNode => "CANopenNode project",
             Self::Json => "JSON",
             Self::Cdcf => "concise DCF",
             Self::CdcfText => "concise DCF as text",

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use objdict::compare::differences;
+use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::{self, Description, Format, WriteOptions, XddVersion};
 use objdict::model::{
     Access, Commissioning, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectType,
@@ -555,6 +556,48 @@ fn a_domain_says_what_it_is() {
     let device = with_objects(vec![(0x2001, Object { main, ..Object::default() })]);
     let text = write(&device, XddVersion::V1_0);
     assert!(text.contains(r#"objectType="2" dataType="000F" accessType="rw""#), "{text}");
+}
+
+#[test]
+fn projects_of_canopennode_are_read() {
+    let bytes = std::fs::read(support::fixtures().join("cnxml/lamp.xml")).unwrap();
+    let (kind, input) = Reading::default().read("lamp.xml", bytes.clone()).unwrap();
+    let Input::Description(description) = input else { panic!("no description") };
+    assert_eq!((kind, description.is_project(), description.print()), (FileKind::CanopenNode, true, bytes));
+    let device = description.device();
+    let heartbeat = device.entry(0x1016, 1).unwrap();
+    assert_eq!(
+        (heartbeat.data_type, &heartbeat.default),
+        (Some(DataType::UNSIGNED32), &Some(Value::Unsigned(0x50064)))
+    );
+    assert_eq!(device.objects[&0x1018].main.object_type, Some(ObjectType::Record));
+    assert_eq!(
+        (only_entry(device, 0x1008).access, device.objects[&0x1008].sub_number),
+        (Some(Access::Const), None)
+    );
+    let level = only_entry(device, 0x2110);
+    assert_eq!(
+        (&level.low_limit, &level.high_limit),
+        (&Some(Value::Signed(-100)), &Some(Value::Signed(100)))
+    );
+    assert_eq!(only_entry(device, 0x2111).default, Some(Value::Bytes([0, 1, 0xA0].into())));
+    let register = only_entry(device, 0x1001).stack.as_deref().unwrap();
+    assert_eq!((register.storage_group.as_deref(), register.detects_change), (Some("RAM"), Some(true)));
+    assert_eq!(only_entry(device, 0x1005).stack.as_ref().unwrap().disabled, Some(true));
+    let labels = &only_entry(device, 0x1000).parameter.as_ref().unwrap().labels;
+    assert!(labels.description_in("en").unwrap().starts_with("Bits 0 to 15: device profile"));
+    let (file, info) = (device.file_info.as_ref().unwrap(), device.device_info.as_ref().unwrap());
+    assert_eq!(file.creation_date.unwrap().to_iso(), "2017-01-31");
+    assert_eq!(file.creation_time.unwrap().to_iso(false), "17:13");
+    assert_eq!((file.file_revision, file.modified_by.as_deref()), (Some(4), Some("Bob")));
+    assert_eq!(info.baud_rates.supported().collect::<Vec<_>>(), [125, 1000]);
+    assert_eq!(
+        (info.vendor_number, info.simple_boot_up_slave, info.granularity),
+        (Some(0x3F9), Some(true), Some(8))
+    );
+    let dummies = device.dummy_usage.as_ref().unwrap();
+    assert_eq!(dummies.types.values().collect::<Vec<_>>(), [&false, &true]);
+    assert_eq!(at(&description, Part::Object(0x2110), "LowLimit"), "-100");
 }
 
 proptest! {

@@ -34,6 +34,9 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
+    if description.is_project() {
+        return of_device(args, job, device, !args.no_embed);
+    }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
         return of_device(args, job, device, !args.no_embed);
     };
@@ -83,7 +86,7 @@ pub(super) fn of_device(
             let text = concise::print(&configuration, |download| described.annotate(download));
             Ok(Converted::whole(text.into_bytes()))
         }
-        FileKind::Cpj | FileKind::Dbc => {
+        FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), embed)),

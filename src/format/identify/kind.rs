@@ -102,7 +102,7 @@ impl ContentKind {
         match self {
             Self::Eds => Some(Format::Eds),
             Self::Dcf => Some(Format::Dcf),
-            Self::Xdd | Self::Xpd | Self::NetworkXdd => Some(Format::Xdd),
+            Self::Xdd | Self::Xpd | Self::NetworkXdd | Self::CanopenNodeProject => Some(Format::Xdd),
             Self::Xdc | Self::NetworkXdc => Some(Format::Xdc),
             _ => None,
         }
@@ -144,8 +144,8 @@ impl ContentKind {
             | Self::Xpd
             | Self::NetworkXdd
             | Self::NetworkXdc
+            | Self::CanopenNodeProject
             | Self::Unknown => None,
-            Self::CanopenNodeProject => Some("open it in CANopenEditor and save it as EDS or XDD"),
             Self::NodeList => Some("its keys `Node…DCFName` name the descriptions"),
             Self::ConciseDcf | Self::ConciseText | Self::JsonConciseDcf => {
                 Some("name the DCF that it was made of")

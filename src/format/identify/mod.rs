@@ -107,7 +107,7 @@ impl Identification {
                 return Cow::Owned(format!("is a network of CANopenEditor with {count} in it"));
             }
             Kind::CanopenNodeProject => {
-                "is a project of an object dictionary editor for CANopenNode from before XDD, which is not read"
+                "is a project of an object dictionary editor for CANopenNode from before XDD"
             }
             Kind::NodeList => "is a node list (CiA 306-3) and describes no device",
             Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {

@@ -196,7 +196,8 @@ words! {
     Date: NotADate, |text| Date::from_iso(text.get(..10).unwrap_or(text)), Date::to_iso;
     ClockTime: NotAClockTime, ClockTime::from_iso, |time| time.to_iso(true);
     DeviceClass: UnknownWord, DeviceClass::from_name, |class| class.name().to_owned();
-    Access: UnknownWord, Access::from_name, |access| attribute_access(access).to_owned();
+    // editors for CANopenNode wrote `cons`
+    Access: UnknownWord, |word| Access::from_name(if word == "cons" { "const" } else { word }), |access| attribute_access(access).to_owned();
     PdoMapping: UnknownWord, pdo_mapping, |mapping| mapping_word(mapping).to_owned();
     ObjFlags: NotANumber, |text| hex(text, 8).map(ObjFlags), |flags| match flags.0 {
         flags @ 0..=0xFFFF => format!("{flags:04X}"),
@@ -297,6 +298,8 @@ impl Fact for Option<ObjectType> {
         if matches!(word, "" | defaults::OBJECT_TYPE | defaults::ORPHAN) {
             return Ok(());
         }
+        // `REC` is CANopenNode's name of RECORD
+        let word = if word == "REC" { ObjectType::Record.name() } else { word };
         let named = |object_type: &ObjectType| object_type.name().eq_ignore_ascii_case(word);
         let code = || literal::integer(word, 0, 255, &mut Quirks::default());
         *self = match (0..=9).filter_map(ObjectType::from_code).find(named) {

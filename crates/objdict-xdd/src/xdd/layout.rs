@@ -81,6 +81,14 @@ pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
     if inner.is_empty() { vec![root] } else { inner }
 }
 
+/// The root element of a project of the editors for CANopenNode from before XDD.
+const PROJECT: &str = "device";
+
+/// Whether a document is a project of the editors for CANopenNode from before XDD.
+pub fn is_project(tree: &Tree) -> bool {
+    tree.root().is_some_and(|root| root.name() == PROJECT)
+}
+
 impl<'a> Layout<'a> {
     /// One of the [`containers`] of a tree.
     pub(crate) fn of(tree: &'a Tree, number: usize) -> Option<Self> {
@@ -110,9 +118,15 @@ impl<'a> Layout<'a> {
         below(self.network?.body, path)
     }
 
+    /// The device of a [project](is_project).
+    pub(crate) fn project(&self) -> Option<Element<'a>> {
+        Some(self.container).filter(|root| root.name() == PROJECT && root.parent().is_none())
+    }
+
     /// The objects, in order.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Element<'a>> + use<'a> {
         let list = self.in_network(&[n::ApplicationLayers, n::CANopenObjectList]);
+        let list = list.or_else(|| self.project()?.child(n::CANopenObjectList));
         list.into_iter().flat_map(|list| list.children_named(n::CANopenObject))
     }
 }

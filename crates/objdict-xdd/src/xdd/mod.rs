@@ -19,7 +19,7 @@ mod xdd_writer;
 
 pub use self::configure::{to_xdc, to_xdd};
 pub use self::fix::edits;
-pub use self::layout::containers;
+pub use self::layout::{containers, is_project};
 pub use self::locate::Locator;
 pub use self::read::read;
 pub use self::version::XddVersion;

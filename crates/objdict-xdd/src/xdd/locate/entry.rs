@@ -21,7 +21,9 @@ impl Locator {
             return self.element(tree, index, None).map(Element::tag_span);
         };
         let Some(field) = field else { return Some(element.tag_span()) };
-        let attribute = attribute_of(element, &OBJECT, field).map(value_of);
+        // projects of CANopenNode have other names for the limits
+        let other = || EntryAttributes::of(element).get(OBJECT.attribute_of(field)?.name);
+        let attribute = attribute_of(element, &OBJECT, field).or_else(other).map(value_of);
         let parameter = || self.in_parameter(tree, element, field);
         attribute.or_else(parameter).or(Some(element.tag_span()))
     }

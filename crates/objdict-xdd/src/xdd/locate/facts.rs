@@ -15,6 +15,9 @@ use crate::xml::{Element, n};
 
 /// The span of a field of a part, else the tag of the part.
 pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) -> Option<Span> {
+    if let Some(device) = layout.project() {
+        return in_project(device, part, field);
+    }
     let element = match part {
         Part::FileInfo => return file_info(layout, field),
         Part::DeviceInfo => return device_info(layout, field),
@@ -30,6 +33,20 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
         _ => None,
     };
     Some(value.unwrap_or(element.tag_span()))
+}
+
+/// The span in a project of the editors for CANopenNode from before XDD.
+fn in_project(device: Element<'_>, part: &Part, field: Option<&Field>) -> Option<Span> {
+    let element = match part {
+        Part::List(_) => device.child(n::CANopenObjectList)?,
+        Part::FileInfo => device.child("other")?.child("file")?,
+        Part::DummyUsage => device.child("other")?.child(n::dummyUsage)?,
+        Part::DeviceInfo if field.and_then(rate_of).is_some() => device.child("other")?.child(n::baudRate)?,
+        Part::DeviceInfo | Part::Commissioning => device.child("other")?.child(n::DeviceIdentity)?,
+        _ => return None,
+    };
+    let attribute = field.and_then(|field| attribute_of(element, &DEVICE_BODY, field).map(value_of));
+    Some(attribute.unwrap_or(element.tag_span()))
 }
 
 /// The element of a part.

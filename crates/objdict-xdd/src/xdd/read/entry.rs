@@ -28,6 +28,12 @@ impl<'a> EntryAttributes<'a> {
                 n::subIndex => n::index,
                 // the model has no place for it
                 n::rangeSelector => Name::OTHER,
+                Name::OTHER => match attribute.name() {
+                    // projects of CANopenNode
+                    "lowValue" => n::lowLimit,
+                    "highValue" => n::highLimit,
+                    _ => Name::OTHER,
+                },
                 name => name,
             };
             match OBJECT.attribute(name) {

@@ -8,6 +8,7 @@ mod identity;
 mod network;
 mod objects;
 mod parameters;
+mod project;
 
 pub(crate) use self::absorb::written_access;
 pub(crate) use self::entry::EntryAttributes;
@@ -42,6 +43,9 @@ fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings
     reader.files();
     reader.device_body();
     reader.network_body();
+    if let Some(device) = reader.layout.project() {
+        reader.project(device);
+    }
     reader.derive_lists();
     reader.finish(kind)
 }

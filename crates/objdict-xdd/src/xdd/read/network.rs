@@ -95,7 +95,7 @@ impl<'a> Reader<'a> {
     }
 
     /// `Dummy0005=1`.
-    fn dummy_usage(&mut self, element: Element<'a>) {
+    pub(super) fn dummy_usage(&mut self, element: Element<'a>) {
         let mut usage = DummyUsage::default();
         for child in element.children() {
             let Some(entry) = child.attribute(n::entry).filter(|_| child.tag() == n::dummy) else {
@@ -169,7 +169,6 @@ impl<'a> Reader<'a> {
     }
 
     fn transport_layers(&mut self, layers: Element<'a>) -> bool {
-        let mut rates = Vec::new();
         let below = |parents: Vec<Element<'a>>, name: Name, leftovers: &mut Leftovers<'a>| {
             let (found, others): (Vec<_>, Vec<_>) =
                 parents.into_iter().flat_map(Element::children).partition(|child| child.tag() == name);
@@ -177,7 +176,15 @@ impl<'a> Reader<'a> {
             found
         };
         let physical = below(vec![layers], n::PhysicalLayer, &mut self.leftovers);
-        for rate in below(physical, n::baudRate, &mut self.leftovers) {
+        let lists = below(physical, n::baudRate, &mut self.leftovers);
+        self.bit_rates(lists);
+        true
+    }
+
+    /// The bit rates of all `baudRate`.
+    pub(super) fn bit_rates(&mut self, lists: Vec<Element<'a>>) {
+        let mut rates = Vec::new();
+        for rate in lists {
             for attribute in rate.attributes() {
                 if attribute.tag() != n::defaultValue {
                     self.leftovers.attribute(rate, attribute);
@@ -202,7 +209,6 @@ impl<'a> Reader<'a> {
             info.baud_rates = none_supported();
             rates.iter().for_each(|text| supported(info, text));
         }
-        true
     }
 
     fn network_management(&mut self, management: Element<'a>) -> bool {

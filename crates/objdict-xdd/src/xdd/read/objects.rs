@@ -4,6 +4,7 @@ use super::Reader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
 use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
+use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
     ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues, Object,
@@ -27,6 +28,7 @@ impl<'a> Reader<'a> {
             variables: variables(application).collect(),
             findings: &mut self.findings,
             leftovers: &mut self.leftovers,
+            is_project: self.layout.project().is_some(),
             number: 0,
         };
         for element in self.layout.objects() {
@@ -69,6 +71,8 @@ struct Entries<'t, 'a> {
     variables: Vec<&'a VarDeclaration>,
     findings: &'a mut Findings,
     leftovers: &'a mut Leftovers<'t>,
+    /// Whether texts are in the objects and not in parameters.
+    is_project: bool,
     /// The number of objects and sub-objects read so far.
     number: usize,
 }
@@ -83,11 +87,8 @@ impl<'t> Entries<'t, '_> {
                 Err(reason) => object.main.invalid_values.push(Field::SubNumber, &text.text, reason),
             }
         }
-        for child in element.children() {
-            if child.tag() != n::CANopenSubObject {
-                self.leftovers.element(child);
-                continue;
-            }
+        self.texts(&mut object.main, element);
+        for child in element.children_named(n::CANopenSubObject) {
             let attributes = EntryAttributes::of(child);
             match attributes.sub_index().filter(|&sub| object.subs.get(sub).is_none()) {
                 Some(sub) => {
@@ -96,7 +97,7 @@ impl<'t> Entries<'t, '_> {
                     if let Some(attribute) = attributes.get(n::subNumber) {
                         entry.extra.push(attribute.name(), &attribute.value());
                     }
-                    child.children().for_each(|unknown| self.leftovers.element(unknown));
+                    self.texts(&mut entry, child);
                     object.subs.insert(sub, entry);
                 }
                 None => {
@@ -106,6 +107,22 @@ impl<'t> Entries<'t, '_> {
             }
         }
         object
+    }
+
+    /// The children of an object or sub-object that are no sub-objects: texts in a project, else unknown.
+    fn texts(&mut self, entry: &mut Entry, element: Element<'t>) {
+        let mut texts = Vec::new();
+        for child in element.children().filter(|child| child.tag() != n::CANopenSubObject) {
+            match project::label(child).filter(|_| self.is_project) {
+                Some(label) => texts.push(label),
+                None => self.leftovers.element(child),
+            }
+        }
+        let mut labels = project::labels(texts);
+        absorb::name(entry, &mut labels);
+        if !labels.is_empty() {
+            entry.parameter_mut().labels = labels;
+        }
     }
 
     /// An entry; `inherited` is its data type if neither the entry nor its parameter states one.

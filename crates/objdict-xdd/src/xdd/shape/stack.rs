@@ -24,13 +24,18 @@ pub(crate) fn stack_properties(options: &StackOptions) -> Vec<Property> {
     options.settings().map(property).collect()
 }
 
-/// Takes an attribute of a `CANopenObject` or `CANopenSubObject` that older versions of CANopenEditor used
-/// instead; `false` for any other attribute or an invalid value.
+/// Takes an attribute of a `CANopenObject` or `CANopenSubObject` that older versions of CANopenEditor, and the
+/// projects before, used instead; `false` for any other attribute or an invalid value.
 pub(crate) fn stack_attribute(options: &mut StackOptions, name: &str, value: &str) -> bool {
     let property = match name {
         // the first spelling is an error of CANopenEditor
-        "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" => "CO_storageGroup",
-        "edseditor_extension_notifyonchange" | "edseditor_extenstion_notifyonchange" => "CO_flagsPDO",
+        "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" | "memoryType" => {
+            "CO_storageGroup"
+        }
+        "edseditor_extension_notifyonchange" | "edseditor_extenstion_notifyonchange" | "TPDOdetectCOS" => {
+            "CO_flagsPDO"
+        }
+        "disabled" => "CO_disabled",
         _ => return false,
     };
     take(options, property, value)
