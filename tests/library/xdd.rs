@@ -570,6 +570,8 @@ fn projects_of_canopennode_are_read() {
         (heartbeat.data_type, &heartbeat.default),
         (Some(DataType::UNSIGNED32), &Some(Value::Unsigned(0x50064)))
     );
+    let second = device.entry(0x1016, 2).unwrap();
+    assert_eq!((second.data_type, second.access), (Some(DataType::UNSIGNED32), Some(Access::Rw)));
     assert_eq!(device.objects[&0x1018].main.object_type, Some(ObjectType::Record));
     assert_eq!(
         (only_entry(device, 0x1008).access, device.objects[&0x1008].sub_number),

@@ -7,8 +7,8 @@ use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
 use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
-    ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues, Object,
-    ObjectList, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    Access, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues,
+    Object, ObjectList, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 use crate::xdd::fact::{Text, hex};
 use crate::xdd::leftovers::Leftovers;
@@ -92,12 +92,18 @@ impl<'t> Entries<'t, '_> {
             let attributes = EntryAttributes::of(child);
             match attributes.sub_index().filter(|&sub| object.subs.get(sub).is_none()) {
                 Some(sub) => {
-                    let inherited = element_type(&object.main, &attributes, sub);
+                    let inherited = self.element_type(&object.main, &attributes, sub);
                     let mut entry = self.entry(&attributes, index, Some(sub), inherited);
                     if let Some(attribute) = attributes.get(n::subNumber) {
                         entry.extra.push(attribute.name(), &attribute.value());
                     }
                     self.texts(&mut entry, child);
+                    if self.is_project && object.object_type() == ObjectType::Array {
+                        let array = &object.main;
+                        entry.access =
+                            entry.access.or(if sub == 0 { Some(Access::Ro) } else { array.access });
+                        entry.pdo_mapping = entry.pdo_mapping.or(array.pdo_mapping.filter(|_| sub > 0));
+                    }
                     object.subs.insert(sub, entry);
                 }
                 None => {
@@ -107,6 +113,18 @@ impl<'t> Entries<'t, '_> {
             }
         }
         object
+    }
+
+    /// The data type that an element inherits from an ARRAY: older versions of CANopenEditor state it there, and
+    /// for the elements `0000`; projects may state nothing for the elements.
+    fn element_type(&self, array: &Entry, attributes: &EntryAttributes<'_>, sub: u8) -> Option<DataType> {
+        let of_elements = array.data_type.filter(|_| array.object_type == Some(ObjectType::Array))?;
+        let is_stated = match attributes.get(n::dataType) {
+            Some(stated) => hex(stated.value().trim_ascii(), 4) != Some(0),
+            None => !self.is_project,
+        };
+        let inherited = if sub == 0 { DataType::UNSIGNED8 } else { of_elements };
+        (!is_stated).then_some(inherited)
     }
 
     /// The children of an object or sub-object that are no sub-objects: texts in a project, else unknown.
@@ -189,15 +207,6 @@ impl<'t> Entries<'t, '_> {
             }
         }
     }
-}
-
-/// The data type that an element inherits from an ARRAY: older versions of CANopenEditor state it there, and for
-/// the elements `0000`.
-fn element_type(array: &Entry, attributes: &EntryAttributes<'_>, sub: u8) -> Option<DataType> {
-    let stated = attributes.get(n::dataType)?.value();
-    let of_elements = array.data_type.filter(|_| array.object_type == Some(ObjectType::Array))?;
-    let inherited = if sub == 0 { DataType::UNSIGNED8 } else { of_elements };
-    (hex(stated.trim_ascii(), 4) == Some(0)).then_some(inherited)
 }
 
 /// The parameter from which an entry takes what its attributes do not have.
