@@ -1,5 +1,5 @@
-//! What a format has no place for, carried in places that every format has: sections of a manufacturer in an EDS or DCF,
-//! properties of parameters and characteristics of the device in an XDD or XDC (docs/formats.md).
+//! What a format has no place for, carried in places that every format has: comment lines in an EDS or DCF, properties of
+//! parameters and characteristics of the device in an XDD or XDC (docs/formats.md).
 //!
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
 //! what the reader will find in its place, so that later edits are not undone.
@@ -9,21 +9,24 @@ use serde_json::Value;
 use crate::compare::{DatumChange, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
 use crate::model::{
-    Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_SECTION, Entry, Extra,
-    ExtraSection, Labels, Part, Place, Property,
+    Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
+    Extra, ExtraSection, Field, Labels, Part, Place, Property,
 };
 
 /// The prefix of the path in the name of a property.
 const PREFIX: &str = "objdict:";
 
-/// The longest value of a key, so that no line is longer than 255 characters (CiA 306-1 §4.2).
-const MAX_VALUE: usize = 120;
+/// The longest line with its line end: shorter than 255 characters (CiA 306-1 §4.2).
+const MAX_LINE: usize = 250;
+
+/// The shortest room for a value, behind a long path.
+const MIN_VALUE: usize = 60;
 
 /// Where a format has room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Room {
-    /// In a section with a key for each item.
-    Section,
+    /// In a section with a key for each item, which an EDS has as comment lines.
+    Lines,
     /// In properties of parameters, and in characteristics for what belongs to no object.
     Properties,
 }
@@ -34,7 +37,7 @@ pub(super) static RULES: &[&RuleInfo] = &[&STALE_EMBEDDED_DATA];
 text_rule! {
     STALE_EMBEDDED_DATA = "objdict/stale-embedded-data", Note;
     summary: "carried data are of a part that was changed since",
-    checks: "Whether the data that a conversion embedded in the section `ObjdictCarried` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",
+    checks: "Whether the data that a conversion embedded in comment lines `; objdict-embed: …` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",
     why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",
     example: "`/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited",
     remedy: "Remove the item, or convert the file again.",
@@ -49,12 +52,12 @@ pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Fi
     };
     for change in &refused {
         let message = say!("the carried `{}` is of a part that was changed since", change.path);
-        let finding =
-            Diagnostic::new(&STALE_EMBEDDED_DATA, Place::of(Part::Section(EMBEDDED_SECTION.into())), message);
+        let place = Place::of(Part::Section(EMBEDDED_SECTION.into())).field(Field::Named(change.path.as_str().into()));
+        let finding = Diagnostic::new(&STALE_EMBEDDED_DATA, place, message);
         findings.push(finding.help("remove the item, or convert the file again"));
     }
     if !refused.is_empty() {
-        embed(&mut device, &refused, Room::Section);
+        embed(&mut device, &refused, Room::Lines);
     }
     (device, findings)
 }
@@ -62,10 +65,10 @@ pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Fi
 /// Puts changes into a device, in the places that the format has.
 pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
     match room {
-        Room::Section => {
+        Room::Lines => {
             let mut entries = Extra::default();
             for change in changes {
-                for (number, piece) in pieces(&print(change)).into_iter().enumerate() {
+                for (number, piece) in pieces(&print(change), room_behind(&change.path)).into_iter().enumerate() {
                     let key =
                         if number == 0 { change.path.clone() } else { format!("{}#{number}", change.path) };
                     entries.push(&key, &piece);
@@ -223,20 +226,27 @@ fn ascii_json(value: &Value) -> String {
     text
 }
 
+/// How long a value may be behind its path, with the number of the piece, in blanks that may be spelled out, and in ` instead of 01234567`.
+const fn room_behind(path: &str) -> usize {
+    let taken = EMBEDDED_COMMENT.len() + path.len() + ";#000=".len() + "\\u0020\\u0020 instead of 01234567\r\n".len();
+    let room = MAX_LINE.saturating_sub(taken);
+    if room < MIN_VALUE { MIN_VALUE } else { room }
+}
+
 /// A text in pieces that fit into a line. A blank at the end of one would be lost, so it is written as JSON can write it;
 /// there it is inside quotes, or in ` instead of `, which is never cut.
-fn pieces(text: &str) -> Vec<String> {
+fn pieces(text: &str, room: usize) -> Vec<String> {
     let (json, suffix) = match text.rfind(" instead of ") {
         Some(at) if text.len() - at == " instead of 01234567".len() => text.split_at(at),
         _ => (text, ""),
     };
     let mut pieces = Vec::new();
     let mut rest = json;
-    while rest.len() > MAX_VALUE {
+    while rest.len() > room {
         // an escape such as `\u00e4` stays whole either way: pieces are put together before they are read
         // and some readers of INI files glue a line to the next after a backslash
         let is_escape = |at: &usize| rest.as_bytes()[at - 1] == b'\\';
-        let end = (1..=MAX_VALUE).rev().find(|at| !is_escape(at)).unwrap_or(MAX_VALUE);
+        let end = (1..=room).rev().find(|at| !is_escape(at)).unwrap_or(room);
         let (piece, behind) = rest.split_at(end);
         pieces.push(piece.to_owned());
         rest = behind;
@@ -274,7 +284,7 @@ mod tests {
             change("/objects/0x2000/subs", Some(7), None),
             change("/comments", None, Some(json!([long, " "]))),
         ];
-        for room in [Room::Section, Room::Properties] {
+        for room in [Room::Lines, Room::Properties] {
             let mut device = Device::default();
             embed(&mut device, &changes, room);
             assert_eq!(extract(&mut device), changes, "{room:?}");
@@ -286,9 +296,10 @@ mod tests {
     fn lines_stay_short_and_keep_their_blanks() {
         let value = change("/comments", None, Some(json!([" ".repeat(1000)])));
         let mut device = Device::default();
-        embed(&mut device, std::slice::from_ref(&value), Room::Section);
+        embed(&mut device, std::slice::from_ref(&value), Room::Lines);
         for (key, value) in device.extra[0].entries() {
-            assert!(key.len() + value.len() < 200 && value.trim() == value, "{key}={value}");
+            let line = format!(";{EMBEDDED_COMMENT}{key}={value}\r\n");
+            assert!(line.len() < 255 && value.trim() == value, "{line}");
         }
         assert_eq!(extract(&mut device), [value]);
     }

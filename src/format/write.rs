@@ -23,8 +23,8 @@ pub struct WriteOptions {
     pub eds: Style,
     /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
     pub xdd_version: XddVersion,
-    /// Whether what the format has no place for is kept in sections or properties of a manufacturer, which other tools
-    /// pass over and objdict reads (docs/formats.md).
+    /// Whether what the format has no place for is kept in comment lines or properties, which other tools pass over and
+    /// objdict reads (docs/formats.md).
     pub embed: bool,
 }
 
@@ -66,7 +66,7 @@ pub enum LossKind {
     Lost,
     /// It belongs to a node, and the format describes a type of device; or the format is for other data.
     LeftOut,
-    /// objdict reads it from a section or property of its own; other tools do not see it.
+    /// objdict reads it from a comment line or property of its own; other tools do not see it.
     #[serde(rename = "carried")]
     Embedded,
 }
@@ -245,7 +245,7 @@ fn changes(lost: &[DatumDifference]) -> Vec<DatumChange> {
 
 const fn room(format: Format) -> Room {
     match format {
-        Format::Eds | Format::Dcf => Room::Section,
+        Format::Eds | Format::Dcf => Room::Lines,
         Format::Xdd | Format::Xdc => Room::Properties,
     }
 }

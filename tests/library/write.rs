@@ -194,6 +194,29 @@ fn what_was_edited_since_is_not_undone() {
 }
 
 #[test]
+fn embedded_lines_are_comments_that_edits_keep() {
+    let embedding = options(|options| options.embed = true);
+    for path in support::files("xdd", &["xdd", "xdc"]) {
+        let device = open(&path);
+        let text = String::from_utf8(format::write(&device, Format::Dcf, &embedding).bytes).unwrap();
+        let is_ours = |line: &&str| line.starts_with("; objdict-embed: /");
+        assert!(text.lines().all(|line| line.len() < 255), "{}", path.display());
+        assert!(!text.contains("[xml:") && !text.contains("[ObjdictCarried]"), "{}", path.display());
+        let description = format::read(SourceFile::from_text("a.dcf", text.as_str()), Format::Dcf);
+        let arranged = String::from_utf8(description.arranged().unwrap().unwrap()).unwrap();
+        let edited = String::from_utf8(description.to_type("a.eds").unwrap()).unwrap();
+        for edited in [arranged, edited] {
+            assert!(edited.lines().filter(is_ours).eq(text.lines().filter(is_ours)), "{}", path.display());
+        }
+        // as earlier versions wrote them
+        let (body, lines) = text.split_at(text.find("; objdict-embed: ").unwrap_or(text.len()));
+        let old = format!("{body}[ObjdictCarried]\r\n{}", lines.replace("; objdict-embed: ", ""));
+        let before = description.into_device();
+        assert_same(&read(old.as_bytes(), Format::Dcf), &before, &path.display());
+    }
+}
+
+#[test]
 fn a_node_becomes_a_type_without_its_values() {
     let device = open(&support::fixtures().join("dcf/io-401-node5.dcf"));
     let again = read(&format::write(&device, Format::Eds, &WriteOptions::default()).bytes, Format::Eds);

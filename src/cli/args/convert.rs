@@ -14,7 +14,7 @@ use crate::source::Encoding;
 ///
 /// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
 /// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
-/// properties or sections of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network. Exits
+/// properties or comment lines of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network. Exits
 /// with 1 when --deny-loss is given and data are lost.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConvertArgs {
@@ -34,7 +34,7 @@ pub(in crate::cli) struct ConvertArgs {
     /// Exit with 1 when data are lost
     #[arg(long)]
     pub deny_loss: bool,
-    /// Embed nothing in properties or sections of objdict: data without a place in the format are lost
+    /// Embed nothing in properties or comments of objdict: data without a place in the format are lost
     #[arg(long, alias = "no-carry")]
     pub no_embed: bool,
     /// Version of CiA 311 of a new XDD or XDC

@@ -8,9 +8,10 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use super::keys::Key;
 use super::misspelt;
 use super::order::Rank;
+use super::read::embedded_in;
 use super::section::{SectionName, Spelling};
 use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
-use crate::model::{Field, Part, Place};
+use crate::model::{EMBEDDED_SECTION, Field, Part, Place};
 use crate::source::Span;
 
 /// The headers of a document, sorted by part.
@@ -66,7 +67,8 @@ impl Locator {
                 return Some(span);
             }
         }
-        self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part))
+        let found = self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part));
+        found.or_else(|| embedded_line(document, place))
     }
 
     /// The place of an offset: the field of its line in its section. `None` outside the sections of the standard.
@@ -176,6 +178,16 @@ impl Locator {
             _ => None,
         }
     }
+}
+
+/// The comment line that holds an embedded datum, or the first of all.
+fn embedded_line(document: &Document, place: &Place) -> Option<Span> {
+    if place.part != Part::Section(EMBEDDED_SECTION.into()) {
+        return None;
+    }
+    let is_wanted = |key: &str| place.field.as_ref().is_none_or(|field| field.name() == key);
+    let mut lines = document.lines().map(|line| line.span);
+    lines.find(|line| embedded_in(line.of(document.text())).is_some_and(|(key, _)| is_wanted(key)))
 }
 
 /// The number of lines of a section that are searched for a key before all its keys are sorted.

@@ -47,9 +47,12 @@ mod stack;
 mod unparsed;
 mod value;
 
-/// The section of an EDS or DCF, and the category of characteristics of an XDD or XDC, in which objdict
-/// stores what the format does not support.
+/// The category of characteristics of an XDD or XDC, and in a [`Device`] the section of the lines of an EDS or DCF, in which
+/// objdict stores what the format does not support. Earlier versions wrote it into an EDS or DCF.
 pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
+
+/// The start of a comment line of an EDS or DCF in which objdict stores what the format does not support, after the semicolon.
+pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";
 
 pub use access::{Access, PdoMapping};
 pub use address::{Address, NoAddress};

@@ -20,16 +20,32 @@ use super::findings::{self, DuplicateKind};
 use super::section::{SectionName, Spelling};
 use crate::diagnostic::Findings;
 use crate::ini::{self, Document};
-use crate::model::EMBEDDED_SECTION;
-use crate::model::{Device, DeviceKind, Extra, ExtraSection, Part, Place};
+use crate::model::{
+    Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Extra, ExtraSection, Part, Place,
+};
 use crate::source::Span;
 
 /// Reads a document as the description of a device type or, if `kind` requests it or there is a
 /// commissioning section, of a node.
 pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
     let mut reader = Reader::new(document.text());
-    document.visit(|section| reader.section(section), |_| {});
+    let mut embedded = Extra::default();
+    document.visit(
+        |section| reader.section(section),
+        |line| {
+            if let Some((key, value)) = embedded_in(line.span.of(document.text())) {
+                embedded.push(key, value);
+            }
+        },
+    );
+    reader.keep(EMBEDDED_SECTION, &embedded);
     reader.finish(kind)
+}
+
+/// The datum in a comment line that holds what the format has no place for.
+pub(super) fn embedded_in(line: &str) -> Option<(&str, &str)> {
+    let (key, value) = line.trim().strip_prefix(';')?.strip_prefix(EMBEDDED_COMMENT)?.split_once('=')?;
+    Some((key.trim(), value.trim()))
 }
 
 /// A description while it is read.
@@ -146,9 +162,7 @@ impl<'a> Reader<'a> {
     fn unknown_section(&mut self, section: &ini::Section) {
         let (name, at) = self.header_of(section);
         let lower = name.to_ascii_lowercase();
-        if name == EMBEDDED_SECTION {
-            // left to the reader of embedded data
-        } else if self.unknown.insert(self.hasher.hash_one(&lower)) {
+        if self.unknown.insert(self.hasher.hash_one(&lower)) {
             self.findings.push(findings::unknown_section(name, at));
         } else {
             let first = Place::of(Part::Section(lower.into()));

@@ -5,7 +5,9 @@ use std::borrow::Cow;
 
 use crate::eds::Style;
 use crate::eds::section::{SectionName, section_name};
-use crate::model::{Extra, ExtraSection, Field, InvalidValues, Part};
+use crate::model::{
+    EMBEDDED_COMMENT, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Part,
+};
 use crate::source::transliterate;
 
 /// The sections of a description, in order.
@@ -14,6 +16,8 @@ pub(super) struct SectionWriter<'a> {
     sections: Vec<Section>,
     /// Keys without a field in the model, by the known section they belong to.
     extras: Vec<(Part, Extra)>,
+    /// The comment lines at the end, with what the format has no place for.
+    embedded: Vec<String>,
 }
 
 /// A section with cleaned keys and values.
@@ -30,7 +34,7 @@ impl<'a> SectionWriter<'a> {
         let extras = extra.iter().map(|section| (SectionName::parse(section.name()).part, section));
         let extras = extras.filter(|(part, _)| !matches!(part, Part::Section(_)));
         let extras = extras.map(|(part, section)| (part, section.entries().collect())).collect();
-        Self { options, sections: Vec::new(), extras }
+        Self { options, sections: Vec::new(), extras, embedded: Vec::new() }
     }
 
     /// Starts the section of a part; the following keys go into it.
@@ -119,11 +123,14 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Unknown sections, and unknown keys of known sections that were not written.
+    /// Unknown sections, and unknown keys of known sections that were not written. What only an XDD has a place for is no
+    /// section.
     pub(super) fn rest(&mut self, extra: &[ExtraSection]) {
         for section in extra {
             let part = SectionName::parse(section.name()).part;
             match part {
+                Part::Section(_) if section.name() == EMBEDDED_SECTION => self.embed(section),
+                Part::Section(_) if section.name().starts_with("xml:") => {}
                 Part::Section(_) => {
                     let name = self.clean_name(section.name());
                     self.sections.push(Section { part, name, entries: Vec::new() });
@@ -136,6 +143,13 @@ impl<'a> SectionWriter<'a> {
                 _ => {}
             }
         }
+    }
+
+    fn embed(&mut self, section: &ExtraSection) {
+        let lines = section.entries().map(|(key, value)| {
+            format!(";{EMBEDDED_COMMENT}{}={}", self.clean_key(key), self.clean(value))
+        });
+        self.embedded = lines.collect();
     }
 
     /// The text. Keys without a section come first, because no header may precede them.
@@ -156,6 +170,9 @@ impl<'a> SectionWriter<'a> {
                 text.extend([key, "=", value, END]);
             }
         }
+        // apart from the last section, so that they do not move with it
+        let apart = self.embedded.first().map(|_| "");
+        apart.into_iter().chain(self.embedded.iter().map(String::as_str)).for_each(|line| text.extend([line, END]));
         text
     }
 
