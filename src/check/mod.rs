@@ -26,8 +26,10 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         let options = Options { tools: Vec::new(), ..options.clone() };
         findings.append(lint::check(description.device(), &options));
     } else {
-        findings.append(lint::check(description.device(), options));
-        findings.append(description.portability_findings());
+        let seen = description.seen_by_others();
+        let device = seen.as_ref().unwrap_or_else(|| description.device());
+        findings.append(lint::check(device, options));
+        findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
     #[cfg(feature = "xdd")]

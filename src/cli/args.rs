@@ -1,5 +1,6 @@
 //! The command line.
 
+mod canonical;
 mod configure;
 mod convert;
 mod dcf;
@@ -16,6 +17,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
+pub(super) use self::canonical::{CanonicalArgs, DialectArgs};
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::{
@@ -293,6 +295,8 @@ pub(super) struct FmtArgs {
     /// Write nothing, print the changes, and exit with 1 when there are any
     #[arg(long, conflicts_with = "check")]
     pub diff: bool,
+    #[command(flatten)]
+    pub dialect: DialectArgs,
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]

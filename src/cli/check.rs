@@ -148,7 +148,10 @@ impl Worker<'_> {
 
     fn fix_devices(&self, file: &File, description: Description) -> Checked {
         let project = file.project.as_deref();
-        let options = self.settings.options(&file.path, project);
+        let mut options = self.settings.options(&file.path, project);
+        if let Some(tool) = self.args.fixing.dialect.tool().filter(|_| !self.args.settings.names_tools()) {
+            options.tools = vec![tool];
+        }
         let check = |description: &Description| crate::check_with(description, &options);
         let (description, amended, unwritten) = match self.args.fixing.safety() {
             None => (description, None, None),

@@ -46,12 +46,15 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     };
     let file_name = file_name(args, wanted.kind);
     let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
-    let configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
+    let mut configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
     let worse = worse(own, &configured.device, &options(args, configured.device.node_id())?);
     if !worse.is_empty() && !args.force {
         return Ok(refuse_findings(&worse));
     }
-    if !configured.is_edited {
+    if args.dialect.is_other() && !is_xml {
+        let options = WriteOptions { embed: true, ..args.dialect.options() };
+        configured.bytes = format::write(&configured.device, Format::Dcf, &options).bytes;
+    } else if !configured.is_edited {
         tell(
             "note: the text has no place for these settings, so the file is written anew, without comments\n",
         );

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::args::DialectArgs;
 use super::output::Output;
 use super::save::save_in_place;
 use super::{Failure, diff, note};
@@ -24,6 +25,8 @@ pub(super) struct FixArgs {
     /// Print the changes of --fix, write nothing, and exit with 1 when there are any
     #[arg(long)]
     pub diff: bool,
+    #[command(flatten)]
+    pub dialect: DialectArgs,
 }
 
 impl FixArgs {

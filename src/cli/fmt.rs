@@ -12,6 +12,7 @@ use super::progress::give_way;
 use super::save::{Saved, save_in_place};
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, diff, note};
+use crate::compat;
 use crate::report::plural;
 use crate::source::{SourceFile, SourceOptions};
 
@@ -60,6 +61,16 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
     };
     let source = description.source();
     let name = source.name().to_owned();
+    let read = |bytes, encoding| {
+        let mut options = SourceOptions::default();
+        (options.encoding, options.max_size) = (Some(encoding), u64::MAX);
+        SourceFile::from_bytes(&*name, bytes, &options).map_err(Failure::new)
+    };
+    let before = read(source.to_bytes(), source.encoding())?;
+    let description = match args.dialect.tool().filter(|_| description.document().is_some()) {
+        Some(tool) => compat::adapt(description, tool),
+        None => description,
+    };
     let bytes = match description.arranged() {
         Some(bytes) => bytes.map_err(Failure::new)?,
         None if !file.is_named => return Ok(None),
@@ -70,10 +81,7 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
             )));
         }
     };
-    let mut options = SourceOptions::default();
-    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
-    let read = |bytes| SourceFile::from_bytes(&*name, bytes, &options).map_err(Failure::new);
-    let (before, after) = (read(source.to_bytes())?, read(bytes.clone())?);
+    let after = read(bytes.clone(), description.source().encoding())?;
     Ok(Some(Arranged { file: file.path.clone(), before, after, bytes }))
 }
 

@@ -134,6 +134,11 @@ impl SettingsArgs {
         self.node_id
     }
 
+    /// Whether arguments name the tools that descriptions are for.
+    pub(super) fn names_tools(&self) -> bool {
+        !self.compat.is_empty()
+    }
+
     /// The lowest severity that fails the run, if an argument sets it.
     pub(super) fn stated_deny(&self) -> Option<Severity> {
         self.deny.map(Severity::from)

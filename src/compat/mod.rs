@@ -8,9 +8,9 @@ mod canchkeds;
 mod fixes;
 mod reactions;
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
+use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text, Tool, say};
 use crate::format::Description;
-use crate::lint::PORTABILITY;
+use crate::lint::{Options, PORTABILITY};
 use crate::model::DeviceKind;
 
 pub use canchkeds::MESSAGES;
@@ -75,6 +75,18 @@ impl Effect {
             Self::Warned => "warning",
         }
     }
+}
+
+/// A description with the safe fixes of what a tool refuses, misreads or drops.
+#[cfg(feature = "json")]
+pub(crate) fn adapt(description: Description, tool: Tool) -> Description {
+    let options = Options { tools: vec![tool], ..Options::default() };
+    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
+    let check = |description: &Description| {
+        let findings = crate::check_with(description, &options);
+        findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
+    };
+    crate::fix(description, Applicability::Safe, check).description
 }
 
 /// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the

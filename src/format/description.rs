@@ -10,7 +10,7 @@ use super::{Format, Syntax, eds, ini};
 #[cfg(feature = "xdd")]
 use super::{xdd, xml::Tree};
 use crate::diagnostic::{At, Change, Findings, Fix};
-use crate::model::{Commissioning, Device, DeviceKind, Place};
+use crate::model::{Commissioning, Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Place};
 use crate::source::{EditError, Encoding, SourceFile, Span};
 
 /// A description that was read: the device, the text that it came from, and what the reader found.
@@ -310,11 +310,19 @@ impl Description {
         &self.findings
     }
 
-    /// What the text shows that other tools choke on; see `compat`.
-    pub(crate) fn portability_findings(&self) -> Findings {
+    /// The device as other tools read it, without what is embedded in comments; `None` where nothing is.
+    pub(crate) fn seen_by_others(&self) -> Option<Device> {
+        let document = self.document().filter(|document| document.text().contains(EMBEDDED_COMMENT))?;
+        let (mut device, _) = eds::read(document, self.format.kind());
+        device.extra.retain(|section| section.name() != EMBEDDED_SECTION);
+        Some(device)
+    }
+
+    /// What the text shows that other tools choke on, which read `device`; see `compat`.
+    pub(crate) fn portability_findings(&self, device: &Device) -> Findings {
         let mut findings = Findings::new();
         if let Some(document) = self.document() {
-            eds::portability::check(document, &self.device, &mut findings);
+            eds::portability::check(document, device, &mut findings);
         }
         findings
     }

@@ -52,7 +52,8 @@ pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Fi
     };
     for change in &refused {
         let message = say!("the carried `{}` is of a part that was changed since", change.path);
-        let place = Place::of(Part::Section(EMBEDDED_SECTION.into())).field(Field::Named(change.path.as_str().into()));
+        let place = Place::of(Part::Section(EMBEDDED_SECTION.into()))
+            .field(Field::Named(change.path.as_str().into()));
         let finding = Diagnostic::new(&STALE_EMBEDDED_DATA, place, message);
         findings.push(finding.help("remove the item, or convert the file again"));
     }
@@ -68,7 +69,9 @@ pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
         Room::Lines => {
             let mut entries = Extra::default();
             for change in changes {
-                for (number, piece) in pieces(&print(change), room_behind(&change.path)).into_iter().enumerate() {
+                for (number, piece) in
+                    pieces(&print(change), room_behind(&change.path)).into_iter().enumerate()
+                {
                     let key =
                         if number == 0 { change.path.clone() } else { format!("{}#{number}", change.path) };
                     entries.push(&key, &piece);
@@ -228,7 +231,8 @@ fn ascii_json(value: &Value) -> String {
 
 /// How long a value may be behind its path, with the number of the piece, in blanks that may be spelled out, and in ` instead of 01234567`.
 const fn room_behind(path: &str) -> usize {
-    let taken = EMBEDDED_COMMENT.len() + path.len() + ";#000=".len() + "\\u0020\\u0020 instead of 01234567\r\n".len();
+    let taken =
+        EMBEDDED_COMMENT.len() + path.len() + ";#000=".len() + "\\u0020\\u0020 instead of 01234567\r\n".len();
     let room = MAX_LINE.saturating_sub(taken);
     if room < MIN_VALUE { MIN_VALUE } else { room }
 }

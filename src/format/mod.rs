@@ -4,6 +4,8 @@
 mod configured;
 mod description;
 #[cfg(all(feature = "json", feature = "xdd"))]
+mod dialect;
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub(crate) mod embedded;
 pub mod identify;
 pub mod input;
@@ -17,6 +19,8 @@ mod write;
 #[cfg(feature = "node")]
 pub use self::configured::{ConfiguredFile, NodeSettings};
 pub use self::description::Description;
+#[cfg(all(feature = "json", feature = "xdd"))]
+pub use self::dialect::Dialect;
 pub use self::input::{ReadError, open};
 #[cfg(all(feature = "json", feature = "xdd"))]
 pub use self::write::{Loss, LossKind, WriteOptions, Written};

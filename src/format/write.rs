@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::embedded::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
-use super::{Format, Style, Syntax, XddVersion, eds, xdd};
+use super::{Dialect, Format, Style, Syntax, XddVersion, eds, xdd};
 use crate::compare::{DatumChange, DatumDifference, differences};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
@@ -21,11 +21,19 @@ use crate::source::{Encoding, SourceFile, SourceOptions};
 pub struct WriteOptions {
     /// How an EDS or DCF is written.
     pub eds: Style,
+    /// Who reads an EDS or DCF: what is stated for the reader, and what it refuses and is left out.
+    pub dialect: Dialect,
     /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
     pub xdd_version: XddVersion,
     /// Whether what the format has no place for is kept in comment lines or properties, which other tools pass over and
     /// objdict reads (docs/formats.md).
     pub embed: bool,
+}
+
+impl From<Dialect> for WriteOptions {
+    fn from(dialect: Dialect) -> Self {
+        Self { eds: dialect.style(), dialect, ..Self::default() }
+    }
 }
 
 /// A written description.
@@ -252,7 +260,7 @@ const fn room(format: Format) -> Room {
 
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format {
-        Format::Eds | Format::Dcf => eds::write(device, &options.eds),
+        Format::Eds | Format::Dcf => eds::write(&options.dialect.adapted(device), &options.eds),
         Format::Xdd | Format::Xdc => xdd::write(device, options.xdd_version).into_bytes(),
     }
 }

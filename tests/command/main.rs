@@ -8,6 +8,7 @@ mod building;
 #[cfg(unix)]
 mod ci;
 mod cli;
+mod dialects;
 mod fixing;
 mod flags;
 mod limits;

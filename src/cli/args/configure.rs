@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{node_id, node_name};
+use super::{DialectArgs, node_id, node_name};
 use crate::cli::input::{InputArgs, SizeArgs};
 use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
@@ -59,6 +59,8 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Write the DCF even if `check` finds errors in it that the EDS does not have
     #[arg(long)]
     pub force: bool,
+    #[command(flatten)]
+    pub dialect: DialectArgs,
     /// The format of the input, instead of the detected one: eds, dcf, xdd, xdc or json
     #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,

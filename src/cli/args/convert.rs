@@ -4,11 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{ExpandArgs, node_id, node_name};
+use super::{CanonicalArgs, ExpandArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
-use crate::format::literal::RealSpelling;
-use crate::format::{WriteOptions, XddVersion};
-use crate::source::Encoding;
+use crate::format::XddVersion;
 
 /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
 ///
@@ -55,6 +53,9 @@ pub(in crate::cli) struct ConvertArgs {
     /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
+    /// Use no configuration; `convert` reads none, and takes the option like the other commands
+    #[arg(long, help_heading = "Settings")]
+    no_config: bool,
     #[command(flatten)]
     pub canonical: CanonicalArgs,
     #[command(flatten)]
@@ -63,27 +64,6 @@ pub(in crate::cli) struct ConvertArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
-}
-
-/// How an EDS or DCF is written that is no edit of a text.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Canonical EDS and DCF")]
-pub(in crate::cli) struct CanonicalArgs {
-    /// Write an EDS or DCF anew instead of editing its text, in the order and spelling that most tools read
-    #[arg(long)]
-    pub canonical: bool,
-    /// Spelling of REAL numbers; implies --canonical
-    #[arg(long, value_enum, value_name = "SPELLING")]
-    pub real: Option<Real>,
-    /// Quote strings, as Lely's tools require; implies --canonical
-    #[arg(long)]
-    pub quote_strings: bool,
-    /// Keep compact storage (CompactSubObj), which many tools do not support; implies --canonical
-    #[arg(long)]
-    pub compact: bool,
-    /// Encoding of the output; without it ISO 646, as CiA 306 requires, with `ü` written as `ue`; implies --canonical
-    #[arg(long, value_name = "ENCODING")]
-    pub output_encoding: Option<Encoding>,
 }
 
 /// What a DBC describes.
@@ -96,38 +76,6 @@ pub(in crate::cli) struct DbcArgs {
     /// Give each named bit field of a word a signal of its own in a DBC, instead of one for the word
     #[arg(long)]
     pub bits: bool,
-}
-
-/// A spelling of REAL numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Real {
-    /// As decimal numbers
-    Decimal,
-    /// As the hex digits of their bits, as Lely's tools read them
-    Bits,
-}
-
-impl CanonicalArgs {
-    /// Whether a new text is wanted although there is one to edit.
-    pub(in crate::cli) fn is_asked(&self) -> bool {
-        self.canonical
-            || self.real.is_some()
-            || self.quote_strings
-            || self.compact
-            || self.output_encoding.is_some()
-    }
-
-    /// How the text is written; an encoding that was said for reading holds for writing too.
-    pub(in crate::cli) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
-        let mut options = WriteOptions::default();
-        if self.real == Some(Real::Bits) {
-            options.eds.real = RealSpelling::Hex;
-        }
-        options.eds.quote_strings = self.quote_strings;
-        options.eds.compact = self.compact;
-        options.eds.encoding = self.output_encoding.or(read_in);
-        options
-    }
 }
 
 impl ConvertArgs {

@@ -41,7 +41,7 @@ pub(super) fn of_description(
         return of_device(args, job, device, !args.no_embed);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
-        return of_device(args, job, device, false);
+        return of_device(args, job, device, !args.no_embed && args.canonical.dialect.is_other());
     }
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
         return Ok(Converted::whole(description.source().to_bytes()));
@@ -51,9 +51,9 @@ pub(super) fn of_description(
     let bytes = match to.kind() {
         DeviceKind::Node => {
             let node = node(args, job, device)?;
-            let bytes = description.to_node(&file_name, &node);
+            let bytes = description.to_node(&file_name, &node.clone().unwrap_or_default());
             expected.kind = DeviceKind::Node;
-            expected.commissioning = Some(node);
+            expected.commissioning = node;
             bytes
         }
         DeviceKind::Type => description.to_type(&file_name),
@@ -92,7 +92,7 @@ pub(super) fn of_device(
         FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), embed)),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
-            node_device.commissioning = Some(node(args, job, &node_device)?);
+            node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
             Ok(anew(args, job, node_device, embed))
         }
@@ -116,10 +116,20 @@ fn base_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The node of the output.
-fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Commissioning, Failure> {
+/// The node of the output. A DCF or XDC may leave it to the network which node-ID a device gets.
+fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commissioning>, Failure> {
     let (node_id, baud_rate, name) = (args.node_id, args.bit_rate, args.name.clone());
-    commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })
+    if device.kind == DeviceKind::Node && node_id.or(device.node_id()).is_none() {
+        let mut node = device.commissioning.clone();
+        if baud_rate.is_some() || name.is_some() {
+            let node = node.get_or_insert_default();
+            node.baud_rate = baud_rate.or(node.baud_rate);
+            node.node_name = name.or_else(|| node.node_name.take());
+        }
+        return Ok(node);
+    }
+    let node = commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })?;
+    Ok(Some(node))
 }
 
 /// The downloads that configure a node as the device says.

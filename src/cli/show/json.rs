@@ -8,7 +8,7 @@ use serde_json::Value as Json;
 
 use super::View;
 use crate::describe::Reader;
-use crate::model::{Entry, Object, PdoMapping, Value};
+use crate::model::{Entry, InvalidValue, Object, PdoMapping, Value};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -35,6 +35,9 @@ struct Row<'a> {
     high_limit: Option<Json>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bytes: Option<String>,
+    /// The texts that are not valid values, by key.
+    #[serde(skip_serializing_if = "serde_json::Map::is_empty")]
+    invalid_values: serde_json::Map<String, Json>,
 }
 
 /// Writes the entries of `objects` that `is_wanted` takes, one a line.
@@ -78,7 +81,12 @@ fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row
         low_limit: value(&entry.low_limit),
         high_limit: value(&entry.high_limit),
         bytes: entry.value().and_then(|value| reader.bytes(value, entry.data_type, "")),
+        invalid_values: entry.invalid_values.iter().map(invalid).collect(),
     }
+}
+
+fn invalid(invalid: &InvalidValue) -> (String, Json) {
+    (invalid.field.to_string(), Json::from(&*invalid.text))
 }
 
 /// Whole numbers and finite REAL as numbers, BOOLEAN as such, everything else as the text that a table shows.

@@ -7,6 +7,7 @@
 
 #![allow(clippy::print_stdout, reason = "says why it is skipped")]
 
+mod dialects;
 mod fixes;
 
 use std::collections::BTreeSet;

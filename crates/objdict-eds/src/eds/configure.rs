@@ -94,15 +94,16 @@ impl Sections {
 fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
     let number = |number: Option<u32>| number.unwrap_or_default().to_string();
     let text = |text: &Option<String>| text.clone().unwrap_or_default();
-    let mut settings = vec![
-        ("NodeID", number(node.node_id.map(u32::from))),
-        ("NodeName", text(&node.node_name)),
-        ("Baudrate", number(node.baud_rate.map(u32::from))),
+    let mut settings = Vec::new();
+    settings.extend(node.node_id.map(|node_id| ("NodeID", node_id.to_string())));
+    settings.push(("NodeName", text(&node.node_name)));
+    settings.extend(node.baud_rate.map(|rate| ("Baudrate", rate.to_string())));
+    settings.extend([
         ("NetNumber", number(node.net_number)),
         ("NetworkName", text(&node.network_name)),
         ("CANopenManager", number(node.manager.map(u32::from))),
         ("LSS_SerialNumber", number(node.lss_serial_number)),
-    ];
+    ]);
     let designators =
         [("NodeRefd", &node.node_reference_designator), ("NetRefd", &node.net_reference_designator)];
     settings

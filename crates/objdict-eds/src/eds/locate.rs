@@ -67,7 +67,8 @@ impl Locator {
                 return Some(span);
             }
         }
-        let found = self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part));
+        let found =
+            self.misspelt_key(document, place).or(header).or_else(|| self.nearest(document, &place.part));
         found.or_else(|| embedded_line(document, place))
     }
 

@@ -152,7 +152,10 @@ impl Writer<'_> {
         }
         sections
             .put_some(&Field::DataType, entry.data_type.map(|data_type| format!("0x{:04X}", data_type.0)));
-        sections.put_some(&Field::AccessType, entry.access.map(Access::name));
+        sections.put_some(
+            &Field::AccessType,
+            entry.access.map(|access| directed(access, entry.pdo_mapping).name()),
+        );
         sections.put_some(&Field::DefaultValue, value(entry.default.as_ref()));
         sections.put_flag(&Field::PdoMapping, entry.pdo_mapping.map(PdoMapping::is_mappable));
         sections.put_some(&Field::LowLimit, value(entry.low_limit.as_ref()));
@@ -215,6 +218,15 @@ fn sub_section<T>(
         sections.put(&Field::Item((*sub).into()), print(item));
     }
     sections.close();
+}
+
+/// The access type that says which PDOs carry the entry, as `PDOMapping` of CiA 306 has no direction.
+const fn directed(access: Access, mapping: Option<PdoMapping>) -> Access {
+    match (access, mapping) {
+        (Access::Rw, Some(PdoMapping::Tpdo)) => Access::Rwr,
+        (Access::Rw, Some(PdoMapping::Rpdo)) => Access::Rww,
+        _ => access,
+    }
 }
 
 /// COB-IDs, mappings and other communication parameters are written in hex.

@@ -5,9 +5,7 @@ use std::borrow::Cow;
 
 use crate::eds::Style;
 use crate::eds::section::{SectionName, section_name};
-use crate::model::{
-    EMBEDDED_COMMENT, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Part,
-};
+use crate::model::{EMBEDDED_COMMENT, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Part};
 use crate::source::transliterate;
 
 /// The sections of a description, in order.
@@ -146,9 +144,9 @@ impl<'a> SectionWriter<'a> {
     }
 
     fn embed(&mut self, section: &ExtraSection) {
-        let lines = section.entries().map(|(key, value)| {
-            format!(";{EMBEDDED_COMMENT}{}={}", self.clean_key(key), self.clean(value))
-        });
+        let lines = section
+            .entries()
+            .map(|(key, value)| format!(";{EMBEDDED_COMMENT}{}={}", self.clean_key(key), self.clean(value)));
         self.embedded = lines.collect();
     }
 
@@ -172,7 +170,10 @@ impl<'a> SectionWriter<'a> {
         }
         // apart from the last section, so that they do not move with it
         let apart = self.embedded.first().map(|_| "");
-        apart.into_iter().chain(self.embedded.iter().map(String::as_str)).for_each(|line| text.extend([line, END]));
+        apart
+            .into_iter()
+            .chain(self.embedded.iter().map(String::as_str))
+            .for_each(|line| text.extend([line, END]));
         text
     }
 

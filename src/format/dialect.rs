@@ -1,0 +1,245 @@
+//! Who reads an EDS or DCF: one table of how it is written for each tool, and which findings are fixed for it.
+
+use std::borrow::Cow;
+
+use crate::diagnostic::Tool;
+use crate::format::Style;
+use crate::format::literal::RealSpelling;
+use crate::model::{
+    Access, DataType, Device, EMBEDDED_SECTION, Entry, Extra, Field, InvalidValues, Object, ObjectType,
+};
+
+/// The reader that an EDS or DCF is written for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dialect {
+    /// Any tool that reads CiA 306.
+    #[default]
+    Cia306,
+    /// The tools of Lely core: dcf-tools and dcf2c.
+    Lely,
+    /// The library canopen for Python.
+    PythonCanopen,
+    /// CANopenEditor.
+    CanOpenEditor,
+    /// CODESYS.
+    Codesys,
+}
+
+/// What a reader needs.
+struct Row {
+    dialect: Dialect,
+    name: &'static str,
+    /// Whose reactions to findings are known.
+    tool: Option<Tool>,
+    real: RealSpelling,
+    quote_strings: bool,
+    /// `DataType` and `AccessType` at every entry, and an object above every entry.
+    complete: bool,
+    /// All three object lists, with the objects that belong into them.
+    lists: bool,
+    /// Nothing but the sections and keys that the tool knows.
+    known_only: bool,
+}
+
+const ANY: Row = Row {
+    dialect: Dialect::Cia306,
+    name: "cia306",
+    tool: None,
+    real: RealSpelling::Decimal,
+    quote_strings: false,
+    complete: false,
+    lists: false,
+    known_only: false,
+};
+
+/// All readers.
+const ROWS: [Row; 5] = [
+    ANY,
+    Row {
+        dialect: Dialect::Lely,
+        name: "lely",
+        tool: Some(Tool::DcfTools),
+        real: RealSpelling::Hex,
+        quote_strings: true,
+        complete: true,
+        lists: true,
+        known_only: true,
+    },
+    Row {
+        dialect: Dialect::PythonCanopen,
+        name: "python-canopen",
+        tool: Some(Tool::PythonCanopen),
+        complete: true,
+        ..ANY
+    },
+    Row {
+        dialect: Dialect::CanOpenEditor,
+        name: "canopeneditor",
+        tool: Some(Tool::CanOpenEditor),
+        complete: true,
+        lists: true,
+        ..ANY
+    },
+    Row { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
+];
+
+impl Dialect {
+    /// All dialects.
+    pub const ALL: [Self; 5] =
+        [Self::Cia306, Self::Lely, Self::PythonCanopen, Self::CanOpenEditor, Self::Codesys];
+
+    fn row(self) -> &'static Row {
+        ROWS.iter().find(|row| row.dialect == self).unwrap_or(&ROWS[0])
+    }
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The tool whose findings are fixed; `None` for CiA 306 itself.
+    pub fn tool(self) -> Option<Tool> {
+        self.row().tool
+    }
+
+    /// How values are spelled.
+    pub fn style(self) -> Style {
+        let Row { real, quote_strings, .. } = *self.row();
+        Style { real, quote_strings, ..Style::default() }
+    }
+
+    /// The device with what the reader demands, and without what it refuses.
+    pub(super) fn adapted(self, device: &Device) -> Cow<'_, Device> {
+        let row = self.row();
+        if !row.complete {
+            return Cow::Borrowed(device);
+        }
+        let mut device = device.clone();
+        if row.known_only {
+            remove_unknown(&mut device);
+        }
+        if self == Self::CanOpenEditor {
+            // it reads the keys of another name into the section before
+            device.extra.retain(|section| {
+                section.name() == EMBEDDED_SECTION
+                    || section.name().bytes().all(|byte| byte.is_ascii_alphanumeric())
+            });
+        }
+        if let Some(usage) = &mut device.dummy_usage {
+            (1..=7).for_each(|number| _ = usage.types.entry(DataType(number)).or_insert(false));
+            usage.invalid_values = InvalidValues::default();
+        }
+        device.objects.retain(|_, object| !object.orphan);
+        device.objects.values_mut().for_each(complete);
+        if row.lists {
+            list_all(&mut device);
+        }
+        Cow::Owned(device)
+    }
+}
+
+/// States type and access of every entry that has a value.
+fn complete(object: &mut Object) {
+    let has_subs = object.object_type().has_subs();
+    if !has_subs || object.compact.is_some() {
+        complete_entry(&mut object.main, DataType::DOMAIN, Access::Rw);
+    }
+    for (sub, entry) in object.subs.iter_mut() {
+        match sub {
+            0 if has_subs => complete_entry(entry, DataType::UNSIGNED8, Access::Ro),
+            _ => complete_entry(entry, DataType::DOMAIN, Access::Rw),
+        }
+    }
+}
+
+fn complete_entry(entry: &mut Entry, data_type: DataType, access: Access) {
+    let is_domain = entry.object_type == Some(ObjectType::Domain);
+    entry.data_type.get_or_insert(if is_domain { DataType::DOMAIN } else { data_type });
+    entry.access.get_or_insert(if is_domain { Access::Rw } else { access });
+    let stated = [Field::DataType, Field::AccessType];
+    entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
+}
+
+/// Puts every object into the list that it belongs into.
+fn list_all(device: &mut Device) {
+    let is_mandatory = |index: u16| matches!(index, 0x1000 | 0x1001 | 0x1018);
+    let is_vendor = |index: u16| matches!(index, 0x2000..=0x5FFF);
+    let all: Vec<u16> = device.objects.keys().copied().filter(|index| *index >= 0x1000).collect();
+    let lists = &mut device.lists;
+    let sorted = |list: &mut Option<Vec<u16>>, belongs: &dyn Fn(u16) -> bool| {
+        let list = list.get_or_insert_default();
+        list.retain(|index| belongs(*index) && all.binary_search(index).is_ok());
+        let missing = all.iter().filter(|index| belongs(**index) && !list.contains(index));
+        let missing: Vec<u16> = missing.copied().collect();
+        list.extend(missing);
+    };
+    sorted(&mut lists.mandatory, &is_mandatory);
+    sorted(&mut lists.optional, &|index| !is_mandatory(index) && !is_vendor(index));
+    sorted(&mut lists.manufacturer, &is_vendor);
+}
+
+/// Removes the sections and keys that dcf-tools refuses.
+fn remove_unknown(device: &mut Device) {
+    device.extra.retain(|section| section.name() == EMBEDDED_SECTION);
+    device.modules = None;
+    device.dynamic_channels = None;
+    device.tools.clear();
+    if let Some(info) = &mut device.file_info {
+        clear(&mut info.extra, &mut info.invalid_values);
+    }
+    if let Some(info) = &mut device.device_info {
+        clear(&mut info.extra, &mut info.invalid_values);
+        info.baud_rates.auto = None;
+        info.safety_supported = None;
+    }
+    if let Some(usage) = &mut device.dummy_usage {
+        clear(&mut usage.extra, &mut usage.invalid_values);
+    }
+    if let Some(node) = &mut device.commissioning {
+        clear(&mut node.extra, &mut node.invalid_values);
+    }
+    device.objects.retain(|index, _| *index >= 0x1000);
+    device.objects.values_mut().for_each(remove_unknown_of);
+    // a number of sub-indexes without any is refused
+    device.objects.retain(|_, object| {
+        !object.object_type().has_subs() || object.compact.is_some() || !object.subs.is_empty()
+    });
+}
+
+fn remove_unknown_of(object: &mut Object) {
+    object.links.clear();
+    if let Some(compact) = &mut object.compact {
+        clear(&mut compact.extra, &mut compact.invalid_values);
+    }
+    object.subs.remove(0xFF);
+    let has_subs = object.object_type().has_subs();
+    let is_counted = has_subs && object.compact.is_none();
+    object.sub_number = u8::try_from(object.subs.len()).ok().filter(|_| is_counted);
+    if is_counted {
+        object.main.access = None;
+    }
+    let entries = object.subs.iter_mut().map(|(_, entry)| entry);
+    for entry in entries.chain([&mut object.main]) {
+        entry.safety = None;
+        clear(&mut entry.extra, &mut entry.invalid_values);
+        if !entry.data_type.is_some_and(DataType::is_numeric) {
+            (entry.low_limit, entry.high_limit) = (None, None);
+        }
+    }
+}
+
+fn clear(extra: &mut Extra, invalid_values: &mut InvalidValues) {
+    *extra = Extra::default();
+    *invalid_values = InvalidValues::default();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_dialect_has_a_row() {
+        assert!(Dialect::ALL.iter().zip(&ROWS).all(|(dialect, row)| row.dialect == *dialect));
+    }
+}

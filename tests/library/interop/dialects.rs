@@ -1,0 +1,163 @@
+//! Other tools read each dialect: every description is written for every reader, and types, access and values are compared.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use objdict::format::{self, Description, Dialect, Format, WriteOptions};
+use objdict::model::{Access, Device, DeviceKind, Value};
+use objdict::source::SourceOptions;
+use serde_json::{Value as Json, json};
+
+use super::environment;
+use crate::support;
+
+/// The healthy devices of the fixtures, and with `OBJDICT_CORPUS_DIR` those of the files below that folder.
+fn all_devices() -> Vec<(String, Device)> {
+    let endings = ["eds", "dcf", "xdd", "xdc"];
+    let of_xml = [support::files("xdd", &["xdd"]), support::files("xdc", &["xdc"])].concat();
+    let mut paths = [support::good_devices(), of_xml].concat();
+    let own = paths.len();
+    if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
+        let mut files = support::files_below(Path::new(&folder), &endings);
+        files.sort();
+        paths.extend(files);
+    }
+    let open = |(number, path): (usize, &PathBuf)| {
+        let device = format::open(path, &SourceOptions::default()).ok().map(Description::into_device)?;
+        let stem = path.file_stem()?.to_string_lossy().into_owned();
+        let kind = if number < own { "own" } else { "corpus" };
+        Some((format!("{kind}-{number}-{stem}"), device))
+    };
+    paths.iter().enumerate().filter_map(open).filter(|(_, device)| !device.objects.is_empty()).collect()
+}
+
+/// Each entry with its type, access and value, as far as the description states them and CiA 301 knows the type.
+fn entries(device: &Device, node_id: u8) -> Vec<Json> {
+    let mut entries = Vec::new();
+    for (&index, object) in device.objects.range(0x1000..).filter(|(_, object)| !object.orphan) {
+        for (sub, entry) in object.entries().filter(|(sub, _)| *sub != 0xFF) {
+            let data_type = entry.data_type.filter(|data_type| data_type.0 <= 0x1B);
+            let value =
+                entry.value().zip(data_type).and_then(|(value, data_type)| value.resolve(data_type, node_id));
+            let value = match value {
+                Some(Value::Boolean(flag)) => json!(flag),
+                Some(Value::Signed(number)) => json!(number),
+                Some(Value::Unsigned(number)) => json!(number),
+                Some(Value::Real32(number)) if number.is_finite() => json!(number),
+                Some(Value::Real64(number)) if number.is_finite() => json!(number),
+                _ => Json::Null,
+            };
+            let is_formula = entry.value().is_some_and(|value| matches!(value, Value::NodeId(_)));
+            let access = entry.access.map(Access::name);
+            entries.push(json!([
+                index,
+                sub,
+                data_type.map(|data_type| data_type.0),
+                access,
+                value,
+                is_formula
+            ]));
+        }
+    }
+    entries
+}
+
+/// Writes all devices in a dialect, with what is expected of a reader.
+fn write(devices: &[(String, Device)], dialect: Dialect) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("interop-dialect-{}", dialect.name()));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let mut options = WriteOptions::from(dialect);
+    options.embed = true;
+    let expected = devices.iter().map(|(name, device)| {
+        let format = if device.kind == DeviceKind::Type { Format::Eds } else { Format::Dcf };
+        let file = format!("{name}.{}", format.name().to_lowercase());
+        fs::write(folder.join(&file), format::write(device, format, &options).bytes).unwrap();
+        let node_id = device.node_id().unwrap_or(5);
+        json!({ "file": file, "node_id": node_id, "entries": entries(device, node_id) })
+    });
+    let expected: Vec<Json> = expected.collect();
+    fs::write(folder.join("expected.json"), serde_json::to_string(&expected).unwrap()).unwrap();
+    folder
+}
+
+/// What a tool did with the files of a folder.
+#[derive(Default)]
+struct Verdict {
+    read: usize,
+    same: usize,
+    /// The first words of each refusal, and the first difference of a file.
+    reasons: BTreeMap<String, String>,
+}
+
+fn read_with(command: &mut Command) -> Verdict {
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", super::text_of(&output));
+    let mut verdict = Verdict::default();
+    for line in String::from_utf8(output.stdout).unwrap().lines() {
+        let answer: Json = serde_json::from_str(line).unwrap();
+        let file = answer["file"].as_str().unwrap().to_owned();
+        match (answer["refused"].as_str(), answer["differences"].as_array()) {
+            (None, Some(differences)) => {
+                verdict.read += 1;
+                match differences.first() {
+                    None => verdict.same += 1,
+                    Some(first) => {
+                        _ = verdict.reasons.insert(file, format!("{first} ({})", differences.len()));
+                    }
+                }
+            }
+            (refused, _) => {
+                _ = verdict.reasons.insert(file, format!("refused: {}", refused.unwrap_or_default()));
+            }
+        }
+    }
+    verdict
+}
+
+/// The package of npm, installed once.
+fn node_modules() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-npm");
+    let modules = folder.join("node_modules");
+    if modules.join("canopen").is_dir() {
+        return Some(modules);
+    }
+    fs::create_dir_all(&folder).unwrap();
+    let mut npm = Command::new("npm");
+    npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(&folder).arg("canopen@6.2.1");
+    let is_there = Command::new("npm").arg("--version").output().is_ok();
+    (is_there && support::unless_offline(support::run(&mut npm)).is_some()).then_some(modules)
+}
+
+#[test]
+fn tools_read_their_dialects() {
+    let Some(programs) = environment() else { return };
+    let devices = all_devices();
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop");
+    let modules = node_modules();
+    let mut failures = Vec::new();
+    for dialect in Dialect::ALL.into_iter().filter(|dialect| *dialect != Dialect::Codesys) {
+        let folder = write(&devices, dialect);
+        let python = |tool: &str| {
+            let mut command = Command::new(programs.join("python"));
+            (tool.to_owned(), read_with(command.arg(scripts.join("read_all.py")).arg(tool).arg(&folder)))
+        };
+        let mut verdicts = vec![python("dcf-tools"), python("python-canopen")];
+        if let Some(modules) = &modules {
+            let mut command = Command::new("node");
+            command.env("NODE_PATH", modules).arg(scripts.join("read_all.js")).arg(&folder);
+            verdicts.push(("node-canopen".to_owned(), read_with(&mut command)));
+        }
+        for (tool, Verdict { read, same, reasons }) in verdicts {
+            println!("{}\t{tool}\t{} files\t{read} read\t{same} alike", dialect.name(), devices.len());
+            if dialect.tool().is_some_and(|of_dialect| of_dialect.name() == tool) {
+                failures.extend(reasons.iter().map(|(file, why)| format!("{tool}: {file}: {why}")));
+            }
+        }
+    }
+    println!("{}", failures.join("\n"));
+    failures.retain(|failure| failure.contains(": own-"));
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
