@@ -1,6 +1,6 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
-//! `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`.
+//! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -11,6 +11,7 @@ mod docs;
 mod mutants;
 mod mutate;
 mod profiles;
+mod readers;
 mod round_trip;
 mod shares;
 mod targets;
@@ -32,6 +33,9 @@ usage:
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
+  cargo xtask readers FOLDER PYTHON
+      count the EDS and DCF below FOLDER that python-canopen and dcf-tools read, as they are and after safe fixes; PYTHON is
+      an interpreter that has both
   cargo xtask docs [--check]
       write docs/rules (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
   cargo xtask profiles [--check]
@@ -57,6 +61,7 @@ fn main() -> ExitCode {
             Err(_) => Err(USAGE.to_owned()),
         },
         ["concise", corpus] => concise::run(Path::new(corpus)),
+        ["readers", folder, python] => readers::run(Path::new(folder), Path::new(python)),
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
         ["profiles"] => profiles::run(false),
