@@ -115,6 +115,13 @@ impl Builder {
         self
     }
 
+    /// How many entries the description may have in compact storage; without it, [a
+    /// million](crate::format::input::DEFAULT_MAX_ENTRIES).
+    pub fn max_entries(mut self, count: usize) -> Self {
+        self.request.reading.max_entries = count;
+        self
+    }
+
     /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
     #[cfg(feature = "lint")]
     pub fn config(mut self, file: impl AsRef<Path>) -> Self {

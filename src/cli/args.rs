@@ -105,6 +105,7 @@ pub(super) enum Command {
 ///
 /// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
+#[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     ///
@@ -285,6 +286,7 @@ pub(super) enum ProfileFormat {
 /// spelling. The content of the file stays the same. The standard input goes to the standard output.
 #[derive(Debug, Parser)]
 #[command(mut_arg("from", |from| from.value_parser(EnumValueParser::<FormattedKind>::new().map(FileKind::from))))]
+#[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     #[arg(required = true, value_name = "PATH")]

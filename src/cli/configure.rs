@@ -18,7 +18,7 @@ use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
 use crate::lint::{self, Options};
 use crate::model::{Device, DeviceKind};
 use crate::report::plural;
-use crate::source::{DEFAULT_MAX_SIZE, read_text};
+use crate::source::{MAX_TOML_SIZE, read_text};
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let description = description(args)?;
@@ -102,7 +102,7 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
 fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
     let Some(path) = args.settings() else { return Ok(SettingsFile::default()) };
     keep(path);
-    let text = read_text(path, DEFAULT_MAX_SIZE).map_err(Failure::new)?;
+    let text = read_text(path, MAX_TOML_SIZE).map_err(Failure::new)?;
     let file = SettingsFile::parse(&text)
         .map_err(|error| Failure::new(format_args!("`{}`: {error}", path.display())))?;
     match file.node_id.filter(|node_id| !(1..=127).contains(node_id)) {

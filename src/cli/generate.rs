@@ -164,7 +164,9 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
             Failure::new(error).help("fix them, lower the severity of a rule with `--severity`, or generate anyway with `--force`").print();
             Ok(Outcome::Findings)
         }
-        Error::Input(error @ ReadError::SeveralDevices { .. }) => Err(error.into()),
+        Error::Input(error @ (ReadError::SeveralDevices { .. } | ReadError::TooManyEntries { .. })) => {
+            Err(error.into())
+        }
         Error::Profile(error) => Err(error.into()),
         error @ Error::TooLarge { .. } => {
             Failure { help: error.help(), ..Failure::new(error) }.print();

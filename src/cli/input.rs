@@ -9,7 +9,7 @@ use clap::Args;
 use super::save::keep;
 use super::{Failure, detail};
 use crate::format::identify::ContentKind;
-use crate::format::input::Reading;
+use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
 use crate::format::{self, Description, ReadError};
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
@@ -31,7 +31,18 @@ pub(super) struct InputArgs {
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
     #[command(flatten)]
+    pub entries: EntriesArgs,
+    #[command(flatten)]
     pub size: SizeArgs,
+}
+
+/// How large a device may become. What only looks at the text of a file does without.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Input")]
+pub(super) struct EntriesArgs {
+    /// The largest number of entries in compact storage [default: 1000000]
+    #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
+    pub max_entries: usize,
 }
 
 /// How much of a file is read.
@@ -55,7 +66,8 @@ impl InputArgs {
     /// How a file is read.
     pub(super) fn reading(&self) -> Reading {
         let (from, device, encoding) = (self.from, self.device, self.encoding);
-        Reading { from, device, encoding, max_size: self.size.max_size, node_id: None }
+        let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
+        Reading { from, device, encoding, max_size, max_entries, node_id: None }
     }
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.
@@ -139,6 +151,7 @@ impl From<ReadError> for Failure {
             ReadError::Source(SourceError::TooLarge { .. }) => {
                 Some("raise the limit with `--max-size`".to_owned())
             }
+            ReadError::TooManyEntries { .. } => Some("raise the limit with `--max-entries`".to_owned()),
             ReadError::Foreign { found, .. } if found.kind == ContentKind::Unknown => {
                 Some("read it nevertheless by naming its format with `--from`".to_owned())
             }

@@ -28,7 +28,7 @@ use self::path::{PathPattern, relative};
 pub(crate) use self::project::Project;
 use crate::diagnostic::{Findings, Selection, Severity, Tool};
 use crate::lint::{Level, Options, Severities};
-use crate::source::{SourceError, SourceFile, SourceOptions, Span};
+use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span};
 
 /// The name of the file.
 pub const FILE_NAME: &str = "objdict.toml";
@@ -71,7 +71,7 @@ impl Config {
     /// # Errors
     /// When the file cannot be opened.
     pub fn open(path: &Path) -> Result<Self, SourceError> {
-        let source = SourceFile::open(path, &SourceOptions::default())?;
+        let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
         let path = absolute(path);
         Ok(Self::read(source, path.parent().unwrap_or(&path)))
     }

@@ -156,6 +156,9 @@ pub enum Input {
     NodeList(crate::model::NodeList),
 }
 
+/// The default limit of entries in compact storage.
+pub const DEFAULT_MAX_ENTRIES: usize = 1_000_000;
+
 /// How a file is read.
 #[derive(Clone, Debug)]
 pub struct Reading {
@@ -167,13 +170,16 @@ pub struct Reading {
     pub encoding: Option<Encoding>,
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
+    /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
+    pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
 }
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { from: None, device: None, encoding: None, max_size: DEFAULT_MAX_SIZE, node_id: None }
+        let (max_size, max_entries) = (DEFAULT_MAX_SIZE, DEFAULT_MAX_ENTRIES);
+        Self { from: None, device: None, encoding: None, max_size, max_entries, node_id: None }
     }
 }
 
@@ -191,6 +197,16 @@ pub enum ReadError {
         name: String,
         /// What it is.
         found: Box<Identification>,
+    },
+    /// Its objects in compact storage have more entries than allowed.
+    #[error("`{name}` has {count} entries in compact storage, more than the limit of {limit}")]
+    TooManyEntries {
+        /// The file.
+        name: String,
+        /// How many.
+        count: usize,
+        /// The limit.
+        limit: usize,
     },
     /// Its content is malformed where that cannot be skipped: JSON, concise DCF, a node list.
     #[error("cannot read `{name}`: {error}")]
@@ -250,7 +266,10 @@ impl ReadError {
                 let feature = kind.feature()?;
                 Some(format!("enable the feature `{feature}` of the crate `objdict`"))
             }
-            Self::Source(_) | Self::Content { .. } | Self::NoSuchDevice { .. } => None,
+            Self::Source(_)
+            | Self::TooManyEntries { .. }
+            | Self::Content { .. }
+            | Self::NoSuchDevice { .. } => None,
         }
     }
 }
@@ -274,7 +293,21 @@ impl Reading {
             Some(format) => Input::Description(Box::new(super::read(source, format))),
             None => self.content(kind, &source)?,
         };
+        self.limited(name, &input)?;
         Ok((kind, input))
+    }
+
+    /// Refuses a device that would take too much memory expanded.
+    fn limited(&self, name: &str, input: &Input) -> Result<(), ReadError> {
+        let count = match input {
+            Input::Description(description) => description.device().compact_entries(),
+            #[cfg(feature = "json")]
+            Input::Device(device) => device.compact_entries(),
+            #[cfg(feature = "json")]
+            _ => 0,
+        };
+        let (name, limit) = (name.to_owned(), self.max_entries);
+        if count > limit { Err(ReadError::TooManyEntries { name, count, limit }) } else { Ok(()) }
     }
 
     /// What a source of another kind than a description holds.

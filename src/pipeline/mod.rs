@@ -34,7 +34,7 @@ use crate::profile::{self, Profile};
 use crate::report::{Location, Subject, grouped, listed};
 use crate::source::hash;
 #[cfg(feature = "lint")]
-use crate::source::{DEFAULT_MAX_SIZE, read_text};
+use crate::source::{MAX_TOML_SIZE, read_text};
 
 /// So many errors are shown of a file; the rest is counted.
 const MAX_SHOWN: usize = 50;
@@ -398,7 +398,7 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
 /// The names that a file gives to objects and entries.
 #[cfg(feature = "lint")]
 fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
-    let text = read_text(path, DEFAULT_MAX_SIZE)?;
+    let text = read_text(path, MAX_TOML_SIZE)?;
     generate::renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
 }
 

@@ -1,7 +1,9 @@
 //! Malformed and huge input: no panic, no quadratic time, and memory in proportion to the file.
 
 use std::fmt::Write;
+use std::fs;
 use std::io::Write as _;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// How much memory the command may ask for: eight times the file, and what a process takes for nothing.
@@ -131,4 +133,63 @@ fn a_file_over_the_limit_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains("has 11 bytes") && message.contains("--max-size"), "{message}");
+}
+
+/// The exit code and the messages of a command that runs in `folder`, with a limit on its memory of so many KiB.
+#[cfg(target_os = "linux")]
+fn refusal(folder: &Path, kib: usize, line: &str) -> (Option<i32>, String) {
+    let script = format!("ulimit -d {kib} && exec \"$0\" {line}");
+    let program = env!("CARGO_BIN_EXE_objdict");
+    let output = Command::new("sh").args(["-c", &script, program]).current_dir(folder).output().unwrap();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn compact_storage_does_not_explode() {
+    let folder = tempfile::tempdir().unwrap();
+    let compact = |number| {
+        format!("[{:X}]\nObjectType=8\nDataType=7\nAccessType=rw\nCompactSubObj=254\n", 0x2000 + number)
+    };
+    let many: String = (0..4000).map(compact).collect();
+    fs::write(folder.path().join("many.eds"), &many).unwrap();
+    for line in [
+        "convert many.eds many.xdd",
+        "convert many.eds many.json",
+        "generate many.eds --target c -o out",
+        "docs many.eds -o many.html",
+        "show many.eds",
+        "dcf pack many.eds --all --node-id 1 -o many.cdcf",
+        "configure many.eds --node-id 1 -o many.dcf",
+    ] {
+        let (code, message) = refusal(folder.path(), limit_kib(many.len()), line);
+        assert_eq!(code, Some(2), "{line}: {message}");
+        assert!(message.contains("has 1016000 entries in compact storage, more than the limit of 1000000"));
+        assert!(message.contains("raise the limit with `--max-entries`"), "{line}: {message}");
+    }
+    fs::write(folder.path().join("few.eds"), compact(0)).unwrap();
+    let convert = "convert few.eds few.json --max-entries";
+    assert_eq!(refusal(folder.path(), 1 << 20, &format!("{convert} 253")).0, Some(2));
+    assert_eq!(refusal(folder.path(), 1 << 20, &format!("{convert} 254")).0, Some(0));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn large_toml_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let tables = (0..200_000).map(|number| format!("[a{number}]\n")).collect::<String>();
+    for name in ["objdict.toml", "large.toml"] {
+        fs::write(folder.path().join(name), &tables).unwrap();
+    }
+    fs::copy("fixtures/eds/minimal.eds", folder.path().join("a.eds")).unwrap();
+    for line in [
+        "check a.eds",
+        "check a.eds --no-config --profile large.toml",
+        "configure a.eds --no-config --node-id 1 --settings large.toml",
+        "generate a.eds --no-config --target c --rename large.toml -o out",
+    ] {
+        let (code, message) = refusal(folder.path(), 32 * 1024, line);
+        assert_eq!(code, Some(2), "{line}: {message}");
+        assert!(message.contains("has 1888890 bytes, more than the limit of 1048576"), "{line}: {message}");
+    }
 }

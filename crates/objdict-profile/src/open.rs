@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{Profile, ProfileError, named, standard};
-use crate::source::{SourceError, SourceFile, SourceOptions};
+use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions};
 
 /// Why a profile cannot be opened.
 #[derive(Debug, thiserror::Error)]
@@ -67,7 +67,7 @@ pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
     if !path.exists() && path.extension().is_none() {
         return Err(OpenError::Unknown { name: name.to_owned() });
     }
-    let source = SourceFile::open(&path, &SourceOptions::default())?;
+    let source = SourceFile::open(&path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
     let profile = Profile::from_toml(source.text());
     profile.map(Arc::new).map_err(|error| OpenError::Invalid { source_file: Box::new(source), error })
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::{Parser, ValueEnum};
 
 use super::{DialectArgs, node_id, node_name};
-use crate::cli::input::{InputArgs, SizeArgs};
+use crate::cli::input::{EntriesArgs, InputArgs, SizeArgs};
 use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
 use crate::configure::Setting;
@@ -71,6 +71,8 @@ pub(in crate::cli) struct ConfigureArgs {
     #[arg(long, value_name = "ENCODING", help_heading = "Input")]
     encoding: Option<Encoding>,
     #[command(flatten)]
+    entries: EntriesArgs,
+    #[command(flatten)]
     pub size: SizeArgs,
     #[command(flatten)]
     pub config: ConfigFileArgs,
@@ -109,7 +111,8 @@ impl ConfigureArgs {
             _ => None,
         };
         let (device, encoding) = (self.device, self.encoding);
-        Reading { from, device, encoding, max_size: self.size.max_size, ..Reading::default() }
+        let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
+        Reading { from, device, encoding, max_size, max_entries, node_id: None }
     }
 }
 

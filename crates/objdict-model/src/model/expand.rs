@@ -52,6 +52,11 @@ impl Object {
 }
 
 impl Device {
+    /// How many entries are stored compactly. Ten bytes of a file may state 254, so a reader of foreign files limits them.
+    pub fn compact_entries(&self) -> usize {
+        self.objects.values().filter_map(|object| object.compact.as_ref()).map(|c| usize::from(c.count)).sum()
+    }
+
     /// The device with a description of every entry of its compactly stored objects. Unknown keys in the
     /// sections of such an object get their own section.
     pub fn expanded(&self) -> Cow<'_, Device> {

@@ -25,6 +25,10 @@ pub use span::Span;
 /// The default size limit of files: 64 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;
 
+/// The size limit of what users write in TOML, as configuration, profiles, settings and names: 1 MiB. A parser of TOML takes up
+/// to 200 times the size of the text.
+pub const MAX_TOML_SIZE: u64 = 1 << 20;
+
 /// The hard size limit: decoding may triple the size, and a [`Span`] has four-byte offsets.
 const HARD_LIMIT: u64 = 1 << 30;
 
