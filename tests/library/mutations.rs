@@ -18,7 +18,7 @@ use objdict::source::{SourceFile, SourceOptions};
 use self::mutate::Mutator;
 use crate::support;
 
-/// Corrupted descriptions; `cargo xtask mutants fixtures 10000` has the time for more.
+/// Corrupted descriptions; `cargo xtask fuzz fixtures 10000` has the time for more.
 const MUTANTS: usize = 1_000;
 
 /// So many of them are fixed twice.

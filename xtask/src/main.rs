@@ -1,4 +1,4 @@
-//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask mutants FOLDER COUNT`,
+//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`.
 
@@ -8,7 +8,7 @@ mod changes;
 mod concise;
 mod corpus;
 mod docs;
-mod mutants;
+mod fuzz;
 mod mutate;
 mod profiles;
 mod readers;
@@ -28,8 +28,9 @@ usage:
       generate every target from every description below FOLDER that has no error finding (--damaged: also from the
       others), with its names or with hostile ones (--hostile), compile that, and print a table; where a variable
       OBJDICT_<STACK>_DIR names a checkout of a stack, compile with it too
-  cargo xtask mutants FOLDER COUNT
-      damage the descriptions below FOLDER so often, and read, check, fix and arrange them; nothing may panic
+  cargo xtask fuzz FOLDER COUNT [PART]
+      corrupt the files below FOLDER so often, and give them to every part of the library that takes foreign bytes, or to
+      one; nothing may panic or break its promise (xtask/src/fuzz/targets.rs)
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
@@ -56,8 +57,8 @@ fn main() -> ExitCode {
             Some(selection) => targets::run(Path::new(folder), selection),
             None => Err(USAGE.to_owned()),
         },
-        ["mutants", folder, count] => match count.parse() {
-            Ok(count) => mutants::run(Path::new(folder), count),
+        ["fuzz", folder, count, ref part @ ..] if part.len() < 2 => match count.parse() {
+            Ok(count) => fuzz::run(Path::new(folder), 256 << 10, count, part.first().copied()),
             Err(_) => Err(USAGE.to_owned()),
         },
         ["concise", corpus] => concise::run(Path::new(corpus)),

@@ -1,0 +1,234 @@
+//! What is fuzzed: every reader, writer and transformer takes any bytes without a panic and keeps its promise about them. The
+//! driver of this package and libFuzzer (`fuzz`) call the same functions.
+
+use std::sync::{Arc, LazyLock};
+
+use objdict::compare::differences;
+use objdict::config::Config;
+use objdict::configure::{SettingsFile, configure};
+use objdict::diagnostic::{Applicability, Tool};
+use objdict::document::{self, Form};
+use objdict::download::ConciseDcf;
+use objdict::format::{self, Description, Format, NodeSettings, WriteOptions, concise, json, nodelist};
+use objdict::generate::{self, Target};
+use objdict::lint::Options;
+use objdict::model::Commissioning;
+use objdict::profile::Profile;
+use objdict::source::{SourceFile, SourceOptions};
+
+/// A part of the library that takes foreign bytes, and the endings of the files that it is for.
+pub(crate) struct Fuzzed {
+    pub name: &'static str,
+    pub endings: &'static [&'static str],
+    pub run: fn(Format, &[u8]),
+}
+
+const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
+
+/// All of them.
+pub(crate) const FUZZED: [Fuzzed; 11] = [
+    Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
+    Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
+    Fuzzed { name: "fmt", endings: &["eds", "dcf"], run: arrange },
+    Fuzzed { name: "convert", endings: DESCRIPTIONS, run: convert },
+    Fuzzed { name: "configure", endings: DESCRIPTIONS, run: configured },
+    Fuzzed { name: "generate", endings: DESCRIPTIONS, run: tables },
+    Fuzzed { name: "docs", endings: DESCRIPTIONS, run: pages },
+    Fuzzed { name: "json", endings: &["json"], run: |_, bytes| json_of(bytes) },
+    Fuzzed { name: "concise", endings: &["cdcf"], run: |_, bytes| stream(bytes) },
+    Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
+    Fuzzed { name: "toml", endings: &["toml"], run: |_, bytes| toml(bytes) },
+];
+
+/// All profiles and all tools.
+static EVERYTHING: LazyLock<Options> = LazyLock::new(|| {
+    let mut options = Options::default();
+    options.profiles = objdict::profile::standard().cloned().map(Arc::new).collect();
+    options.tools = Tool::ALL.to_vec();
+    options
+});
+
+fn read(format: Format, bytes: &[u8]) -> Option<Description> {
+    let source = SourceFile::from_bytes("fuzzed", bytes.to_vec(), &SourceOptions::default()).ok()?;
+    Some(format::read(source, format))
+}
+
+/// Text that the reader of a format without a place for errors is for.
+fn utf8(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap_or_default()
+}
+
+fn check(format: Format, bytes: &[u8]) {
+    let Some(description) = read(format, bytes) else { return };
+    assert_eq!(description.print(), bytes, "what is printed is what was read");
+    for finding in &objdict::check_with(&description, &EVERYTHING) {
+        for label in &finding.labels {
+            let span = description.span_of(&label.at);
+            let quoted = description.source().text().get(span.start as usize..span.end as usize);
+            assert!(quoted.is_some(), "{}: {span:?} is a part of the text", finding.rule.id);
+        }
+    }
+}
+
+fn fix(format: Format, bytes: &[u8]) {
+    let Some(description) = read(format, bytes) else { return };
+    let once = objdict::fix(description, Applicability::Unsafe, objdict::check).bytes();
+    let Some(description) = read(format, &once) else { return };
+    let twice = objdict::fix(description, Applicability::Unsafe, objdict::check);
+    assert!(twice.bytes() == once, "the second fix changes nothing, not {:?}", twice.applied);
+}
+
+fn arrange(format: Format, bytes: &[u8]) {
+    let arranged = |bytes: &[u8]| read(format, bytes)?.arranged()?.ok();
+    let Some(once) = arranged(bytes) else { return };
+    assert!(arranged(&once).is_none_or(|twice| twice == once), "what is arranged stays as it is");
+}
+
+fn convert(format: Format, bytes: &[u8]) {
+    let Some(device) = read(format, bytes).map(Description::into_device) else { return };
+    let again = json::read_device(&json::write_device(&device));
+    assert!(again.as_ref() == Ok(&device), "JSON gives back the device: {:?}", again.err());
+    for to in [Format::Eds, Format::Dcf, Format::Xdd, Format::Xdc] {
+        let mut options = WriteOptions::default();
+        options.embed = true;
+        let written = format::write(&device, to, &options);
+        let Some(description) = read(to, &written.bytes) else { continue };
+        for found in differences(&device, description.device()).iter().filter(|found| found.left.is_some()) {
+            let is_named = written
+                .losses
+                .iter()
+                .any(|loss| loss.path.starts_with(&found.path) || found.path.starts_with(&loss.path));
+            assert!(is_named, "{} is lost in the {} and not reported", found.path, to.name());
+        }
+    }
+}
+
+fn configured(format: Format, bytes: &[u8]) {
+    let Some(description) = read(format, bytes) else { return };
+    // the text is settings too, which are mostly refused
+    let file = SettingsFile::parse(utf8(bytes)).unwrap_or_default();
+    let wanted = "[values]\n\"1017\" = 100\n[tpdo.1]\nmap = [\"1001\"]\n";
+    let settings = SettingsFile::parse(wanted).map(|file| file.settings).unwrap_or_default();
+    let node = Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
+    for settings in [&file.settings[..], &settings, &settings[..settings.len().min(1)], &[]] {
+        let Ok(assignments) = configure(description.device(), 5, settings) else { continue };
+        let parts = NodeSettings { node: &node, plugged: None, assignments: &assignments };
+        let Ok(configured) = description.configured("node.dcf", &parts) else { continue };
+        let to = if format == Format::Eds || format == Format::Dcf { Format::Dcf } else { Format::Xdc };
+        let read = read(to, &configured.bytes).map(Description::into_device);
+        assert_eq!(read.and_then(|device| device.node_id()), Some(5), "the file says what was configured");
+    }
+}
+
+fn tables(format: Format, bytes: &[u8]) {
+    let Some(device) = read(format, bytes).map(Description::into_device) else { return };
+    for target in Target::all() {
+        let Ok(generated) = generate::generate(&device, target, &generate::Options::default()) else {
+            continue;
+        };
+        for file in
+            generated.files.iter().filter(|file| file.path.ends_with(".c") || file.path.ends_with(".h"))
+        {
+            assert!(is_balanced(utf8(&file.contents)), "{} of {}", file.path, target.name());
+        }
+    }
+}
+
+/// Whether strings, comments and brackets of a C file end where they should.
+fn is_balanced(text: &str) -> bool {
+    let mut open = Vec::new();
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let mut length = c.len_utf8();
+        match c {
+            '/' if rest.starts_with("/*") => match rest[2..].find("*/") {
+                Some(end) => length = end + 4,
+                None => return false,
+            },
+            '/' if rest.starts_with("//") => length = rest.find('\n').unwrap_or(rest.len()),
+            '"' | '\'' => match literal(rest, c) {
+                Some(end) => length = end,
+                None => return false,
+            },
+            '(' | '[' | '{' => open.push(c),
+            ')' | ']' | '}' => {
+                let expected = match c {
+                    ')' => '(',
+                    ']' => '[',
+                    _ => '{',
+                };
+                if open.pop() != Some(expected) {
+                    return false;
+                }
+            }
+            _ => {}
+        }
+        rest = &rest[length..];
+    }
+    open.is_empty()
+}
+
+/// The length of a literal with its quotes, which ends in its line.
+fn literal(text: &str, quote: char) -> Option<usize> {
+    let mut is_escaped = false;
+    for (at, c) in text.char_indices().skip(1) {
+        match c {
+            '\n' => return None,
+            _ if is_escaped => is_escaped = false,
+            '\\' => is_escaped = true,
+            _ if c == quote => return Some(at + 1),
+            _ => {}
+        }
+    }
+    None
+}
+
+fn pages(format: Format, bytes: &[u8]) {
+    let Some(description) = read(format, bytes) else { return };
+    let identifiers = document::Identifiers::default();
+    let subject = document::Subject {
+        device: description.device(),
+        file: "fuzzed",
+        format: format.name(),
+        findings: None,
+        identifiers: &identifiers,
+    };
+    for form in Form::ALL {
+        assert!(!document::write(&subject, form, &document::Options::default()).is_empty());
+    }
+}
+
+fn json_of(bytes: &[u8]) {
+    if let Ok(device) = json::read_device(utf8(bytes)) {
+        let again = json::read_device(&json::write_device(&device));
+        assert!(again.as_ref() == Ok(&device), "JSON gives back the device: {:?}", again.err());
+    }
+    if let Ok(configuration) = json::read_configuration(utf8(bytes)) {
+        let again = json::read_configuration(&json::write_configuration(&configuration));
+        assert_eq!(again.as_ref(), Ok(&configuration), "JSON gives back the downloads");
+    }
+}
+
+fn stream(bytes: &[u8]) {
+    let Ok(configuration) = ConciseDcf::parse(bytes) else { return };
+    let written = configuration.write().ok().and_then(|bytes| ConciseDcf::parse(&bytes).ok());
+    assert_eq!(written.as_ref(), Some(&configuration), "a stream gives back the downloads");
+    let text = concise::print(&configuration, |_| concise::Annotation::default());
+    assert_eq!(concise::parse(&text, None).ok(), Some(configuration), "so does its text");
+}
+
+fn text(bytes: &[u8]) {
+    if let Ok(configuration) = concise::parse(utf8(bytes), Some(5)) {
+        let again = concise::print(&configuration, |_| concise::Annotation::default());
+        assert_eq!(concise::parse(&again, None).ok(), Some(configuration), "a text gives back the downloads");
+    }
+    if let Ok(source) = SourceFile::from_bytes("fuzzed", bytes.to_vec(), &SourceOptions::default()) {
+        let _ = nodelist::read(&source);
+    }
+}
+
+fn toml(bytes: &[u8]) {
+    let text = utf8(bytes);
+    let _ = (Profile::from_toml(text), SettingsFile::parse(text), generate::renames(text));
+    Config::read(SourceFile::from_text("objdict.toml", text), ".");
+}
