@@ -205,10 +205,22 @@ impl Description {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => {
-                let edited = xdd::to_xdc(tree, file_name, node);
+                // in a malformed text a reader may look for the node in another place
+                let edited = xdd::to_xdc(tree, file_name, node)
+                    .filter(|edited| edited.as_ref().map_or(true, |bytes| self.has_node(bytes, node)));
                 edited.unwrap_or_else(|| Ok(self.anew(file_name, Some(node))))
             }
         }
+    }
+
+    /// Whether a reader finds the node in an edited text.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    fn has_node(&self, bytes: &[u8], node: &Commissioning) -> bool {
+        let mut options = crate::source::SourceOptions::default();
+        (options.encoding, options.max_size) = (Some(self.source().encoding()), u64::MAX);
+        let source = SourceFile::from_bytes(self.source().name(), bytes.to_vec(), &options);
+        let read = source.map(|source| Self::read(source, Format::Xdc).into_device().commissioning);
+        read.is_ok_and(|read| read.is_some_and(|read| read.node_id == node.node_id))
     }
 
     /// The bytes of this text as the description of a device type, called `file_name`: without the node and the values
