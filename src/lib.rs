@@ -164,11 +164,11 @@
 //! # let path = std::path::Path::new(folder).join("io-401.eds");
 //! let eds = format::open(&path, &Default::default())?;
 //! let mut options = WriteOptions::default();
-//! let plain = format::write(eds.device(), Format::Xdd, &options);
+//! let plain = format::write(eds.device(), Format::Xdd, &options)?;
 //! assert_eq!(plain.losses[2].to_string(), "lost: FileInfo / EDSVersion: `\"4.0\"`");
 //!
 //! options.embed = true;
-//! let whole = format::write(eds.device(), Format::Xdd, &options);
+//! let whole = format::write(eds.device(), Format::Xdd, &options)?;
 //! assert!(whole.losses.iter().all(|loss| loss.kind == LossKind::Embedded));
 //! let source = SourceFile::from_bytes("io-401.xdd", whole.bytes, &Default::default())?;
 //! assert_eq!(format::read(source, Format::Xdd).device(), eds.device());

@@ -86,7 +86,7 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
         (_, Input::Device(device)) => {
             let options = WriteOptions { embed: true, ..WriteOptions::default() };
             let kind = if device.kind == DeviceKind::Node { Format::Dcf } else { Format::Eds };
-            let bytes = format::write(&device, kind, &options).bytes;
+            let bytes = format::write(&device, kind, &options).map_err(Failure::new)?.bytes;
             let text = String::from_utf8_lossy(&bytes).into_owned();
             let source = crate::source::SourceFile::from_text(name_of(&args.file), text);
             Ok(format::read(source, kind))

@@ -33,7 +33,7 @@ impl Description {
     /// This description as that of a node, called `file_name`, with the values: an EDS becomes a DCF, an XDD an XDC.
     ///
     /// # Errors
-    /// When the text cannot be written in the encoding of the file.
+    /// When the text cannot be written in the encoding of the file, or is not valid.
     pub fn configured(
         &self,
         file_name: &str,
@@ -55,8 +55,8 @@ impl Description {
             Syntax::Ini => Format::Dcf,
             Syntax::Xml => Format::Xdc,
         };
-        let bytes =
-            super::write(&device, format, &WriteOptions { embed: true, ..WriteOptions::default() }).bytes;
+        let options = WriteOptions { embed: true, ..WriteOptions::default() };
+        let bytes = super::write(&device, format, &options)?.bytes;
         Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
 

@@ -208,7 +208,7 @@ impl Description {
                 // in a malformed text a reader may look for the node in another place
                 let edited = xdd::to_xdc(tree, file_name, node)
                     .filter(|edited| edited.as_ref().map_or(true, |bytes| self.has_node(bytes, node)));
-                edited.unwrap_or_else(|| Ok(self.anew(file_name, Some(node))))
+                edited.unwrap_or_else(|| self.anew(file_name, Some(node)))
             }
         }
     }
@@ -233,16 +233,14 @@ impl Description {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
             #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) => {
-                xdd::to_xdd(tree, file_name).unwrap_or_else(|| Ok(self.anew(file_name, None)))
-            }
+            Text::Xml(tree, _) => xdd::to_xdd(tree, file_name).unwrap_or_else(|| self.anew(file_name, None)),
         }
     }
 
     /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
     /// without communication network profile.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Vec<u8> {
+    fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Result<Vec<u8>, EditError> {
         let mut device = self.device.clone();
         if let Some(info) = &mut device.file_info {
             info.file_name = Some(file_name.to_owned());
@@ -252,7 +250,8 @@ impl Description {
             device.commissioning = Some(node.clone());
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
-        super::write(&device, format, &super::WriteOptions::default()).bytes
+        let options = super::WriteOptions { embed: true, ..super::WriteOptions::default() };
+        Ok(super::write(&device, format, &options)?.bytes)
     }
 
     /// The bytes of this text in the canonical order and spelling: sections and keys in the order of CiA 306-1, with the

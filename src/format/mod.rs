@@ -54,8 +54,11 @@ pub fn read(source: SourceFile, format: Format) -> Description {
 
 /// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
 /// With it comes what the text does not give back: the differences of the device and what is read of the text.
+///
+/// # Errors
+/// When the text violates CiA 311, which is an error of objdict.
 #[cfg(all(feature = "json", feature = "xdd"))]
-pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
+pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     write::write(device, format, options)
 }
 

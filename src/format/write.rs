@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::embedded::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
-use super::{Dialect, Format, Style, Syntax, XddVersion, eds, xdd};
+use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, eds, xdd};
 use crate::compare::{DatumChange, DatumDifference, differences};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
@@ -166,7 +166,7 @@ fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
 }
 
 /// The text of a device in a format, and what it does not give back.
-pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Written {
+pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     let kept = kept(device, format);
     let mut losses = losses_of(differences(device, &kept), LossKind::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
@@ -175,18 +175,23 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
         false => Cow::Owned(kept.expanded().into_owned()),
     };
     let mut bytes = encode(&wanted, format, options);
-    let mut lost = differences(&wanted, &decode(&bytes, format, options.eds.encoding));
+    let (mut read, mut violation) = decode(&bytes, format, options.eds.encoding);
+    let mut lost = differences(&wanted, &read);
     if options.embed && !lost.is_empty() {
         let plain = lost;
         bytes = encode_with(&wanted, format, options, &plain);
-        let (read, _) = embedded::restore(decode(&bytes, format, options.eds.encoding), Findings::new());
+        (read, violation) = decode(&bytes, format, options.eds.encoding);
+        (read, _) = embedded::restore(read, Findings::new());
         lost = differences(&wanted, &read);
         let embedded = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
         losses.append(&mut losses_of(embedded, LossKind::Embedded));
     }
     losses.append(&mut losses_of(lost, LossKind::Lost));
     losses.sort_by_key(|loss| loss.kind);
-    Written { bytes, losses }
+    match violation {
+        Some(violation) => Err(EditError::NotValid(violation)),
+        None => Ok(Written { bytes, losses }),
+    }
 }
 
 /// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
@@ -199,7 +204,7 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
         let mut carrier = wanted.clone();
         embedded::embed(&mut carrier, &needed, room(format));
         bytes = encode(&carrier, format, options);
-        let mut read = decode(&bytes, format, options.eds.encoding);
+        let (mut read, _) = decode(&bytes, format, options.eds.encoding);
         embedded::extract(&mut read);
         let found = changes(&differences(wanted, &read));
         if found == needed {
@@ -213,7 +218,7 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let (read, _) = embedded::restore(decode(bytes, format, Some(encoding)), Findings::new());
+    let (read, _) = embedded::restore(decode(bytes, format, Some(encoding)).0, Findings::new());
     let mut losses = losses_of(differences(&kept, &read), LossKind::Lost);
     losses.append(&mut losses_of(differences(device, &kept), LossKind::LeftOut));
     losses
@@ -265,15 +270,21 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-/// The device that a text describes, with what is embedded still where it is kept.
-fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> Device {
+/// The device that a text describes, with what is embedded still where it is kept; and the first violation of CiA 311.
+fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> (Device, Option<String>) {
     let source_options = SourceOptions { encoding, max_size: u64::MAX };
     let Ok(source) = SourceFile::from_bytes("", bytes.to_vec(), &source_options) else {
         // only a text of more than 1 GiB is not read
-        return Device::default();
+        return (Device::default(), None);
     };
     match format.syntax() {
-        Syntax::Ini => eds::read(&Document::new(source), format.kind()).0,
-        Syntax::Xml => xdd::read(&Tree::new(source, &mut Findings::new()), 0, format.kind()).0,
+        Syntax::Ini => (eds::read(&Document::new(source), format.kind()).0, None),
+        Syntax::Xml => {
+            let mut findings = Findings::new();
+            let tree = Tree::new(source, &mut findings);
+            findings.append(xdd::findings::violations(&tree));
+            let violation = findings.iter().next().map(|finding| finding.message.to_string());
+            (xdd::read(&tree, 0, format.kind()).0, violation)
+        }
     }
 }

@@ -79,7 +79,7 @@ fn outputs() -> Description {
         }
         device.objects.insert(communication + 0x200, mapping);
     }
-    let bytes = format::write(&device, Format::Eds, &WriteOptions::default()).bytes;
+    let bytes = format::write(&device, Format::Eds, &WriteOptions::default()).unwrap().bytes;
     format::read(
         SourceFile::from_bytes("outputs.eds", bytes, &SourceOptions::default()).unwrap(),
         Format::Eds,

@@ -120,7 +120,7 @@ fn it_survives_every_format() {
         let mut options = WriteOptions::default();
         options.xdd_version = version;
         options.embed = true;
-        let written = format::write(&device, format, &options);
+        let written = format::write(&device, format, &options).unwrap();
         assert!(written.losses.iter().all(|loss| loss.kind == LossKind::Embedded), "{:?}", written.losses);
         let places: Vec<_> = written.losses.iter().map(|loss| loss.path.as_str()).collect();
         match (format, version) {
@@ -156,7 +156,7 @@ fn attributes_of_canopen_editor_are_stack_options() {
 
     let mut options = WriteOptions::default();
     options.embed = true;
-    let written = String::from_utf8(format::write(&device, Format::Xdd, &options).bytes).unwrap();
+    let written = String::from_utf8(format::write(&device, Format::Xdd, &options).unwrap().bytes).unwrap();
     assert!(written.contains(r#"<q1:property name="CO_storageGroup" value="ROM" />"#), "{written}");
     assert_eq!(read(&written).objects, device.objects);
 }

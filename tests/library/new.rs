@@ -27,7 +27,7 @@ fn wanted(functions: Functions) -> Wanted {
 
 /// What is found in the device, written as this format.
 fn found(device: &Device, format: Format) -> String {
-    let text = format::write(device, format, &WriteOptions::default()).bytes;
+    let text = format::write(device, format, &WriteOptions::default()).unwrap().bytes;
     let name = if format == Format::Eds { "new.eds" } else { "new.xdd" };
     let source = SourceFile::from_bytes(name, text, &objdict::source::SourceOptions::default()).unwrap();
     let description = format::read(source, format);

@@ -2,11 +2,18 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use objdict::diagnostic::Findings;
 use objdict::format::xml::Tree;
 use objdict::format::{self, Format, WriteOptions, XddVersion};
+use objdict::model::Device;
 use objdict::source::{SourceFile, SourceOptions};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+
+use crate::support;
+use crate::support::devices::{Texts, device};
 
 fn devices(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(folder);
@@ -48,7 +55,7 @@ fn what_is_written_holds_against_the_structure() {
             let mut options = WriteOptions::default();
             options.xdd_version = xdd_version;
             options.embed = true;
-            let written = format::write(description.device(), format, &options);
+            let written = format::write(description.device(), format, &options).unwrap();
             let report = report(written.bytes);
             if !report.is_empty() {
                 errors.push_str(&format!(
@@ -62,4 +69,69 @@ fn what_is_written_holds_against_the_structure() {
     }
     assert!(files > 0);
     assert!(errors.is_empty(), "{errors}");
+}
+
+/// The folder with a schema of each version, and xmllint to validate with; `None` without xmllint.
+fn schemas() -> Option<PathBuf> {
+    let installed = Command::new("xmllint").arg("--version").output().map(|_| ());
+    support::unless_offline(installed.map_err(|error| format!("xmllint: {error}")))?;
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("xsd");
+    fs::create_dir_all(&folder).unwrap();
+    for version in XddVersion::ALL {
+        fs::write(folder.join(format!("{}.xsd", version.name())), objdict_xdd::xdd::xsd(version)).unwrap();
+    }
+    Some(folder)
+}
+
+/// Every description of the fixtures, and below `OBJDICT_CORPUS_DIR`; and random devices.
+fn all_devices() -> Vec<(String, Device)> {
+    let endings = ["eds", "dcf", "xdd", "xdc", "xpd", "nxdd"];
+    let mut paths = support::files("", &endings);
+    if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
+        paths.extend(support::files_below(Path::new(&folder), &endings));
+    }
+    let open = |path: PathBuf| {
+        let description = format::open(&path, &SourceOptions::default()).ok()?;
+        Some((path.display().to_string(), description.into_device()))
+    };
+    let mut devices: Vec<(String, Device)> = paths.into_iter().filter_map(open).collect();
+    let (mut runner, random) = (TestRunner::deterministic(), device(Texts::Any));
+    devices.extend((0..8).map(|number| {
+        let device = random.new_tree(&mut runner).unwrap().current();
+        (format!("random device {number}"), device)
+    }));
+    devices
+}
+
+#[test]
+fn xmllint_accepts_what_is_written() {
+    let Some(schemas) = schemas() else { return };
+    let devices = all_devices();
+    for version in XddVersion::ALL {
+        let folder = schemas.join(version.name());
+        fs::remove_dir_all(&folder).ok();
+        fs::create_dir_all(&folder).unwrap();
+        let mut files = Vec::new();
+        for (number, (name, device)) in devices.iter().enumerate() {
+            for (format, embed) in [(Format::Xdd, false), (Format::Xdc, true)] {
+                let mut options = WriteOptions::default();
+                (options.xdd_version, options.embed) = (version, embed);
+                let written = format::write(device, format, &options);
+                let written = written.unwrap_or_else(|error| panic!("{name} as {}: {error}", format.name()));
+                let file = folder.join(format!("{number}-{embed}.{}", format.name()));
+                fs::write(&file, written.bytes).unwrap();
+                files.push(file);
+            }
+        }
+        for files in files.chunks(200) {
+            let mut xmllint = Command::new("xmllint");
+            xmllint
+                .args(["--noout", "--huge", "--schema"])
+                .arg(schemas.join(format!("{}.xsd", version.name())));
+            let output = xmllint.args(files).output().unwrap();
+            let text = String::from_utf8_lossy(&output.stderr);
+            let errors: Vec<_> = text.lines().filter(|line| !line.ends_with(" validates")).take(20).collect();
+            assert!(output.status.success(), "{}", errors.join("\n"));
+        }
+    }
 }

@@ -25,7 +25,7 @@ fn options(change: impl FnOnce(&mut WriteOptions)) -> WriteOptions {
 }
 
 fn write(device: &Device, options: &WriteOptions) -> Written {
-    format::write(device, format_of(device), options)
+    format::write(device, format_of(device), options).unwrap()
 }
 
 fn read(bytes: &[u8], format: Format) -> Device {
@@ -219,7 +219,8 @@ fn embedded_lines_are_comments_that_edits_keep() {
 #[test]
 fn a_node_becomes_a_type_without_its_values() {
     let device = open(&support::fixtures().join("dcf/io-401-node5.dcf"));
-    let again = read(&format::write(&device, Format::Eds, &WriteOptions::default()).bytes, Format::Eds);
+    let again =
+        read(&format::write(&device, Format::Eds, &WriteOptions::default()).unwrap().bytes, Format::Eds);
     assert_eq!(again.kind, DeviceKind::Type);
     assert_eq!(again.commissioning, None);
     assert_eq!(again.file_info.unwrap().last_eds, None);
@@ -230,7 +231,10 @@ fn a_node_becomes_a_type_without_its_values() {
     };
     assert!(configured(&device) > 0);
     assert_eq!(
-        configured(&read(&format::write(&device, Format::Eds, &WriteOptions::default()).bytes, Format::Eds)),
+        configured(&read(
+            &format::write(&device, Format::Eds, &WriteOptions::default()).unwrap().bytes,
+            Format::Eds
+        )),
         0
     );
 }
@@ -385,7 +389,7 @@ proptest! {
             (_, true) => Format::Xdc,
             (format, false) => format,
         };
-        let written = format::write(&device, format, &options);
+        let written = format::write(&device, format, &options).unwrap();
         let lost: Vec<_> = written.losses.iter().filter(|loss| loss.kind != LossKind::Embedded).collect();
         prop_assert!(lost.is_empty(), "{lost:?}");
         prop_assert_eq!(differences(&device, &read(&written.bytes, format)), []);

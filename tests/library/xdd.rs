@@ -37,7 +37,7 @@ fn read(text: &str, format: Format) -> Description {
 fn write(device: &Device, version: XddVersion) -> String {
     let mut options = WriteOptions::default();
     options.xdd_version = version;
-    String::from_utf8(format::write(device, format_of(device), &options).bytes).unwrap()
+    String::from_utf8(format::write(device, format_of(device), &options).unwrap().bytes).unwrap()
 }
 
 /// The paths where two devices differ.
@@ -422,7 +422,8 @@ fn a_place_for_the_node_is_made() {
 fn an_xdd_of_a_node_leaves_out_what_was_configured() {
     let device = fixture("xdc/io-401-node5.xdc").into_device();
     let text =
-        String::from_utf8(format::write(&device, Format::Xdd, &WriteOptions::default()).bytes).unwrap();
+        String::from_utf8(format::write(&device, Format::Xdd, &WriteOptions::default()).unwrap().bytes)
+            .unwrap();
     for configured in ["deviceCommissioning", "actualValue", "denotation"] {
         assert!(!text.contains(configured), "{configured}");
     }

@@ -28,10 +28,16 @@ pub(crate) fn fixtures() -> PathBuf {
 
 /// All files below a folder of the fixtures with one of the endings, in order.
 pub(crate) fn files(folder: &str, endings: &[&str]) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    collect(&fixtures().join(folder), endings, &mut found);
-    found.sort();
+    let found = files_below(&fixtures().join(folder), endings);
     assert!(!found.is_empty(), "no files with the endings {endings:?} in fixtures/{folder}");
+    found
+}
+
+/// All files below a folder with one of the endings, in order.
+pub(crate) fn files_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    collect(folder, endings, &mut found);
+    found.sort();
     found
 }
 

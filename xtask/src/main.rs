@@ -1,6 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
-//! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`.
+//! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
+//! `cargo xtask xsd FOLDER`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -41,7 +42,9 @@ usage:
       write docs/rules (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
   cargo xtask profiles [--check]
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
-      --check only compare";
+      --check only compare
+  cargo xtask xsd FOLDER
+      write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -67,6 +70,7 @@ fn main() -> ExitCode {
         ["docs", "--check"] => docs::run(true),
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
+        ["xsd", folder] => write_schemas(Path::new(folder)),
         _ => Err(USAGE.to_owned()),
     };
     match result {
@@ -76,6 +80,16 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The table of CiA 311 as schemas for validators.
+fn write_schemas(folder: &Path) -> Result<(), String> {
+    for version in objdict::format::XddVersion::ALL {
+        let path = folder.join(format!("{}.xsd", version.name()));
+        let written = std::fs::write(&path, objdict_xdd::xdd::xsd(version));
+        written.map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    Ok(())
 }
 
 /// What the words behind the folder choose.

@@ -19,7 +19,13 @@ pub(crate) fn problems(device: &Device, format: Format) -> Vec<String> {
         options.embed = true;
         options.xdd_version = version;
         let mut through = |device: &Device, format: Format, way: &str| {
-            let written = format::write(device, format, &options);
+            let written = match format::write(device, format, &options) {
+                Ok(written) => written,
+                Err(error) => {
+                    problems.push(format!("{way} {}: {error}", format.name()));
+                    return Device::default();
+                }
+            };
             let lost = written.losses.iter().filter(|loss| loss.kind == LossKind::Lost);
             problems.extend(lost.take(3).map(|loss| format!("{way} {}: {loss}", format.name())));
             read(&written.bytes, format)

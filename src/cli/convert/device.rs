@@ -9,7 +9,7 @@ use super::super::node::{Wanted, commissioning};
 use super::super::{Failure, note};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
-use crate::format::{self, Description, Format, Loss, concise, json};
+use crate::format::{self, Description, Format, Loss, Syntax, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind};
 use crate::source::Folder;
 
@@ -41,7 +41,9 @@ pub(super) fn of_description(
         return of_device(args, job, device, !args.no_embed);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
-        return of_device(args, job, device, !args.no_embed && args.canonical.dialect.is_other());
+        // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
+        let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
+        return of_device(args, job, device, !args.no_embed && is_narrower);
     }
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
         return Ok(Converted::whole(description.source().to_bytes()));
@@ -89,18 +91,18 @@ pub(super) fn of_device(
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
-        FileKind::Eds | FileKind::Xdd => Ok(anew(args, job, device.into_owned(), embed)),
+        FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
             node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
-            Ok(anew(args, job, node_device, embed))
+            anew(args, job, node_device, embed)
         }
     }
 }
 
 /// A new text, written from the model alone.
-fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Converted {
+fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Result<Converted, Failure> {
     if let Some(info) = &mut device.file_info {
         info.file_name = Some(base_name(&job.output));
     }
@@ -108,8 +110,8 @@ fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Conve
     options.embed = embed;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
-    let written = format::write(&device, format, &options);
-    Converted { bytes: written.bytes, losses: written.losses }
+    let written = format::write(&device, format, &options).map_err(Failure::new)?;
+    Ok(Converted { bytes: written.bytes, losses: written.losses })
 }
 
 fn base_name(path: &Path) -> String {

@@ -55,7 +55,7 @@ fn write_all(devices: &[(String, Description)], folder: &str, options: &WriteOpt
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
     fs::create_dir_all(&folder).unwrap();
     for (name, description) in devices {
-        let written = format::write(description.device(), description.format(), options);
+        let written = format::write(description.device(), description.format(), options).unwrap();
         fs::write(folder.join(name), written.bytes).unwrap();
     }
     folder

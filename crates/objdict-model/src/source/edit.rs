@@ -35,6 +35,9 @@ pub enum EditError {
     /// The new text would be read differently.
     #[error("`{0}` cannot be formatted without changing its meaning")]
     OtherMeaning(String),
+    /// A new text violates the standard: an error of objdict.
+    #[error("objdict would write a text that is not valid: {0}")]
+    NotValid(String),
     /// A new text has a character that the encoding of the file lacks.
     #[error(transparent)]
     Unencodable(#[from] Unencodable),

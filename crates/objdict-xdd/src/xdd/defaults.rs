@@ -13,8 +13,17 @@ pub(crate) const FILE_NAME: &str = "unnamed.xdd";
 /// The creation date of a file without one.
 pub(crate) const DATE: &str = "1970-01-01";
 
-/// The bit rate in kbit/s of a device that supports none: the default of the standard.
-pub(crate) const BIT_RATE: u16 = 250;
+/// The bit rate of a device that supports none: the default of the standard. It is written twice.
+pub(crate) const BIT_RATE: &str = "250 Kbps";
+
+/// The index of the only object of a device without objects: CiA 301 does not use it.
+pub(crate) const INDEX: &str = "0000";
+
+/// The property of a parameter whose type is a placeholder, with [`NOT_STATED`] as its value.
+pub(crate) const TYPE_PROPERTY: &str = "objdict:type";
+
+/// The vendor-ID and product code, which version 1.0 always has.
+pub(crate) const ID: &str = "0x000";
 
 /// The object code of an entry without one: VAR. Placeholder numbers have a leading zero, which other tools
 /// ignore.

@@ -295,7 +295,7 @@ impl Fact for FileInfo {
 impl Fact for Option<ObjectType> {
     fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
         let word = text.trimmed();
-        if matches!(word, "" | defaults::OBJECT_TYPE | defaults::ORPHAN) {
+        if matches!(word, "" | defaults::ORPHAN) {
             return Ok(());
         }
         // `REC` is CANopenNode's name of RECORD

@@ -12,10 +12,7 @@ mod types;
 mod values;
 mod walk;
 
-use self::ids::Ids;
-use self::namespaces::Forms;
-use self::texts::Languages;
-use self::walk::{Seen, Walk};
+use self::walk::Walk;
 use super::layout::containers;
 use super::schema::CONTAINER;
 use crate::diagnostic::{Findings, RuleInfo};
@@ -45,18 +42,31 @@ pub fn check(tree: &Tree, findings: &mut Findings) {
     }
 }
 
+/// What schema validation rejects in a document.
+pub fn violations(tree: &Tree) -> Findings {
+    let mut all = Findings::new();
+    for container in containers(tree) {
+        let mut walk = Walk::new(container, &mut all);
+        walk.element(container, &CONTAINER);
+        walk.forms.report(walk.findings);
+        ids::check(&mut walk);
+    }
+    let groups = [structure::RULES, namespaces::RULES, values::RULES, ids::OF_SCHEMA];
+    let is_of_schema = |rule: &RuleInfo| {
+        let known = groups.iter().copied().flatten().any(|known| std::ptr::eq(*known, rule));
+        // the standard declares these numbers as texts
+        known && !std::ptr::eq(rule, &values::INVALID_SCALING)
+    };
+    let mut violations = Findings::new();
+    all.iter()
+        .filter(|finding| is_of_schema(finding.rule))
+        .for_each(|finding| violations.push(finding.clone()));
+    violations
+}
+
 /// Checks one container against CiA 311: the description of one device.
 pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
-    let mut walk = Walk {
-        findings,
-        forms: Forms::new(container),
-        ids: Ids::default(),
-        references: Vec::new(),
-        languages: Languages::default(),
-        seen: Seen::default(),
-        bodies: Vec::new(),
-        object_lists: Vec::new(),
-    };
+    let mut walk = Walk::new(container, findings);
     walk.element(container, &CONTAINER);
     walk.forms.report(walk.findings);
     profiles::check(container, &mut walk);

@@ -15,6 +15,7 @@ mod types;
 mod version;
 pub mod wording;
 pub mod write;
+mod written_ids;
 mod xdd_writer;
 
 pub use self::configure::{to_xdc, to_xdd};
@@ -22,5 +23,6 @@ pub use self::fix::edits;
 pub use self::layout::{containers, is_project};
 pub use self::locate::Locator;
 pub use self::read::read;
+pub use self::schema::xsd;
 pub use self::version::XddVersion;
 pub use self::write::write;

@@ -1,8 +1,9 @@
 //! The types that the writer generates for objects without one. The reader drops them again.
 
+use super::defaults;
 use crate::model::{
-    DataType, DataTypeRef, Entry, Object, ObjectType, SimpleType, Subrange, TypeDefinition, TypeKind,
-    TypeShape, VarDeclaration,
+    DataType, DataTypeRef, Entry, Object, ObjectType, Parameter, Property, SimpleType, Subrange,
+    TypeDefinition, TypeKind, TypeShape, VarDeclaration,
 };
 
 /// The simple type that is nearest to a data type; the attribute `dataType` specifies the exact one.
@@ -54,6 +55,28 @@ pub(crate) fn data_type(simple: SimpleType, object_type: Option<ObjectType>) -> 
 pub(crate) fn index_of(id: &str) -> Option<u16> {
     let digits = id.strip_prefix("UID_ARR_").or_else(|| id.strip_prefix("UID_REC_"))?;
     if digits.len() == 4 { u16::from_str_radix(digits, 16).ok() } else { None }
+}
+
+/// A parameter with a type, which the standard requires: without one a placeholder.
+pub(crate) fn with_type(mut parameter: Parameter) -> Parameter {
+    if parameter.data_type.is_none() {
+        parameter.data_type = Some(DataTypeRef::Simple(SimpleType::Bitstring));
+        let (name, value) = (defaults::TYPE_PROPERTY.into(), defaults::NOT_STATED.into());
+        parameter.properties.push(Property { name, value });
+    }
+    parameter
+}
+
+/// Removes the placeholder for the type.
+pub(crate) fn without_placeholder(mut parameter: Parameter) -> Parameter {
+    let count = parameter.properties.len();
+    parameter.properties.retain(|property| {
+        &*property.name != defaults::TYPE_PROPERTY || &*property.value != defaults::NOT_STATED
+    });
+    if parameter.properties.len() < count {
+        parameter.data_type = None;
+    }
+    parameter
 }
 
 /// The type of an ARRAY or RECORD, composed from the types of its sub-indexes as in CANopenEditor; `None` if

@@ -1,17 +1,23 @@
 //! Writes elements of CiA 311 in the namespaces of each version.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use super::layout::ProfileClass;
-use super::schema::{CONTAINER, Element};
+use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Need};
 use super::version::XddVersion;
-use crate::xml::{Name, XmlWriter, n};
+use super::written_ids::WrittenIds;
+use crate::xml::{Name, WriterMark, XmlWriter, n};
 
 /// Writes an XML document of CiA 311: takes names without prefixes and writes them as the version requires.
 ///
 /// In version 1.1, local elements of the schema are in no namespace, and the others have the prefix that the
 /// `ProfileBody` around them declares, as in CANopenEditor. In version 1.0 nothing has a prefix, and
 /// additions of version 1.1 are not written.
+///
+/// Only what the table takes is written: a text that an attribute does not take is left out, and so is an
+/// element without what the table requires in it, up to one that may be missing. What reads back differently
+/// is known to the caller, who compares.
 #[derive(Debug)]
 pub(crate) struct XddWriter {
     writer: XmlWriter,
@@ -20,9 +26,13 @@ pub(crate) struct XddWriter {
     /// The start tags that are not written yet, from the outermost to the innermost.
     pending: Vec<Start>,
     /// The open elements whose start tags are written.
-    open: Vec<&'static Element>,
-    /// The number of open elements that the version does not have, or that are inside such an element.
+    open: Vec<Open>,
+    /// The number of open elements that are not written: the version does not have them, something that the
+    /// table requires is missing, or they are inside such an element.
     skipped: usize,
+    ids: WrittenIds,
+    /// Whether only what the table takes is written; `false` in tests of single elements.
+    is_checked: bool,
 }
 
 #[derive(Debug)]
@@ -32,6 +42,19 @@ struct Start {
     attributes: Vec<(Cow<'static, str>, String)>,
     text: Option<String>,
     needs_content: bool,
+    /// The state of the ids before it.
+    ids: (usize, usize),
+}
+
+/// An element whose start tag is written.
+#[derive(Debug)]
+struct Open {
+    element: &'static Element,
+    /// The state of the document before it.
+    mark: WriterMark,
+    ids: (usize, usize),
+    /// The number of children in each slot.
+    counts: [u32; MAX_SLOTS],
 }
 
 /// The prefix of global elements in a body of version 1.1.
@@ -43,8 +66,8 @@ const fn prefix(body: ProfileClass) -> &'static str {
 }
 
 impl XddWriter {
-    /// An empty document of a version.
-    pub(crate) fn new(version: XddVersion) -> Self {
+    /// An empty document of a version. With `known`, only these ids are referred to.
+    pub(crate) fn new(version: XddVersion, known: Option<HashSet<Box<str>>>) -> Self {
         Self {
             writer: XmlWriter::new(),
             version,
@@ -52,7 +75,15 @@ impl XddWriter {
             pending: Vec::new(),
             open: Vec::new(),
             skipped: 0,
+            ids: WrittenIds::new(known),
+            is_checked: true,
         }
+    }
+
+    /// An empty document that takes everything.
+    #[cfg(test)]
+    pub(crate) fn unchecked(version: XddVersion) -> Self {
+        Self { is_checked: false, ..Self::new(version, None) }
     }
 
     /// The version of the document.
@@ -92,9 +123,13 @@ impl XddWriter {
         self.start(element, element.is_global, false);
     }
 
-    /// Opens an element at a place that the standard does not define: in no namespace.
-    pub(crate) fn open_local(&mut self, element: &'static Element) {
-        self.start(element, element.is_global && self.body == Some(ProfileClass::Device), false);
+    /// Opens an element at a place that the standard does not define: it is not written.
+    pub(crate) fn open_stray(&mut self, element: &'static Element) {
+        if self.is_checked {
+            self.skipped += 1;
+        } else {
+            self.start(element, element.is_global && self.body == Some(ProfileClass::Device), false);
+        }
     }
 
     /// Opens an element that is only written if it gets attributes, a text or elements.
@@ -102,10 +137,23 @@ impl XddWriter {
         self.start(element, element.is_global, true);
     }
 
-    /// Adds an attribute to the element opened last, before any of its children.
+    /// Adds an attribute to the element opened last, before any of its children, if it takes the text.
     pub(crate) fn attribute(&mut self, name: Name, value: &str) {
-        if !self.is_too_new(name) {
-            self.declare(name.text(), value);
+        if self.skipped > 0 || self.is_too_new(name) {
+            return;
+        }
+        let known = self.pending.last().and_then(|start| start.element.attribute(name));
+        let text = match known {
+            Some((_, known)) if self.is_checked => match known.kind {
+                _ if known.need == Need::Stray => None,
+                Kind::Id => Some(self.ids.define(value)),
+                Kind::Reference(_) => self.ids.refer(value),
+                kind => kind.accepts(value).then_some(Cow::Borrowed(value)),
+            },
+            _ => Some(Cow::Borrowed(value)),
+        };
+        if let Some(text) = text {
+            self.declare(name.text(), &text);
         }
     }
 
@@ -132,37 +180,79 @@ impl XddWriter {
             self.skipped -= 1;
             return;
         }
-        let Some(start) = self.pending.pop() else {
-            if self.open.pop().is_some() {
-                self.writer.close();
-            }
-            return;
-        };
+        let Some(mut start) = self.pending.pop() else { return self.close_open() };
         if start.needs_content && start.attributes.is_empty() && start.text.is_none() {
             return;
         }
+        if self.is_checked && !(start.complete(self.version) && start.is_whole()) {
+            return self.ids.reset(start.ids);
+        }
         self.write_pending();
         self.writer.text_element(&start.name, &start.attributes(), start.text.as_deref().unwrap_or_default());
+        self.count(start.element);
     }
 
-    /// The document. Closes all open elements.
-    pub(crate) fn finish(mut self) -> String {
+    /// Closes the innermost element with children. It is taken back if one that the table requires is missing.
+    fn close_open(&mut self) {
+        let Some(Open { element, mark, ids, counts }) = self.open.pop() else { return };
+        let lacks = element.content.iter().zip(counts).any(|(slot, count)| count < slot.least);
+        if self.is_checked && lacks {
+            self.writer.reset(mark);
+            self.ids.reset(ids);
+        } else {
+            self.writer.close();
+            self.count(element);
+        }
+    }
+
+    /// Counts a written child of the innermost element.
+    fn count(&mut self, child: &'static Element) {
+        if let Some(Open { element, counts, .. }) = self.open.last_mut()
+            && let Some((number, _)) = element.slot(child.name, 0)
+        {
+            counts[number] += 1;
+        }
+    }
+
+    /// How many children of a name the innermost element has; of a choice, of all of its names.
+    pub(crate) fn count_of(&self, name: Name) -> u32 {
+        match self.open.last().filter(|_| self.pending.is_empty()) {
+            Some(open) => open.element.slot(name, 0).map_or(0, |(number, _)| open.counts[number]),
+            None => 0,
+        }
+    }
+
+    /// The document, and whether a reference leads to nothing: then the ids to write it again with. Closes all
+    /// open elements.
+    pub(crate) fn finish(mut self) -> (String, Option<HashSet<Box<str>>>) {
         while self.skipped > 0 || !self.pending.is_empty() || !self.open.is_empty() {
             self.close();
         }
-        self.writer.finish()
+        (self.writer.finish(), self.ids.into_known())
     }
 
     /// Whether the version does not have an element or attribute in the innermost open element.
     fn is_too_new(&self, name: Name) -> bool {
-        let parent = self.pending.last().map(|start| start.element).or(self.open.last().copied());
+        let open = self.open.last().map(|open| open.element);
+        let parent = self.pending.last().map(|start| start.element).or(open);
         self.version == XddVersion::V1_0 && parent.is_some_and(|parent| parent.newer.contains(&name))
     }
 
     fn start(&mut self, element: &'static Element, is_global: bool, needs_content: bool) {
-        if self.skipped > 0 || self.is_too_new(element.name) {
+        if self.skipped > 0 || self.is_too_new(element.name) || self.is_checked && self.is_full(element) {
             self.skipped += 1;
             return;
+        }
+        // the attributes of the element around it are all there
+        if self.is_checked
+            && let Some(mut around) = self.pending.pop()
+        {
+            if !around.complete(self.version) {
+                self.ids.reset(around.ids);
+                self.skipped += 2;
+                return;
+            }
+            self.pending.push(around);
         }
         let name = element.name.text();
         let name = match self.body {
@@ -171,7 +261,8 @@ impl XddWriter {
             }
             _ => Cow::Borrowed(name),
         };
-        self.pending.push(Start { element, name, attributes: Vec::new(), text: None, needs_content });
+        let ids = self.ids.mark();
+        self.pending.push(Start { element, name, attributes: Vec::new(), text: None, needs_content, ids });
         // the header and its content are in no namespace
         if element.name == n::ProfileHeader && self.version == XddVersion::V1_1 {
             self.declare("xmlns", "");
@@ -181,13 +272,41 @@ impl XddWriter {
     /// Writes the pending start tags before content of their elements.
     fn write_pending(&mut self) {
         for start in self.pending.drain(..) {
+            let mark = self.writer.mark();
             self.writer.open(&start.name, &start.attributes());
-            self.open.push(start.element);
+            self.open.push(Open { element: start.element, mark, ids: start.ids, counts: [0; MAX_SLOTS] });
         }
+    }
+
+    /// Whether the innermost element takes no further child of this name.
+    fn is_full(&self, child: &Element) -> bool {
+        let Some(open) = self.open.last().filter(|_| self.pending.is_empty()) else { return false };
+        let slot = open.element.slot(child.name, 0);
+        slot.is_some_and(|(number, known)| open.counts[number] >= open.element.content[number].most_of(known))
     }
 }
 
 impl Start {
+    /// Adds placeholders for missing attributes; `false` if one has none.
+    fn complete(&mut self, version: XddVersion) -> bool {
+        for known in self.element.attributes {
+            let is_demanded = matches!(known.need, Need::Required | Need::Key)
+                && !(version == XddVersion::V1_0 && self.element.newer.contains(&known.name));
+            if is_demanded && !self.attributes.iter().any(|(name, _)| *name == known.name.text()) {
+                let Some(text) = known.placeholder() else { return false };
+                self.attributes.push((known.name.text().into(), text.to_owned()));
+            }
+        }
+        true
+    }
+
+    /// Whether the element, which has no children, needs none, and takes its text.
+    fn is_whole(&self) -> bool {
+        let takes = |kind: Kind| kind.accepts(self.text.as_deref().unwrap_or_default());
+        self.element.content.iter().all(|slot| slot.least == 0)
+            && self.element.text.is_none_or(|text| takes(text.kind))
+    }
+
     fn attributes(&self) -> Vec<(&str, &str)> {
         self.attributes.iter().map(|(name, value)| (&**name, value.as_str())).collect()
     }

@@ -77,13 +77,13 @@ const fn is_name_start(character: char) -> bool {
         | '\u{10000}'..='\u{EFFFF}')
 }
 
-pub(super) const fn is_name_char(character: char) -> bool {
+pub(crate) const fn is_name_char(character: char) -> bool {
     is_name_start(character)
         || matches!(character, '0'..='9' | '-' | '.' | '\u{B7}' | '\u{300}'..='\u{36F}' | '\u{203F}'..='\u{2040}')
 }
 
 /// Whether `name` is a name without colon: the local name of an element, a prefix, the name of an entity.
-pub(super) fn is_name(name: &str) -> bool {
+pub(crate) fn is_name(name: &str) -> bool {
     is_plain_name(name.as_bytes()) || is_any_name(name)
 }
 

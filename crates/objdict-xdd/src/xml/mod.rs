@@ -16,9 +16,10 @@ mod tag;
 mod tree;
 mod write;
 
+pub(crate) use chars::{is_name, is_name_char};
 pub use comments::comments;
 pub use edit::Editor;
 pub use names::{Called, Name, n};
 pub use tree::{Attribute, Element, ElementId, Tree};
-pub(crate) use write::escaped_value;
 pub use write::{Replaced, XmlWriter};
+pub(crate) use write::{WriterMark, escaped_value};

@@ -16,6 +16,14 @@ pub struct XmlWriter {
     replaced: Vec<Replaced>,
 }
 
+/// The state of a document at an element that is going to be written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WriterMark {
+    length: usize,
+    depth: usize,
+    is_empty: bool,
+}
+
 /// A character that XML cannot represent and the written text replaces: by `_` in a name, by U+FFFD in a
 /// text or value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,6 +84,18 @@ impl XmlWriter {
         self.text.push_str("</");
         self.text.push_str(&name);
         self.text.push_str(">\n");
+    }
+
+    /// A mark for [`reset`](Self::reset).
+    pub(crate) fn mark(&self) -> WriterMark {
+        WriterMark { length: self.text.len(), depth: self.open.len(), is_empty: self.is_empty }
+    }
+
+    /// Takes back what was written since a mark, if nothing before it was closed or [taken](Self::take).
+    pub(crate) fn reset(&mut self, mark: WriterMark) {
+        self.text.truncate(mark.length);
+        self.open.truncate(mark.depth);
+        self.is_empty = mark.is_empty;
     }
 
     /// The characters replaced so far, up to a limit.

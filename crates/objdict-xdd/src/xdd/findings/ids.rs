@@ -101,6 +101,18 @@ text_rules! {
     source: "CiA 311 annex A",
 }
 
+/// The rules about what XML Schema validates: ids are unique, and references lead to one.
+pub(super) static OF_SCHEMA: &[&RuleInfo] = &[
+    &DUPLICATE_UNIQUE_ID,
+    &DANGLING_UNIQUE_ID_REF,
+    &DANGLING_PARAMETER_REF,
+    &DANGLING_DATA_TYPE_REF,
+    &DANGLING_TEMPLATE_REF,
+    &DANGLING_LED_STATE_REF,
+    &DANGLING_FUNCTION_REF,
+    &DANGLING_INTERFACE_REF,
+];
+
 /// The ids of a container with their elements.
 #[derive(Default)]
 pub(super) struct Ids<'a> {

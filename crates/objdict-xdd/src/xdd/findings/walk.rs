@@ -55,7 +55,21 @@ impl<'a> Seen<'a> {
     }
 }
 
-impl<'a> Walk<'a, '_> {
+impl<'a, 'f> Walk<'a, 'f> {
+    /// A walk that begins at a container.
+    pub(super) fn new(container: Element<'a>, findings: &'f mut Findings) -> Self {
+        Self {
+            findings,
+            forms: Forms::new(container),
+            ids: Ids::default(),
+            references: Vec::new(),
+            languages: Languages::default(),
+            seen: Seen::default(),
+            bodies: Vec::new(),
+            object_lists: Vec::new(),
+        }
+    }
+
     /// An element with a known place in the schema, and its content.
     pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::Element) {
         self.forms.look_at(element, schema);

@@ -56,6 +56,12 @@ impl<'a> EntryAttributes<'a> {
         self.get(n::objectType).is_some_and(|code| code.value() == defaults::ORPHAN)
     }
 
+    /// Whether the element is that of a device without objects.
+    pub(crate) fn is_placeholder(&self) -> bool {
+        let is = |name: Name, text: &str| self.get(name).is_some_and(|attribute| attribute.value() == text);
+        is(n::index, defaults::INDEX) && is(n::name, defaults::NOT_STATED)
+    }
+
     /// The index of an object.
     pub(crate) fn index(&self) -> Option<u16> {
         let number = hex(self.known[0]?.value().trim_ascii(), 4)?;

@@ -85,6 +85,9 @@ fn rest(identity: &mut Identity) -> DeviceIdentity {
 fn numbers(element: Element<'_>, info: &mut DeviceInfo, findings: &mut Findings) {
     let mut number = |name: Name, field: Field| {
         let text = Text::in_element(element.child(name)?);
+        if text.text == defaults::ID {
+            return None;
+        }
         let read = text.integer(u64::from(u32::MAX), findings);
         read.unwrap_or_else(|reason| {
             info.invalid_values.push(field, &text.text, reason);

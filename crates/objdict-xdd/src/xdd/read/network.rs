@@ -6,6 +6,7 @@ use crate::model::{
     BaudRates, Commissioning, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field,
     ModuleObjects, ObjectList, Reason, Segment,
 };
+use crate::xdd::defaults;
 use crate::xdd::fact::{self, Text, bit_rate, hex, value_text};
 use crate::xdd::layout::Profile;
 use crate::xdd::leftovers::Leftovers;
@@ -204,7 +205,9 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        if !rates.is_empty() {
+        // a placeholder for none
+        let is_placeholder = rates.len() == 2 && rates.iter().all(|text| text.text == defaults::BIT_RATE);
+        if !rates.is_empty() && !is_placeholder {
             let info = self.info();
             info.baud_rates = none_supported();
             rates.iter().for_each(|text| supported(info, text));

@@ -33,6 +33,10 @@ impl<'a> Reader<'a> {
         };
         for element in self.layout.objects() {
             let attributes = EntryAttributes::of(element);
+            if attributes.is_placeholder() {
+                entries.number += 1;
+                continue;
+            }
             let index = attributes.index().filter(|index| !self.device.objects.contains_key(index));
             match index {
                 Some(index) => {

@@ -11,6 +11,7 @@ use crate::xdd::layout::Layout;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::PARAMETER;
 use crate::xdd::shape;
+use crate::xdd::types::without_placeholder;
 use crate::xml::{Attribute, Element, n};
 
 /// All parameters of a description. They are read once it is known which entry they belong to.
@@ -86,14 +87,14 @@ impl<'a> Parameters<'a> {
     pub(crate) fn own(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<Parameter> {
         let slot = self.slots.get_mut(number as usize).filter(|slot| slot.uses == 1)?;
         slot.is_own = true;
-        Some(shape::read(slot.element, &PARAMETER, leftovers))
+        Some(read(slot.element, leftovers))
     }
 
     /// A parameter that several entries refer to.
     pub(crate) fn shared(&mut self, number: u32, leftovers: &mut Leftovers<'a>) -> Option<&Parameter> {
         let slot = self.slots.get_mut(number as usize)?;
         let element = slot.element;
-        Some(slot.shared.get_or_insert_with(|| Box::new(shape::read(element, &PARAMETER, leftovers))))
+        Some(slot.shared.get_or_insert_with(|| Box::new(read(element, leftovers))))
     }
 
     /// Whether a group or a condition refers to an id.
@@ -105,16 +106,18 @@ impl<'a> Parameters<'a> {
     pub(crate) fn give_rest(self, application: &mut [ApplicationProcess], leftovers: &mut Leftovers<'a>) {
         for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
             if let Some(process) = application.get_mut(slot.process) {
-                let read = slot.shared.map(|parameter| *parameter);
-                process
-                    .parameters
-                    .push(read.unwrap_or_else(|| shape::read(slot.element, &PARAMETER, leftovers)));
+                let known = slot.shared.map(|parameter| *parameter);
+                process.parameters.push(known.unwrap_or_else(|| read(slot.element, leftovers)));
             }
         }
         for process in application {
             process.parameters.shrink_to_fit();
         }
     }
+}
+
+fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Parameter {
+    without_placeholder(shape::read(element, &PARAMETER, leftovers))
 }
 
 /// Resolves `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids, the

@@ -5,8 +5,10 @@
 mod application;
 mod container;
 mod device;
+mod lexical;
 mod network;
 mod values;
+mod xsd;
 
 use std::any::Any;
 
@@ -18,8 +20,10 @@ pub(crate) use self::device::{
     DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER, ORDER_NUMBER, PRODUCT_ID, PRODUCT_NAME, VENDOR_ID,
     VENDOR_NAME,
 };
+pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character, whole_number};
 pub(crate) use self::network::*;
 pub(crate) use self::values::{BAUD_RATES, Kind, Target};
+pub use self::xsd::xsd;
 use super::fact::Fact;
 use super::shape::{Parts, TextField, Values};
 use crate::model::{Entry, Field, Value};
@@ -218,6 +222,16 @@ impl Attribute {
                 n::subNumber => Some(Field::SubNumber),
                 _ => None,
             },
+        }
+    }
+
+    /// The text for a required attribute without a value; `None` if the element has no meaning without it.
+    pub(crate) fn placeholder(&self) -> Option<&'static str> {
+        match (self.at, self.kind) {
+            (At::Fact(FactAt { unstated: Some(text), .. }), _) => Some(text),
+            (_, Kind::Language) => Some(super::defaults::LANGUAGE),
+            (_, Kind::Text) if self.need == Need::Required => Some(""),
+            _ => None,
         }
     }
 

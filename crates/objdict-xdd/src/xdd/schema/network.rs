@@ -127,7 +127,7 @@ macro_rules! entries {
         $($NAME local $name of Entry (
             $address*: $kind,
             name?: Kind::Text,
-            objectType!: Kind::BYTE => {ObjectType object_type},
+            objectType!: Kind::BYTE => {ObjectType object_type unstated defaults::OBJECT_TYPE},
             dataType?: DATA_TYPE => {DataType data_type},
             lowLimit?: Kind::Text => (value Low),
             highLimit?: Kind::Text => (value High),

@@ -170,7 +170,7 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Xdd
             // a required element is written even if it is empty
             let is_demanded = slot.least > 0 && slot.of.len() == 1;
             let open = |out: &mut XddWriter, element| match slot.need {
-                Need::Stray => out.open_local(element),
+                Need::Stray => out.open_stray(element),
                 _ => out.open(element),
             };
             match kept {

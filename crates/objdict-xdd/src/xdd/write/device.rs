@@ -5,12 +5,15 @@ use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label,
 use crate::xdd::defaults;
 use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xdd::types::with_type;
+use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
+use crate::xml::n;
 
 impl Writer<'_> {
     pub(super) fn device_body(&self, out: &mut XddWriter) {
         let device = self.device;
-        if let Some(identity) = self.identity() {
+        if let Some(identity) = self.identity(out.version()) {
             shape::write(&identity, &DEVICE_IDENTITY, out);
         }
         if let Some(manager) = &device.manager {
@@ -19,14 +22,14 @@ impl Writer<'_> {
         for function in &device.functions {
             shape::write(&complete(function), &DEVICE_FUNCTION, out);
         }
-        if device.functions.is_empty() {
+        if out.count_of(n::DeviceFunction) == 0 {
             shape::write(&defaults::function(), &DEVICE_FUNCTION, out);
         }
         self.application(out);
     }
 
     /// `DeviceIdentity`; `None` if nothing is known.
-    fn identity(&self) -> Option<Identity> {
+    fn identity(&self, version: XddVersion) -> Option<Identity> {
         let unknown = DeviceInfo::default();
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
         let mut rest = self.device.identity.as_deref().cloned().unwrap_or_default();
@@ -54,6 +57,12 @@ impl Writer<'_> {
             order_numbers: first.into_iter().chain(further.into_iter().map(Into::into)).collect(),
             ..rest.into()
         };
+        if version == XddVersion::V1_0 {
+            // older versions of CANopenEditor read no file without them
+            for id in [&mut identity.vendor_id, &mut identity.product_id] {
+                id.get_or_insert_with(|| Box::<str>::from(defaults::ID).into());
+            }
+        }
         if identity == Identity::default() && read_only.is_empty() {
             return None;
         }
@@ -71,11 +80,15 @@ impl Writer<'_> {
         let mut first = processes.next().cloned().unwrap_or_default();
         first.data_types.extend(self.parameters.types.iter().cloned());
         let own = std::mem::take(&mut first.parameters);
-        first.parameters = self.parameters.all().cloned().chain(own).collect();
+        first.parameters = self.parameters.all().cloned().chain(own).map(with_type).collect();
         if first != ApplicationProcess::default() {
             shape::write(&first, &APPLICATION_PROCESS, out);
         }
-        processes.for_each(|process| shape::write(process, &APPLICATION_PROCESS, out));
+        for process in processes {
+            let mut process = process.clone();
+            process.parameters = process.parameters.into_iter().map(with_type).collect();
+            shape::write(&process, &APPLICATION_PROCESS, out);
+        }
     }
 }
 

@@ -22,12 +22,19 @@ pub fn write(device: &Device, version: XddVersion) -> String {
     let device = device.expanded();
     let parameters = EntryParameters::of(&device);
     let writer = Writer { device: &device, parameters: &parameters };
-    let mut out = XddWriter::new(version);
-    out.open_container();
-    writer.profile(ProfileClass::Device, &mut out);
-    writer.profile(ProfileClass::Network, &mut out);
-    out.close();
-    out.finish()
+    let mut known = None;
+    loop {
+        let mut out = XddWriter::new(version, known);
+        out.open_container();
+        writer.profile(ProfileClass::Device, &mut out);
+        writer.profile(ProfileClass::Network, &mut out);
+        out.close();
+        match out.finish() {
+            (text, None) => return text,
+            // again without the references to nothing
+            (_, ids) => known = ids,
+        }
+    }
 }
 
 /// A device while it is written.

@@ -118,8 +118,13 @@ fn dynamic_channels(channels: &DynamicChannels, out: &mut XddWriter) {
 
 fn dynamic_channel(number: usize, segment: &Segment, invalid_values: &InvalidValues, out: &mut XddWriter) {
     let hex = |index: u16| format!("{index:04X}");
-    let word =
-        |eds: &str| DIRECTIONS.iter().find(|(_, known)| *known == eds).map_or(eds, |(xdd, _)| xdd).to_owned();
+    let word = |eds: &str| {
+        DIRECTIONS
+            .iter()
+            .find(|(_, known)| known.eq_ignore_ascii_case(eds))
+            .map_or(eds, |(xdd, _)| xdd)
+            .to_owned()
+    };
     let length = segment.max_number.or_else(|| range_length(segment.range));
     for (name, text) in [
         (n::dataType, segment.data_type.map(|data_type| hex(data_type.0))),
@@ -163,9 +168,6 @@ fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     let field = supported_field();
     let invalid_values = info.invalid_values.iter().filter(|invalid| invalid.field == field);
     words.extend(invalid_values.map(|invalid| invalid.text.to_string()));
-    if words.is_empty() {
-        words.push(bit_rate(defaults::BIT_RATE));
-    }
     out.open(&TRANSPORT_LAYERS);
     out.open(&PHYSICAL_LAYER);
     out.open(&BAUD_RATE);
@@ -177,10 +179,15 @@ fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     if let Some(default) = default.or_else(invalid) {
         out.attribute(n::defaultValue, &default);
     }
-    for word in words {
+    let supported = |word: &str, out: &mut XddWriter| {
         out.open(&SUPPORTED_BAUD_RATE);
-        out.attribute(n::value, &word);
+        out.attribute(n::value, word);
         out.close();
+    };
+    words.iter().for_each(|word| supported(word, out));
+    if out.count_of(n::supportedBaudRate) == 0 {
+        // twice, as no other tool writes it
+        [defaults::BIT_RATE; 2].iter().for_each(|word| supported(word, out));
     }
     for _ in 0..3 {
         out.close();

@@ -21,6 +21,12 @@ impl Writer<'_> {
         for list in ObjectList::ALL {
             out.attribute(count_attribute(list), &count(objects.keys(), list).to_string());
         }
+        if objects.is_empty() {
+            out.open(&OBJECT);
+            out.attribute(n::index, defaults::INDEX);
+            out.attribute(n::name, defaults::NOT_STATED);
+            out.close();
+        }
         for (&index, object) in objects {
             out.open(&OBJECT);
             self.entry(&OBJECT, (index, None), &object.main, Some(object), out);
@@ -48,10 +54,9 @@ impl Writer<'_> {
             n::index => Some(format!("{index:04X}")),
             n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
             n::name => Some(entry.name.to_string()),
-            n::objectType => fact::text(entry, attribute).or_else(|| {
-                let is_orphan = object.is_some_and(|object| object.orphan);
-                Some(if is_orphan { defaults::ORPHAN } else { defaults::OBJECT_TYPE }.to_owned())
-            }),
+            n::objectType => {
+                fact::text(entry, attribute).or_else(|| object?.orphan.then(|| defaults::ORPHAN.to_owned()))
+            }
             n::denotation => entry.configured.as_ref()?.denotation.as_deref().map(str::to_owned),
             n::uniqueIDRef => {
                 let reference = entry.extra.get(REFERENCE).or_else(|| self.parameters.id(index, sub));
