@@ -21,7 +21,7 @@ fn xdd(megabytes: usize) -> String {
     // an XDD takes three times the text of its EDS
     let text = large::of_size(megabytes * (1 << 20) / 3, "");
     let eds = format::read(SourceFile::from_text("bench.eds", text), Format::Eds);
-    let written = format::write(eds.device(), Format::Xdd, &WriteOptions::default()).unwrap();
+    let written = format::write(eds.device(), Format::Xdd, &WriteOptions::default()).expect("a valid XDD");
     String::from_utf8(written.bytes).expect("an XDD is UTF-8")
 }
 

@@ -34,7 +34,7 @@ pub fn xsd(version: XddVersion) -> String {
         match element.text.map(|text| simple(text.kind)) {
             // an element with such a text has no attributes
             Some(Simple::Own(own)) => {
-                out.line(1, &format!("<xs:simpleType name=\"{name}\">{own}</xs:simpleType>"))
+                out.line(1, &format!("<xs:simpleType name=\"{name}\">{own}</xs:simpleType>"));
             }
             _ => {
                 out.line(1, &format!("<xs:complexType name=\"{name}\">"));
