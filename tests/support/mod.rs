@@ -33,14 +33,6 @@ pub(crate) fn files(folder: &str, endings: &[&str]) -> Vec<PathBuf> {
     found
 }
 
-/// All files below a folder with one of the endings, in order.
-pub(crate) fn files_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    collect(folder, endings, &mut found);
-    found.sort();
-    found
-}
-
 /// Every EDS and DCF of CANopen, healthy or not.
 pub(crate) fn devices_of_all_folders() -> Vec<PathBuf> {
     let foreign = fixtures().join("foreign");
@@ -85,10 +77,11 @@ pub(crate) fn unless_offline<T>(needed: Result<T, String>) -> Option<T> {
         .ok()
 }
 
-/// All files below a folder with one of the endings.
+/// All files below a folder with one of the endings, in order.
 pub(crate) fn files_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     collect(folder, endings, &mut found);
+    found.sort();
     found
 }
 
