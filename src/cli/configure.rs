@@ -53,7 +53,8 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     }
     if args.dialect.is_other() && !is_xml {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
-        configured.bytes = format::write(&configured.device, Format::Dcf, &options).bytes;
+        configured.bytes =
+            format::write(&configured.device, Format::Dcf, &options).map_err(Failure::new)?.bytes;
     } else if !configured.is_edited {
         tell(
             "note: the text has no place for these settings, so the file is written anew, without comments\n",

@@ -198,7 +198,7 @@ fn embedded_lines_are_comments_that_edits_keep() {
     let embedding = options(|options| options.embed = true);
     for path in support::files("xdd", &["xdd", "xdc"]) {
         let device = open(&path);
-        let text = String::from_utf8(format::write(&device, Format::Dcf, &embedding).bytes).unwrap();
+        let text = String::from_utf8(format::write(&device, Format::Dcf, &embedding).unwrap().bytes).unwrap();
         let is_ours = |line: &&str| line.starts_with("; objdict-embed: /");
         assert!(text.lines().all(|line| line.len() < 255), "{}", path.display());
         assert!(!text.contains("[xml:") && !text.contains("[ObjdictCarried]"), "{}", path.display());

@@ -74,7 +74,7 @@ fn write(devices: &[(String, Device)], dialect: Dialect) -> PathBuf {
     let expected = devices.iter().map(|(name, device)| {
         let format = if device.kind == DeviceKind::Type { Format::Eds } else { Format::Dcf };
         let file = format!("{name}.{}", format.name().to_lowercase());
-        fs::write(folder.join(&file), format::write(device, format, &options).bytes).unwrap();
+        fs::write(folder.join(&file), format::write(device, format, &options).unwrap().bytes).unwrap();
         let node_id = device.node_id().unwrap_or(5);
         json!({ "file": file, "node_id": node_id, "entries": entries(device, node_id) })
     });
