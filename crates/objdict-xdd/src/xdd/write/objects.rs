@@ -68,7 +68,10 @@ impl Writer<'_> {
                 number.or_else(|| invalid(&Field::SubNumber))
             }
             n::dataType => fact::text(entry, attribute).or_else(|| unstated(entry, DOMAIN_TYPE)),
-            n::accessType => fact::text(entry, attribute).or_else(|| unstated(entry, Access::Rw.name())),
+            n::accessType => {
+                let stated = fact::text(entry, attribute).filter(|text| attribute.kind.accepts(text));
+                stated.or_else(|| unstated(entry, Access::Rw.name()))
+            }
             _ => match attribute.at {
                 At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
                 _ => fact::text(entry, attribute),
