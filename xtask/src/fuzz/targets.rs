@@ -92,6 +92,8 @@ fn convert(format: Format, bytes: &[u8]) {
         let mut options = WriteOptions::default();
         options.embed = true;
         let written = format::write(&device, to, &options);
+        assert!(written.is_ok(), "what is written is a valid {}: {:?}", to.name(), written.err());
+        let Ok(written) = written else { return };
         let Some(description) = read(to, &written.bytes) else { continue };
         for found in differences(&device, description.device()).iter().filter(|found| found.left.is_some()) {
             let is_named = written
