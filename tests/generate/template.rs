@@ -112,7 +112,7 @@ fn errors_name_file_and_line() {
     assert!(rendered(".j2", "").unwrap_err().starts_with(".j2: the name of a template"));
     let minimal = device(&support::fixtures().join("eds/minimal.eds"));
     let missing = render(Path::new("no/such.j2"), &minimal).unwrap_err().to_string();
-    assert!(missing.starts_with("such.j2: cannot be read: "), "{missing}");
+    assert!(missing.starts_with("such.j2: cannot read `no/such.j2`: "), "{missing}");
     let none = generate(&minimal, Target::named("template").unwrap(), &Options::default()).unwrap_err();
     assert!(matches!(none, GenerateError::NoTemplate));
 }
