@@ -8,7 +8,7 @@ mod canchkeds;
 mod fixes;
 mod reactions;
 
-use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text, Tool, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use crate::format::Description;
 use crate::lint::{Options, PORTABILITY};
 use crate::model::DeviceKind;
@@ -78,7 +78,7 @@ impl Effect {
 }
 
 /// A description with the safe fixes of what a tool refuses, misreads or drops.
-#[cfg(feature = "json")]
+#[cfg(feature = "cli")]
 pub(crate) fn adapt(description: Description, tool: Tool) -> Description {
     let options = Options { tools: vec![tool], ..Options::default() };
     let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
@@ -86,7 +86,7 @@ pub(crate) fn adapt(description: Description, tool: Tool) -> Description {
         let findings = crate::check_with(description, &options);
         findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
     };
-    crate::fix(description, Applicability::Safe, check).description
+    crate::fix(description, crate::diagnostic::Applicability::Safe, check).description
 }
 
 /// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the
