@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
-use super::save::keep;
 use super::settings::{Project, Settings};
 use super::{Failure, detail};
 
@@ -119,7 +118,6 @@ impl Gathered<'_, '_> {
         let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
         if is_named || !is_excluded {
             detail(&path);
-            keep(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
             self.files.push(File { path, project, is_named, size });

@@ -12,34 +12,26 @@ pub(super) use crate::pipeline::Saved;
 static KNOWN: Mutex<Option<HashSet<Identity>>> = Mutex::new(None);
 
 /// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
-#[derive(PartialEq, Eq, Hash)]
-enum Identity {
-    #[cfg(unix)]
-    Number(u64, u64),
-    #[cfg(not(unix))]
-    Path(std::path::PathBuf),
+#[cfg(unix)]
+type Identity = (u64, u64);
+#[cfg(not(unix))]
+type Identity = std::path::PathBuf;
+
+/// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    path.metadata().ok().filter(std::fs::Metadata::is_file).map(|file| (file.dev(), file.ino()))
 }
 
-impl Identity {
-    /// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
-    fn of(path: &Path) -> Option<Self> {
-        let metadata = path.metadata().ok().filter(std::fs::Metadata::is_file)?;
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::MetadataExt;
-            Some(Self::Number(metadata.dev(), metadata.ino()))
-        }
-        #[cfg(not(unix))]
-        {
-            let _ = metadata;
-            path.canonicalize().ok().map(Self::Path)
-        }
-    }
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<Identity> {
+    path.canonicalize().ok().filter(|path| path.is_file())
 }
 
 /// Notes that this run uses a file, so that nothing is written over it.
 pub(super) fn keep(path: &Path) {
-    if let Some(identity) = Identity::of(path) {
+    if let Some(identity) = identity(path) {
         KNOWN.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default().insert(identity);
     }
 }
@@ -69,7 +61,7 @@ pub(super) fn save_in_place(path: &Path, contents: &[u8]) -> Result<Saved, Failu
 /// Refuses an output that is a file which this run reads or has written.
 pub(super) fn require_other(path: &Path) -> Result<(), Failure> {
     let known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    match (&*known, Identity::of(path)) {
+    match (&*known, identity(path)) {
         (Some(known), Some(identity)) if known.contains(&identity) => {
             let message = format_args!("`{}` is another input or output of this run", path.display());
             Err(Failure::new(message).help("name another file for the output"))

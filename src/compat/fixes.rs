@@ -5,8 +5,8 @@
 
 use super::reactions::{is_of_comments, is_of_one_byte, shown};
 use crate::diagnostic::{Applicability, Change, Diagnostic, Fix, Tool, say};
-use crate::format::Description;
 use crate::format::ini::{Line, LineKind};
+use crate::format::{Description, eds};
 use crate::model::{Device, Field, Part};
 use crate::source::Span;
 
@@ -95,8 +95,7 @@ const READ_BY_OTHERS: [&str; 5] = ["StorageLocation", "TPDODetectCos", "Factor",
 fn comment_key(finding: &Diagnostic, description: &Description) -> Option<Fix> {
     let name = shown(description, finding);
     // a key of another section may be one that the tool reads there
-    let is_of_standard = finding.message.shown().contains("does not belong");
-    if is_of_standard || is_of_comments(description, finding) {
+    if eds::is_key(name) || is_of_comments(description, finding) {
         return None;
     }
     let is_read = READ_BY_OTHERS.iter().any(|key| name.eq_ignore_ascii_case(key));

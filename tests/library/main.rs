@@ -36,4 +36,5 @@ mod torture;
 mod verify;
 mod write;
 mod xdd;
+mod xdd_of_tools;
 mod xml_oracle;

@@ -51,6 +51,11 @@ fn is_same(name: &[u8], text: &[u8]) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Key(u8);
 
+/// Whether CiA 306 defines a key of this name for any section.
+pub fn is_key(name: &str) -> bool {
+    Key::find(name).is_some()
+}
+
 impl Key {
     /// The key with this name in any case; `None` for one that the standard does not define.
     #[inline]

@@ -24,6 +24,7 @@ pub mod write;
 pub use additions::additions;
 pub use configure::{to_dcf, to_eds};
 pub use fix::edits;
+pub use keys::is_key;
 pub use locate::Locator;
 pub use read::read;
 pub use section::SectionName;
