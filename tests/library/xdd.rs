@@ -30,11 +30,11 @@ fn format_of(device: &Device) -> Format {
     }
 }
 
-pub fn read(text: &str, format: Format) -> Description {
+pub(crate) fn read(text: &str, format: Format) -> Description {
     format::read(SourceFile::from_text("written", text), format)
 }
 
-pub fn write(device: &Device, version: XddVersion) -> String {
+pub(crate) fn write(device: &Device, version: XddVersion) -> String {
     let mut options = WriteOptions::default();
     options.xdd_version = version;
     String::from_utf8(format::write(device, format_of(device), &options).unwrap().bytes).unwrap()
@@ -164,7 +164,7 @@ fn names_in_several_languages_scaling_and_groups_stay_in_the_model() {
     assert_eq!((position.access, position.data_type), (Some(Access::Ro), Some(DataType::INTEGER32)));
 }
 
-pub fn only_entry(device: &Device, index: u16) -> &Entry {
+pub(crate) fn only_entry(device: &Device, index: u16) -> &Entry {
     &device.object(index).unwrap_or_else(|| panic!("{index:04X}h")).main
 }
 
@@ -303,7 +303,7 @@ fn a_description_without_namespaces() {
 }
 
 /// The text of a place.
-pub fn at(description: &Description, part: Part, field: &str) -> String {
+pub(crate) fn at(description: &Description, part: Part, field: &str) -> String {
     let place = Place::of(part).field(Field::from_name(field));
     let span = description.locate(&place).unwrap_or_else(|| panic!("{place}"));
     span.of(description.source().text()).to_owned()
@@ -447,7 +447,7 @@ fn ids_are_given_once() {
 }
 
 /// A device with an object of each form.
-pub fn with_objects(objects: Vec<(u16, Object)>) -> Device {
+pub(crate) fn with_objects(objects: Vec<(u16, Object)>) -> Device {
     Device { objects: objects.into_iter().collect(), ..Device::default() }
 }
 
