@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use objdict::compare::differences;
-use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::{self, Description, Format, WriteOptions, XddVersion};
 use objdict::model::{
     Access, Commissioning, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectType,
