@@ -115,8 +115,8 @@ impl Builder {
         self
     }
 
-    /// How many entries the description may have in compact storage; without it, [a
-    /// million](crate::format::input::DEFAULT_MAX_ENTRIES).
+    /// How many entries the description may have in compact storage; without it,
+    /// [250,000](crate::format::input::DEFAULT_MAX_ENTRIES).
     pub fn max_entries(mut self, count: usize) -> Self {
         self.request.reading.max_entries = count;
         self

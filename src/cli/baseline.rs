@@ -11,7 +11,10 @@ use crate::baseline::Baseline;
 use crate::config::absolute;
 use crate::diagnostic::{Findings, counted};
 use crate::report::{Subject, plural};
-use crate::source::{SourceFile, SourceOptions};
+use crate::source::read_text;
+
+/// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
+const MAX_SIZE: u64 = 16 << 20;
 
 /// Findings that are known.
 #[derive(Debug, Args)]
@@ -105,10 +108,10 @@ impl Known {
 
 fn read(path: &Path) -> Result<Baseline, Failure> {
     keep(path);
-    let source = SourceFile::open(path, &SourceOptions::default()).map_err(|error| {
+    let text = read_text(path, MAX_SIZE).map_err(|error| {
         Failure::new(error).help(format!("`--write-baseline {}` writes it", path.display()))
     })?;
-    Baseline::read(source.text()).map_err(|error| {
+    Baseline::read(&text).map_err(|error| {
         let failure = Failure::new(format_args!("`{}` {error}", path.display()));
         failure.help(format!("`--write-baseline {}` writes it anew", path.display()))
     })

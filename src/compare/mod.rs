@@ -50,11 +50,17 @@ impl DatumDifference {
 /// ```
 pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
     let mut found = Vec::new();
+    each_difference(left, right, &mut |difference| found.push(difference));
+    found
+}
+
+/// Calls `found` for each of the [`differences`]: their values may be much more than the devices.
+pub(crate) fn each_difference(left: &Device, right: &Device, found: &mut dyn FnMut(DatumDifference)) {
     let mut path = String::new();
     if left == right {
-        return found;
+        return;
     }
-    diff_maps(&mut path, &frame(left), &frame(right), &mut found);
+    diff_maps(&mut path, &frame(left), &frame(right), found);
     path.push_str("/objects");
     let indexes: std::collections::BTreeSet<u16> =
         left.objects.keys().chain(right.objects.keys()).copied().collect();
@@ -64,11 +70,10 @@ pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
             let length = path.len();
             path.push_str(&format!("/0x{index:04X}"));
             let json = |object: Option<&_>| object.map(to_value);
-            diff(&mut path, json(of_left).as_ref(), json(of_right).as_ref(), &mut found);
+            diff(&mut path, json(of_left).as_ref(), json(of_right).as_ref(), found);
             path.truncate(length);
         }
     }
-    found
 }
 
 /// Everything of a device but its objects.
@@ -94,7 +99,12 @@ fn to_value(part: &impl Serialize) -> Value {
     serde_json::to_value(part).unwrap_or_default()
 }
 
-fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &mut Vec<DatumDifference>) {
+fn diff(
+    path: &mut String,
+    left: Option<&Value>,
+    right: Option<&Value>,
+    found: &mut dyn FnMut(DatumDifference),
+) {
     match (left, right) {
         (left, right) if left == right => {}
         (Some(Value::Object(left)), Some(Value::Object(right))) => diff_maps(path, left, right, found),
@@ -104,7 +114,7 @@ fn diff(path: &mut String, left: Option<&Value>, right: Option<&Value>, found: &
                 step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));
             }
         }
-        _ => found.push(DatumDifference { path: path.clone(), left: left.cloned(), right: right.cloned() }),
+        _ => found(DatumDifference { path: path.clone(), left: left.cloned(), right: right.cloned() }),
     }
 }
 
@@ -112,7 +122,7 @@ fn diff_maps(
     path: &mut String,
     left: &Map<String, Value>,
     right: &Map<String, Value>,
-    found: &mut Vec<DatumDifference>,
+    found: &mut dyn FnMut(DatumDifference),
 ) {
     for (key, value) in left {
         step(path, key, |path| diff(path, Some(value), right.get(key), found));

@@ -156,8 +156,8 @@ pub enum Input {
     NodeList(crate::model::NodeList),
 }
 
-/// The default limit of entries in compact storage.
-pub const DEFAULT_MAX_ENTRIES: usize = 1_000_000;
+/// The default limit of entries in compact storage: a conversion takes 1.5 kB for each, real devices have a few thousand.
+pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 
 /// How a file is read.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use super::embedded::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
 use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, eds, xdd};
-use crate::compare::{DatumChange, DatumDifference, differences};
+use crate::compare::{DatumChange, DatumDifference, each_difference};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
@@ -168,21 +168,23 @@ fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     let kept = kept(device, format);
-    let mut losses = losses_of(differences(device, &kept), LossKind::LeftOut);
+    let mut losses = losses_of(missing(device, &kept), LossKind::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
     let wanted = match options.eds.compact || options.embed {
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
     };
     let mut bytes = encode(&wanted, format, options);
-    let (mut read, mut violation) = decode(&bytes, format, options.eds.encoding);
-    let mut lost = differences(&wanted, &read);
+    let (mut read, mut violation);
+    (bytes, read, violation) = decode(bytes, format, options.eds.encoding);
+    let mut lost = missing(&wanted, &read);
     if options.embed && !lost.is_empty() {
         let plain = lost;
+        drop((bytes, read));
         bytes = encode_with(&wanted, format, options, &plain);
-        (read, violation) = decode(&bytes, format, options.eds.encoding);
+        (bytes, read, violation) = decode(bytes, format, options.eds.encoding);
         (read, _) = embedded::restore(read, Findings::new());
-        lost = differences(&wanted, &read);
+        lost = missing(&wanted, &read);
         let embedded = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
         losses.append(&mut losses_of(embedded, LossKind::Embedded));
     }
@@ -196,17 +198,18 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
 
 /// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
 /// what is embedded is measured again until it is what is lost.
-fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[DatumDifference]) -> Vec<u8> {
+fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[Missing]) -> Vec<u8> {
     const ROUNDS: usize = 4;
     let mut needed = changes(lost);
     let mut bytes = Vec::new();
     for _ in 0..ROUNDS {
+        drop(bytes);
         let mut carrier = wanted.clone();
         embedded::embed(&mut carrier, &needed, room(format));
-        bytes = encode(&carrier, format, options);
-        let (mut read, _) = decode(&bytes, format, options.eds.encoding);
+        let mut read;
+        (bytes, read, _) = decode(encode(&carrier, format, options), format, options.eds.encoding);
         embedded::extract(&mut read);
-        let found = changes(&differences(wanted, &read));
+        let found = changes(&missing(wanted, &read));
         if found == needed {
             break;
         }
@@ -218,9 +221,10 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let (read, _) = embedded::restore(decode(bytes, format, Some(encoding)).0, Findings::new());
-    let mut losses = losses_of(differences(&kept, &read), LossKind::Lost);
-    losses.append(&mut losses_of(differences(device, &kept), LossKind::LeftOut));
+    let (_, read, _) = decode(bytes.to_vec(), format, Some(encoding));
+    let (read, _) = embedded::restore(read, Findings::new());
+    let mut losses = losses_of(missing(&kept, &read), LossKind::Lost);
+    losses.append(&mut losses_of(missing(device, &kept), LossKind::LeftOut));
     losses
 }
 
@@ -232,26 +236,44 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     }
 }
 
-fn losses_of(differences: Vec<DatumDifference>, kind: LossKind) -> Vec<Loss> {
+/// A difference between a device and what comes back of it. What comes back in excess is only known by its fingerprint: of
+/// entries in compact storage it is much more than the device.
+struct Missing {
+    difference: DatumDifference,
+    before: Option<u32>,
+}
+
+fn missing(device: &Device, read: &Device) -> Vec<Missing> {
+    let mut found = Vec::new();
+    each_difference(device, read, &mut |DatumDifference { path, left, right }| {
+        let before = right.as_ref().map(DatumChange::fingerprint);
+        let right = right.filter(|_| left.is_some());
+        found.push(Missing { difference: DatumDifference { path, left, right }, before });
+    });
+    found
+}
+
+fn losses_of(missing: Vec<Missing>, kind: LossKind) -> Vec<Loss> {
     let mut losses = Vec::new();
-    differences.into_iter().for_each(|found| Loss::of(found, kind, &mut losses));
+    missing.into_iter().for_each(|found| Loss::of(found.difference, kind, &mut losses));
     losses
 }
 
 /// Whether a difference, or one inside it or around it, is among others.
-fn is_among(found: &DatumDifference, others: &[DatumDifference]) -> bool {
+fn is_among(found: &Missing, others: &[Missing]) -> bool {
+    let path = &found.difference.path;
     let within = |inner: &str, outer: &str| {
         inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
     };
-    others.iter().any(|other| within(&other.path, &found.path) || within(&found.path, &other.path))
+    others.iter().map(|other| &other.difference.path).any(|other| within(other, path) || within(path, other))
 }
 
 /// What brings back what is lost.
-fn changes(lost: &[DatumDifference]) -> Vec<DatumChange> {
-    let change = |DatumDifference { path, left, right }: &DatumDifference| DatumChange {
-        path: path.clone(),
-        before: right.as_ref().map(DatumChange::fingerprint),
-        after: left.clone(),
+fn changes(lost: &[Missing]) -> Vec<DatumChange> {
+    let change = |Missing { difference, before }: &Missing| DatumChange {
+        path: difference.path.clone(),
+        before: *before,
+        after: difference.left.clone(),
     };
     lost.iter().map(change).collect()
 }
@@ -270,21 +292,27 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-/// The device that a text describes, with what is embedded still where it is kept; and the first violation of CiA 311.
-fn decode(bytes: &[u8], format: Format, encoding: Option<Encoding>) -> (Device, Option<String>) {
+/// The device that a text describes, with what is embedded still where it is kept; and the first violation of CiA 311. The
+/// bytes come back.
+fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> (Vec<u8>, Device, Option<String>) {
     let source_options = SourceOptions { encoding, max_size: u64::MAX };
-    let Ok(source) = SourceFile::from_bytes("", bytes.to_vec(), &source_options) else {
-        // only a text of more than 1 GiB is not read
-        return (Device::default(), None);
+    let source = match SourceFile::from_bytes("", bytes, &source_options) {
+        Ok(source) => source,
+        Err(error) => return (Vec::new(), Device::default(), Some(error.to_string())),
     };
     match format.syntax() {
-        Syntax::Ini => (eds::read(&Document::new(source), format.kind()).0, None),
+        Syntax::Ini => {
+            let document = Document::new(source);
+            let device = eds::read(&document, format.kind()).0;
+            (document.into_source().into_bytes(), device, None)
+        }
         Syntax::Xml => {
             let mut findings = Findings::new();
             let tree = Tree::new(source, &mut findings);
             findings.append(xdd::findings::violations(&tree));
             let violation = findings.iter().next().map(|finding| finding.message.to_string());
-            (xdd::read(&tree, 0, format.kind()).0, violation)
+            let device = xdd::read(&tree, 0, format.kind()).0;
+            (tree.into_source().into_bytes(), device, violation)
         }
     }
 }

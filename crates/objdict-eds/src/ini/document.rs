@@ -45,6 +45,11 @@ impl Document {
         Self { source }
     }
 
+    /// The source, without a copy.
+    pub fn into_source(self) -> SourceFile {
+        self.source
+    }
+
     /// The source.
     pub fn source(&self) -> &SourceFile {
         &self.source

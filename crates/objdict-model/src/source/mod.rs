@@ -236,6 +236,15 @@ impl SourceFile {
         }
     }
 
+    /// The original bytes of the file, without a copy where that is possible.
+    pub fn into_bytes(self) -> Vec<u8> {
+        match self {
+            Self { original: Some(bytes), .. } => bytes,
+            Self { encoding: Encoding::Utf8, text, .. } => text.into_bytes(),
+            source => source.to_bytes(),
+        }
+    }
+
     /// The bytes of an edited `text` in the encoding of the file.
     ///
     /// # Errors

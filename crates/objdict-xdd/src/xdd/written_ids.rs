@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashSet;
+use std::rc::Rc;
 
 use super::schema::{is_name, is_name_character};
 
@@ -9,16 +10,16 @@ use super::schema::{is_name, is_name_character};
 #[derive(Debug, Default)]
 pub(crate) struct WrittenIds {
     /// In the order of the document.
-    defined: Vec<Box<str>>,
-    set: HashSet<Box<str>>,
-    references: Vec<Box<str>>,
+    defined: Vec<Rc<str>>,
+    set: HashSet<Rc<str>>,
+    references: Vec<Rc<str>>,
     /// What may be referred to; `None` for anything.
-    known: Option<HashSet<Box<str>>>,
+    known: Option<HashSet<Rc<str>>>,
 }
 
 impl WrittenIds {
     /// Without ids. With `known`, other references are not written.
-    pub(crate) fn new(known: Option<HashSet<Box<str>>>) -> Self {
+    pub(crate) fn new(known: Option<HashSet<Rc<str>>>) -> Self {
         Self { known, ..Self::default() }
     }
 
@@ -31,8 +32,9 @@ impl WrittenIds {
             number += 1;
             free = Cow::Owned(format!("{name}_{number}"));
         }
-        self.defined.push((*free).into());
-        self.set.insert((*free).into());
+        let id: Rc<str> = (*free).into();
+        self.defined.push(Rc::clone(&id));
+        self.set.insert(id);
         free
     }
 
@@ -43,7 +45,7 @@ impl WrittenIds {
         if text.trim_ascii().is_empty() || !leads {
             return None;
         }
-        self.references.push((*name).into());
+        self.references.push(self.set.get(&*name).map_or_else(|| (*name).into(), Rc::clone));
         Some(name)
     }
 
@@ -61,7 +63,7 @@ impl WrittenIds {
     }
 
     /// The ids that there are, if a reference leads to another one.
-    pub(crate) fn into_known(self) -> Option<HashSet<Box<str>>> {
+    pub(crate) fn into_known(self) -> Option<HashSet<Rc<str>>> {
         let Self { set, references, known, .. } = self;
         if references.iter().all(|reference| set.contains(reference)) {
             return None;

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashSet;
+use std::rc::Rc;
 
 use super::layout::ProfileClass;
 use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Need};
@@ -67,7 +68,7 @@ const fn prefix(body: ProfileClass) -> &'static str {
 
 impl XddWriter {
     /// An empty document of a version. With `known`, only these ids are referred to.
-    pub(crate) fn new(version: XddVersion, known: Option<HashSet<Box<str>>>) -> Self {
+    pub(crate) fn new(version: XddVersion, known: Option<HashSet<Rc<str>>>) -> Self {
         Self {
             writer: XmlWriter::new(),
             version,
@@ -224,7 +225,7 @@ impl XddWriter {
 
     /// The document, and whether a reference leads to nothing: then the ids to write it again with. Closes all
     /// open elements.
-    pub(crate) fn finish(mut self) -> (String, Option<HashSet<Box<str>>>) {
+    pub(crate) fn finish(mut self) -> (String, Option<HashSet<Rc<str>>>) {
         while self.skipped > 0 || !self.pending.is_empty() || !self.open.is_empty() {
             self.close();
         }

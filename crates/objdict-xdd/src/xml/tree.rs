@@ -110,6 +110,11 @@ impl Tree {
         &self.source
     }
 
+    /// The source, without the tree.
+    pub fn into_source(self) -> SourceFile {
+        self.source
+    }
+
     /// The decoded text.
     pub fn text(&self) -> &str {
         self.source.text()

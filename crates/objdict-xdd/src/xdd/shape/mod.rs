@@ -147,12 +147,28 @@ impl<'a> Reader<'_, 'a> {
 
 /// Writes a part as an element.
 pub(crate) fn write(part: &dyn Any, schema: &'static schema::Element, out: &mut XddWriter) {
+    write_with(part, schema, out, &mut |_, _| {});
+}
+
+/// Writes a part as an element. `first` is called with the name of each list of parts before those of the part are written,
+/// and writes what comes before them: so a long list need not be in memory.
+pub(crate) fn write_with(
+    part: &dyn Any,
+    schema: &'static schema::Element,
+    out: &mut XddWriter,
+    first: &mut dyn FnMut(Name, &mut XddWriter),
+) {
     out.open(schema);
-    write_content(part, schema, out);
+    write_content(part, schema, out, first);
     out.close();
 }
 
-fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut XddWriter) {
+fn write_content(
+    part: &dyn Any,
+    schema: &'static schema::Element,
+    out: &mut XddWriter,
+    first: &mut dyn FnMut(Name, &mut XddWriter),
+) {
     let text_of = |attribute: &schema::Attribute| match attribute.at {
         At::Text(lens) => (lens.get)(part).and_then(TextField::text),
         _ => None,
@@ -181,7 +197,7 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Xdd
                     } else {
                         out.open_unless_empty(element);
                     }
-                    write_content(part, element, out);
+                    write_content(part, element, out, first);
                     out.close();
                 }
                 Child::Fixed(text) => {
@@ -190,12 +206,13 @@ fn write_content(part: &dyn Any, schema: &'static schema::Element, out: &mut Xdd
                     out.close();
                 }
                 Child::Parts(lens) => {
+                    first(element.name, out);
                     let Some(parts) = (lens.get)(part) else { continue };
                     parts.each(&mut |name, part| {
                         let known = name.map_or(Some(element), |name| slot.element(name));
                         if let Some(element) = known {
                             open(out, element);
-                            write_content(part, element, out);
+                            write_content(part, element, out, first);
                             out.close();
                         }
                     });

@@ -3,7 +3,7 @@
 use super::Writer;
 use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label, Labels};
 use crate::xdd::defaults;
-use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER, PARAMETER};
 use crate::xdd::shape::{self, Identity, MarkedText};
 use crate::xdd::types::with_type;
 use crate::xdd::version::XddVersion;
@@ -76,20 +76,25 @@ impl Writer<'_> {
     /// The application processes; the first one has the parameters of the entries and the types of their
     /// objects.
     fn application(&self, out: &mut XddWriter) {
-        let mut processes = self.device.application.iter();
-        let mut first = processes.next().cloned().unwrap_or_default();
-        first.data_types.extend(self.parameters.types.iter().cloned());
-        let own = std::mem::take(&mut first.parameters);
-        first.parameters = self.parameters.all().cloned().chain(own).map(with_type).collect();
-        if first != ApplicationProcess::default() {
-            shape::write(&first, &APPLICATION_PROCESS, out);
+        let mut processes = self.device.application.iter().map(complete_process);
+        let mut first = processes.next().unwrap_or_default();
+        first.data_types.extend(self.parameters.types.values().cloned());
+        if first != ApplicationProcess::default() || !self.parameters.is_empty() {
+            shape::write_with(&first, &APPLICATION_PROCESS, out, &mut |name, out| {
+                if name == PARAMETER.name {
+                    let mut write = |parameter| shape::write(&with_type(parameter), &PARAMETER, out);
+                    self.parameters.each(self.device, &mut write);
+                }
+            });
         }
-        for process in processes {
-            let mut process = process.clone();
-            process.parameters = process.parameters.into_iter().map(with_type).collect();
-            shape::write(&process, &APPLICATION_PROCESS, out);
-        }
+        processes.for_each(|process| shape::write(&process, &APPLICATION_PROCESS, out));
     }
+}
+
+/// The process with the types of its parameters.
+fn complete_process(process: &ApplicationProcess) -> ApplicationProcess {
+    let parameters = process.parameters.iter().cloned().map(with_type).collect();
+    ApplicationProcess { parameters, ..process.clone() }
 }
 
 /// The function with its mandatory characteristic.

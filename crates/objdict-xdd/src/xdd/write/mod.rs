@@ -19,9 +19,8 @@ use crate::xml::n;
 /// The canonical text of a device in a version of CiA 311, in UTF-8. A configuration for a node is included;
 /// without one ([`Device::unconfigured`]) the text is an XDD.
 pub fn write(device: &Device, version: XddVersion) -> String {
-    let device = device.expanded();
-    let parameters = EntryParameters::of(&device);
-    let writer = Writer { device: &device, parameters: &parameters };
+    let parameters = EntryParameters::of(device);
+    let writer = Writer { device, parameters: &parameters };
     let mut known = None;
     loop {
         let mut out = XddWriter::new(version, known);

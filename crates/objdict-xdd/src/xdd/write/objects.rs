@@ -28,6 +28,7 @@ impl Writer<'_> {
             out.close();
         }
         for (&index, object) in objects {
+            let object = &*object.expanded();
             out.open(&OBJECT);
             self.entry(&OBJECT, (index, None), &object.main, Some(object), out);
             for (sub, entry) in object.subs.iter() {

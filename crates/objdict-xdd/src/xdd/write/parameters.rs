@@ -1,7 +1,8 @@
 //! The parameters of entries: the content of the application process, and a copy of the attributes of the
 //! entries, where most tools look for it.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 
 use super::objects::{REFERENCE, value_text};
 use super::types::Ids;
@@ -14,13 +15,13 @@ use crate::xdd::read::written_access;
 use crate::xdd::shape::stack_properties;
 use crate::xdd::types::simple_type;
 
-/// The parameters of the entries of a device, and the types of its ARRAYs and RECORDs.
+/// Which entries of a device have parameters, and the types of its ARRAYs and RECORDs. The parameters are made when they are
+/// written: entries in compact storage become many.
 #[derive(Debug, Default)]
 pub(super) struct EntryParameters {
-    parameters: Vec<Parameter>,
-    /// The number of the parameter of an object or a sub-index.
-    numbers: HashMap<(u16, Option<u8>), usize>,
-    pub(super) types: Vec<TypeDefinition>,
+    /// The ids of the parameters of objects and sub-indexes.
+    ids: HashMap<(u16, Option<u8>), Rc<str>>,
+    pub(super) types: BTreeMap<u16, TypeDefinition>,
 }
 
 impl EntryParameters {
@@ -29,55 +30,70 @@ impl EntryParameters {
         let mut made = Self::default();
         let mut ids = Ids::of(device);
         for (&index, object) in &device.objects {
+            let object = &*object.expanded();
             let main = Maker { index, sub: None, entry: &object.main };
-            if object.object_type().has_subs() {
-                let parameter = made.structure(&main, object, &mut ids);
-                made.add(&main, parameter, &mut ids);
-            } else {
-                made.add(&main, main.parameter(), &mut ids);
+            if object.object_type().has_subs()
+                && main.start().is_some_and(|parameter| parameter.data_type.is_none())
+                && let Some(definition) = ids.definition_of(index, object)
+            {
+                made.types.insert(index, definition);
             }
-            for (sub, entry) in object.subs.iter() {
-                let maker = Maker { index, sub: Some(sub), entry };
-                made.add(&maker, maker.parameter(), &mut ids);
+            for maker in makers(index, object) {
+                if let Some(parameter) = made.parameter(&maker, object) {
+                    let id = match parameter.unique_id {
+                        id if id.is_empty() => ids.take(&Parameter::usual_id(index, maker.sub)),
+                        id => id.into(),
+                    };
+                    made.ids.insert((index, maker.sub), id);
+                }
             }
         }
         made
     }
 
-    /// All parameters, in the order of the objects.
-    pub(super) fn all(&self) -> impl Iterator<Item = &Parameter> {
-        self.parameters.iter()
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.ids.is_empty()
+    }
+
+    /// Makes all parameters of the device, one after the other, in the order of the objects.
+    pub(super) fn each(&self, device: &Device, see: &mut dyn FnMut(Parameter)) {
+        for (&index, object) in &device.objects {
+            let object = &*object.expanded();
+            for maker in makers(index, object) {
+                if let Some(id) = self.id(index, maker.sub)
+                    && let Some(parameter) = self.parameter(&maker, object)
+                {
+                    see(Parameter { unique_id: id.into(), ..parameter });
+                }
+            }
+        }
     }
 
     /// The id of the parameter of an object or a sub-index.
     pub(super) fn id(&self, index: u16, sub: Option<u8>) -> Option<&str> {
-        let number = self.numbers.get(&(index, sub))?;
-        Some(&self.parameters.get(*number)?.unique_id)
+        self.ids.get(&(index, sub)).map(|id| &**id)
     }
 
-    fn add(&mut self, maker: &Maker<'_>, parameter: Option<Parameter>, ids: &mut Ids) {
-        let Some(mut parameter) = parameter else { return };
-        if parameter.unique_id.is_empty() {
-            parameter.unique_id = ids.take(&Parameter::usual_id(maker.index, maker.sub));
+    fn parameter(&self, maker: &Maker<'_>, object: &Object) -> Option<Parameter> {
+        if maker.sub.is_some() || !object.object_type().has_subs() {
+            return maker.parameter();
         }
-        self.numbers.insert((maker.index, maker.sub), self.parameters.len());
-        self.parameters.push(parameter);
-    }
-
-    /// The parameter of an ARRAY or RECORD: its type is composed from those of its sub-indexes.
-    fn structure(&mut self, maker: &Maker<'_>, object: &Object, ids: &mut Ids) -> Option<Parameter> {
+        // the type of an ARRAY or RECORD is composed from those of its sub-indexes
         let mut parameter = maker.start()?;
-        if parameter.data_type.is_none()
-            && let Some(definition) = ids.definition_of(maker.index, object)
-        {
-            parameter.data_type = Some(DataTypeRef::Defined(definition.unique_id.clone()));
-            self.types.push(definition);
-        }
-        // it has no type, so it is only written if it has other content
+        let composed = || Some(DataTypeRef::Defined(self.types.get(&maker.index)?.unique_id.clone()));
+        parameter.data_type = parameter.data_type.take().or_else(composed);
+        // without one it is only written if it has other content
         let is_needed = parameter.data_type.is_some() || maker.says_more(&parameter);
         maker.finish(&mut parameter);
         Some(parameter).filter(|_| is_needed)
     }
+}
+
+/// The object, then its sub-indexes.
+fn makers(index: u16, object: &Object) -> impl Iterator<Item = Maker<'_>> {
+    let subs = object.subs.iter().map(move |(sub, entry)| Maker { index, sub: Some(sub), entry });
+    std::iter::once(Maker { index, sub: None, entry: &object.main }).chain(subs)
 }
 
 /// An entry whose parameter is created.

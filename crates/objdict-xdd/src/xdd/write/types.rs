@@ -2,6 +2,7 @@
 
 use std::any::Any;
 use std::collections::HashSet;
+use std::rc::Rc;
 
 use crate::model::{ApplicationProcess, Device, Object, TypeDefinition};
 use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Element, Kind, PARAMETER};
@@ -10,7 +11,7 @@ use crate::xdd::types::definition_of;
 
 /// Used ids with the prefix of the writer, because ids must be unique.
 #[derive(Debug, Default)]
-pub(super) struct Ids(HashSet<Box<str>>);
+pub(super) struct Ids(HashSet<Rc<str>>);
 
 impl Ids {
     /// The ids of everything in a device.
@@ -28,15 +29,16 @@ impl Ids {
     }
 
     /// This id or, if it is used, a similar one; reserves it.
-    pub(super) fn take(&mut self, id: &str) -> Box<str> {
+    pub(super) fn take(&mut self, id: &str) -> Rc<str> {
         let mut free = id.to_owned();
         let mut number = 1;
         while self.0.contains(free.as_str()) {
             number += 1;
             free = format!("{id}_{number}");
         }
-        self.0.insert(free.as_str().into());
-        free.into()
+        let id: Rc<str> = free.into();
+        self.0.insert(Rc::clone(&id));
+        id
     }
 
     /// Whether an id is unused.
