@@ -56,6 +56,7 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/array-of-mixed-types", "error E42"),
     error("cia306/blanks-in-section-name", "error E12"),
     error("cia306/compact-and-sub-number", "error E27"),
+    error("cia306/date-spelling", "error E29"),
     error("cia306/described-standard-type", "error E31"),
     error("cia306/dummy-below-granularity", "error E76"),
     error("cia306/duplicate-key", "error E25"),

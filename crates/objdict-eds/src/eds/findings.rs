@@ -9,8 +9,8 @@ use crate::diagnostic::{RuleInfo, text_rule};
 use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub(super) use raise::{
-    DuplicateKind, duplicate_key, duplicate_section, invalid_list_entry, list_numbering, misspelt_key,
-    misspelt_section, quoted_name, repeated_number, section_spelling, stray_compact_entry,
+    DuplicateKind, date_spelling, duplicate_key, duplicate_section, invalid_list_entry, list_numbering,
+    misspelt_key, misspelt_section, quoted_name, repeated_number, section_spelling, stray_compact_entry,
     stray_compact_section, unknown_key, unknown_section, wrong_count,
 };
 
@@ -28,6 +28,7 @@ pub static RULES: &[&RuleInfo] = &[
     &WRONG_COUNT,
     &LIST_NUMBERING,
     &INVALID_LIST_ENTRY,
+    &DATE_SPELLING,
     &FILE_NAME,
 ];
 
@@ -157,4 +158,14 @@ text_rule! {
     example: "`3=0x10180`",
     remedy: "Write the index in hex: `3=0x1018`.",
     source: "CiA 306-1 §4.6.3.1",
+}
+
+text_rule! {
+    DATE_SPELLING = "cia306/date-spelling", Note, fix Mixed;
+    summary: "a date or time is not spelled as the standard demands",
+    checks: "Whether dates are spelled `mm-dd-yyyy` and times `hh:mmAM` or `hh:mmPM`. Other orders, names of months, two-digit years, single digits, seconds and 24-hour times are read. A date that can be two days is read with the month first, and its fix needs review, as does that of a time with seconds, which the standard has no place for.",
+    why: "Tools that show or compare dates ignore such a text, or take the day for the month.",
+    example: "`CreationDate=07-Feb-2016`, `CreationTime=15:23`",
+    remedy: "Write `02-07-2016` and `03:23PM`.",
+    source: "CiA 306-1 §4.4",
 }

@@ -192,9 +192,8 @@ macro_rules! words {
 
 words! {
     bool: UnknownWord, boolean, |flag| flag.to_string();
-    // a time zone after the date is allowed and ignored
-    Date: NotADate, |text| Date::from_iso(text.get(..10).unwrap_or(text)), Date::to_iso;
-    ClockTime: NotAClockTime, ClockTime::from_iso, |time| time.to_iso(true);
+    Date: NotADate, |text| literal::date(text).map(|(date, _)| date), Date::to_iso;
+    ClockTime: NotAClockTime, literal::clock_time, |time| time.to_iso(true);
     DeviceClass: UnknownWord, DeviceClass::from_name, |class| class.name().to_owned();
     // editors for CANopenNode wrote `cons`
     Access: UnknownWord, |word| Access::from_name(if word == "cons" { "const" } else { word }), |access| attribute_access(access).to_owned();

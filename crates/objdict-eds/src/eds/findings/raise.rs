@@ -1,7 +1,7 @@
 //! Creates the findings with their texts and fixes.
 
 use super::{
-    COMMISSIONING_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
+    COMMISSIONING_SPELLING, DATE_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY, LIST_NUMBERING,
     MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION,
     WRONG_COUNT,
 };
@@ -135,6 +135,16 @@ pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: Key) -> Diagnostic {
     Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
         .help(say!("write `{}`; other tools ignore the misspelt key", &*meant))
         .fix(fix)
+}
+
+/// Reports a date or time that is not spelled as `meant`; `is_certain` if it can mean nothing else.
+pub(in crate::eds) fn date_spelling(item: &Item<'_>, meant: String, is_certain: bool) -> Diagnostic {
+    let form = if meant.contains(':') { "`hh:mmAM` or `hh:mmPM`" } else { "`mm-dd-yyyy`" };
+    let title = say!("write `{}`", meant);
+    let fix = if is_certain { Fix::safe(title.clone()) } else { Fix::risky(title.clone()) };
+    Diagnostic::new(&DATE_SPELLING, item.value_at, say!("`{}` is not of the form {}", item.value, form))
+        .help(title)
+        .fix(fix.replace(item.value_at, meant))
 }
 
 /// Reports a section that is read as another one.

@@ -4,6 +4,7 @@ use super::{Item, Items, Reader};
 use crate::diagnostic::{Fix, MAX_FIX_LINES, Severity};
 use crate::eds::findings;
 use crate::ini;
+use crate::literal;
 use crate::model::{
     ClockTime, Commissioning, DataType, Date, DeviceInfo, DummyUsage, Extra, Field, FileInfo, InvalidValues,
     Reason,
@@ -28,13 +29,17 @@ impl Reader<'_> {
             }
             Some(Field::EdsVersion) => info.eds_version = Some(items.text(item).to_owned()),
             Some(Field::Description) => info.description = Some(items.text(item).to_owned()),
-            Some(Field::CreationTime) => info.creation_time = clock_time(item, &mut info.invalid_values),
-            Some(Field::CreationDate) => info.creation_date = date(item, &mut info.invalid_values),
+            Some(Field::CreationTime) => {
+                info.creation_time = clock_time(items, item, &mut info.invalid_values)
+            }
+            Some(Field::CreationDate) => info.creation_date = date(items, item, &mut info.invalid_values),
             Some(Field::CreatedBy) => info.created_by = Some(items.text(item).to_owned()),
             Some(Field::ModificationTime) => {
-                info.modification_time = clock_time(item, &mut info.invalid_values);
+                info.modification_time = clock_time(items, item, &mut info.invalid_values);
             }
-            Some(Field::ModificationDate) => info.modification_date = date(item, &mut info.invalid_values),
+            Some(Field::ModificationDate) => {
+                info.modification_date = date(items, item, &mut info.invalid_values)
+            }
             Some(Field::ModifiedBy) => info.modified_by = Some(items.text(item).to_owned()),
             Some(Field::LastEds) => info.last_eds = Some(items.text(item).to_owned()),
             _ => items.unknown(item, &mut info.extra),
@@ -167,37 +172,32 @@ fn check_numbers(lines: &[(u32, Item<'_>)], items: &mut Items<'_>) {
     items.findings.push(finding.severity(Severity::Warning));
 }
 
-/// `mm-dd-yyyy`.
-fn date(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<Date> {
-    let parse = || {
-        let mut parts = item.value.split('-').map(digits);
-        let (month, day, year) = (parts.next()??, parts.next()??, parts.next()??);
-        let complete = parts.next().is_none() && item.value.len() == 10;
-        Date::new(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).filter(|_| complete)
-    };
-    or_invalid(item, parse(), Reason::NotADate, invalid_values)
+/// `mm-dd-yyyy`, or another spelling of a date.
+fn date(items: &mut Items<'_>, item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<Date> {
+    let (date, is_clear) = or_invalid(item, literal::date(item.value), Reason::NotADate, invalid_values)?;
+    spelling(items, item, date.to_string(), is_clear);
+    Some(date)
 }
 
-/// `hh:mmAM`, 12-hour clock.
-fn clock_time(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<ClockTime> {
-    let parse = || {
-        let time = Some(item.value).filter(|text| text.len() == 7 && text.is_ascii())?;
-        let (hour, minute) = (digits(&time[..2])?, digits(&time[3..5])?);
-        let afternoon = match &time[5..] {
-            "AM" => 0,
-            "PM" => 12,
-            _ => return None,
-        };
-        let valid = time.as_bytes()[2] == b':' && (1..=12).contains(&hour);
-        ClockTime::new(u8::try_from(hour % 12 + afternoon).ok()?, u8::try_from(minute).ok()?)
-            .filter(|_| valid)
-    };
-    or_invalid(item, parse(), Reason::NotAClockTime, invalid_values)
+/// `hh:mmAM`, or another spelling of a time of day.
+fn clock_time(
+    items: &mut Items<'_>,
+    item: &Item<'_>,
+    invalid_values: &mut InvalidValues,
+) -> Option<ClockTime> {
+    let time = or_invalid(item, literal::clock_time(item.value), Reason::NotAClockTime, invalid_values)?;
+    let meant = time.to_string();
+    // the standard has no place for seconds
+    let is_whole = literal::clock_time(&meant) == Some(time);
+    spelling(items, item, meant, is_whole);
+    Some(time)
 }
 
-fn digits(text: &str) -> Option<u16> {
-    let only_digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    if only_digits { text.parse().ok() } else { None }
+/// Reports a date or time that is not spelled as the standard demands.
+fn spelling(items: &mut Items<'_>, item: &Item<'_>, meant: String, is_certain: bool) {
+    if item.value != meant {
+        items.findings.push(findings::date_spelling(item, meant, is_certain));
+    }
 }
 
 fn or_invalid<T>(

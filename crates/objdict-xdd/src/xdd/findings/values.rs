@@ -1,6 +1,7 @@
 //! The rules about the values of attributes and texts.
 
-use crate::diagnostic::{Diagnostic, Findings, listing, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, say, text_rules};
+use crate::literal;
 use crate::source::Span;
 use crate::xdd::schema::{BAUD_RATES, Kind, decimal, is_language, whole_number};
 
@@ -37,17 +38,17 @@ text_rules! {
     remedy: "Write only the digits, such as `1000` or `01`.",
     source: "CiA 311 annex A",
 
-    INVALID_DATE = "cia311/invalid-date", Warning;
+    INVALID_DATE = "cia311/invalid-date", Warning, fix Mixed;
     summary: "a date is not written `yyyy-mm-dd`",
-    checks: "Whether dates exist in the calendar and are written year, month, day, with or without a time zone.",
+    checks: "Whether dates exist in the calendar and are written year, month, day, with or without a time zone. Other spellings, such as `01-31-2026` and `31-Jan-2026`, are read and only a note.",
     why: "Tools reject the file, or ignore the date. An EDS uses month, day, year.",
     example: r#"`fileCreationDate="01-31-2026"`"#,
     remedy: "Write `2026-01-31`.",
     source: "CiA 311 annex A",
 
-    INVALID_TIME = "cia311/invalid-time", Warning;
+    INVALID_TIME = "cia311/invalid-time", Warning, fix Safe;
     summary: "a time of day is not written `hh:mm:ss`",
-    checks: "Whether times have two digits each for hour, minute and second, with or without a fraction and a time zone.",
+    checks: "Whether times have two digits each for hour, minute and second, with or without a fraction and a time zone. Other spellings, such as `9:45` and `09:45AM`, are read and only a note.",
     why: "Tools reject the file, or ignore the time. An EDS uses `09:45AM`.",
     example: r#"`fileCreationTime="9:45"`"#,
     remedy: "Write `09:45:00`.",
@@ -132,10 +133,17 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
             new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected"))
                 .help(hex_help(text, least))
         }
-        Kind::Date => new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
-            .help("write year, month and day with four, two and two digits: `2026-01-31`"),
-        Kind::Time => new(&INVALID_TIME, "not a time of the form `hh:mm:ss`")
-            .help("write hour (00 to 23), minute and second with two digits each: `09:45:00`"),
+        Kind::Date => {
+            let finding = new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
+                .help("write year, month and day with four, two and two digits: `2026-01-31`");
+            let read = literal::date(text).map(|(date, is_clear)| (date.to_iso(), is_clear));
+            respelled(finding, read, at)
+        }
+        Kind::Time => {
+            let finding = new(&INVALID_TIME, "not a time of the form `hh:mm:ss`")
+                .help("write hour (00 to 23), minute and second with two digits each: `09:45:00`");
+            respelled(finding, literal::clock_time(text).map(|time| (time.to_iso(true), true)), at)
+        }
         Kind::Word(words) | Kind::Words(words) => {
             new(&INVALID_WORD, &format!("not a valid `{name}`")).help(word_help(text, words))
         }
@@ -150,6 +158,13 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
                 .help("start with a letter or `_`, and use letters, digits, `.`, `-` and `_`")
         }
     }
+}
+
+/// A finding about a text that is read all the same: a note, with the spelling of the standard, and whether it is certain.
+fn respelled(finding: Diagnostic, read: Option<(String, bool)>, at: Span) -> Diagnostic {
+    let Some((text, is_certain)) = read else { return finding };
+    let fix = if is_certain { Fix::safe } else { Fix::risky };
+    finding.severity(Severity::Note).fix(fix(say!("write `{}`", text)).replace(at, text))
 }
 
 fn invalid_number(text: &str, shown: &str, name: &str, (low, high): (i128, i128), at: Span) -> Diagnostic {

@@ -47,11 +47,10 @@ impl<'a> Reader<'a> {
     }
 
     fn project_file(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
-        let mut text = Text::of(attribute);
+        let text = Text::of(attribute);
         if text.trimmed().is_empty() {
             return;
         }
-        text.text = iso(text.trimmed()).map_or(text.text, Cow::Owned);
         let info = self.device.file_info.get_or_insert_default();
         let known = match attribute.name() {
             // the editor misspells these
@@ -164,24 +163,6 @@ fn set<T>(field: &mut Option<T>, value: Option<T>) -> bool {
     let is_set = value.is_some();
     *field = value.or(field.take());
     is_set
-}
-
-/// A date or time of an EDS as in ISO 8601: `01-31-2017`, `5:13PM`.
-fn iso(text: &str) -> Option<String> {
-    let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    if let [month, day, year] = text.split('-').collect::<Vec<_>>()[..] {
-        let is_date = year.len() == 4 && [month, day, year].into_iter().all(digits);
-        return is_date.then(|| format!("{year}-{month:0>2}-{day:0>2}"));
-    }
-    let (clock, half) = text.split_at_checked(text.len().checked_sub(2)?)?;
-    let (hour, minute) = clock.trim_ascii().split_once(':')?;
-    let hour: u8 = hour.parse().ok().filter(|hour| (1..=12).contains(hour))?;
-    let afternoon = match half {
-        "AM" | "am" => 0,
-        "PM" | "pm" => 12,
-        _ => return None,
-    };
-    Some(format!("{:02}:{minute}", hour % 12 + afternoon))
 }
 
 /// A text of an object of a project; `None` for any other element.
