@@ -9,9 +9,10 @@ mod config;
 mod configure;
 mod configure_node;
 #[cfg(feature = "document")]
+#[cfg(feature = "document")]
+mod conversions;
 mod dbc;
 mod device_profile;
-#[cfg(feature = "document")]
 mod document;
 mod download_plan;
 mod errata;

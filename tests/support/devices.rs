@@ -253,7 +253,7 @@ fn file_info(texts: Texts) -> BoxedStrategy<FileInfo> {
             let (creation_time, creation_date, modification_time, modification_date) = times;
             let mut invalid_values = InvalidValues::default();
             if damaged && creation_date.is_none() {
-                invalid_values.push(Field::CreationDate, "31.12.2024", Reason::NotADate);
+                invalid_values.push(Field::CreationDate, "31.02.2024", Reason::NotADate);
             }
             FileInfo {
                 file_name,

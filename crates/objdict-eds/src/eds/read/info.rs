@@ -30,7 +30,7 @@ impl Reader<'_> {
             Some(Field::EdsVersion) => info.eds_version = Some(items.text(item).to_owned()),
             Some(Field::Description) => info.description = Some(items.text(item).to_owned()),
             Some(Field::CreationTime) => {
-                info.creation_time = clock_time(items, item, &mut info.invalid_values)
+                info.creation_time = clock_time(items, item, &mut info.invalid_values);
             }
             Some(Field::CreationDate) => info.creation_date = date(items, item, &mut info.invalid_values),
             Some(Field::CreatedBy) => info.created_by = Some(items.text(item).to_owned()),
@@ -38,7 +38,7 @@ impl Reader<'_> {
                 info.modification_time = clock_time(items, item, &mut info.invalid_values);
             }
             Some(Field::ModificationDate) => {
-                info.modification_date = date(items, item, &mut info.invalid_values)
+                info.modification_date = date(items, item, &mut info.invalid_values);
             }
             Some(Field::ModifiedBy) => info.modified_by = Some(items.text(item).to_owned()),
             Some(Field::LastEds) => info.last_eds = Some(items.text(item).to_owned()),
