@@ -84,6 +84,14 @@ fn arrange(text: &str) -> String {
     String::from_utf8(description.arranged().unwrap().unwrap()).unwrap()
 }
 
+/// A line feed of printers is junk to the reader of lines, and an empty line for everyone else.
+#[test]
+fn a_line_of_other_blanks_is_empty() {
+    let once = arrange("[1000]\nDataType=7\n\u{B}\n[1001]\nDataType=5\n");
+    assert_eq!(once, "[1000]\nDataType=0x0007\n\n[1001]\nDataType=0x0005\n");
+    assert_eq!(arrange(&once), once);
+}
+
 #[test]
 fn sections_take_their_comments_with_them() {
     let text = "; made by hand\n\n; of 2000h\n[2000] ; a remark\n; its type\ndatatype=7\n\

@@ -103,6 +103,7 @@ fn errors_have_a_place() {
         error("{\"objects\": {\"0x1000\": {\"data_type\": \"UNSIGNED8\",\n\"default\": {\"text\": \"1\"}}}}"),
         error("{\"objects\": {\"0x1000\": {\"subs\": {\"0x01\": {},\n\"0x01\": {}}}}}"),
         error("{\"objects\": {\"0x1000\": {\"compact\": {\"count\": 0}}}}"),
+        error("{\"objects\": {\"0x1000\": {\"compact\": {}}}}"),
         error("{\"objects\": {\"0x1000\": {\"compact\": {\"count\": 2, \"names\": {\"0x03\": \"c\"}}}}}"),
         error("{\"file_info\": {\"creation_date\": \"2023-02-29\"}}"),
         error("{\"lists\": {\"mandatory\": [\"0x1000\", 4097]}}"),

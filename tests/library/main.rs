@@ -23,7 +23,6 @@ mod ini_oracle;
 mod interop;
 mod json;
 mod lossless;
-mod mutations;
 mod namesakes;
 mod new;
 #[cfg(feature = "cli")]

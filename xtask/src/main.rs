@@ -1,13 +1,14 @@
-//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT [PART]`,
+//! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask xsd FOLDER`.
+//! `cargo xtask xsd FOLDER`, `cargo xtask deny`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
 mod changes;
 mod concise;
 mod corpus;
+mod deny;
 mod docs;
 mod fuzz;
 mod mutate;
@@ -29,9 +30,9 @@ usage:
       generate every target from every description below FOLDER that has no error finding (--damaged: also from the
       others), with its names or with hostile ones (--hostile), compile that, and print a table; where a variable
       OBJDICT_<STACK>_DIR names a checkout of a stack, compile with it too
-  cargo xtask fuzz FOLDER COUNT [PART]
-      corrupt the files below FOLDER so often, and give them to every part of the library that takes foreign bytes, or to
-      one; nothing may panic or break its promise (xtask/src/fuzz/targets.rs)
+  cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]
+      corrupt the files below FOLDER so often or so long, and give them to every part of the library that takes foreign
+      bytes, or to one; nothing may panic or break its promise (xtask/src/fuzz/targets.rs)
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
@@ -44,7 +45,9 @@ usage:
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
       --check only compare
   cargo xtask xsd FOLDER
-      write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd";
+      write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
+  cargo xtask deny
+      hold licences, versions and sources of all packages against deny.toml";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -60,9 +63,9 @@ fn main() -> ExitCode {
             Some(selection) => targets::run(Path::new(folder), selection),
             None => Err(USAGE.to_owned()),
         },
-        ["fuzz", folder, count, ref part @ ..] if part.len() < 2 => match count.parse() {
-            Ok(count) => fuzz::run(Path::new(folder), 256 << 10, count, part.first().copied()),
-            Err(_) => Err(USAGE.to_owned()),
+        ["fuzz", folder, budget, ref part @ ..] if part.len() < 2 => match fuzz::Budget::parse(budget) {
+            Some(budget) => fuzz::run(Path::new(folder), 256 << 10, budget, part.first().copied()),
+            None => Err(USAGE.to_owned()),
         },
         ["concise", corpus] => concise::run(Path::new(corpus)),
         ["readers", folder, python] => readers::run(Path::new(folder), Path::new(python)),
@@ -71,6 +74,7 @@ fn main() -> ExitCode {
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
+        ["deny"] => deny::run(),
         _ => Err(USAGE.to_owned()),
     };
     match result {

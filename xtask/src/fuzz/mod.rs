@@ -7,6 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 use objdict::format::{self, Format, json};
@@ -22,9 +23,33 @@ struct Seed {
     bytes: Vec<u8>,
 }
 
-/// Gives every part of the library `count` corrupted copies of the files below `folder` that have at most `size` bytes, by turns;
+/// How many mutants each part of the library gets.
+#[derive(Clone, Copy)]
+pub(crate) enum Budget {
+    Count(usize),
+    Time(Duration),
+}
+
+impl Budget {
+    /// The budget of a word such as `10000` or `20s`.
+    pub(crate) fn parse(word: &str) -> Option<Self> {
+        match word.strip_suffix('s') {
+            Some(seconds) => seconds.parse().ok().map(|seconds| Self::Time(Duration::from_secs(seconds))),
+            None => word.parse().ok().map(Self::Count),
+        }
+    }
+
+    fn allows(self, number: usize, start: Instant) -> bool {
+        match self {
+            Self::Count(count) => number < count,
+            Self::Time(time) => start.elapsed() < time,
+        }
+    }
+}
+
+/// Gives every part of the library corrupted copies of the files below `folder` that have at most `size` bytes, by turns;
 /// fails when one of them panics or breaks a promise.
-pub(crate) fn run(folder: &Path, size: usize, count: usize, only: Option<&str>) -> Result<(), String> {
+pub(crate) fn run(folder: &Path, size: usize, budget: Budget, only: Option<&str>) -> Result<(), String> {
     let seeds = seeds(folder, size).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
     let mut failures = Vec::new();
     for fuzzed in FUZZED.iter().filter(|fuzzed| only.is_none_or(|only| only == fuzzed.name)) {
@@ -34,24 +59,26 @@ pub(crate) fn run(folder: &Path, size: usize, count: usize, only: Option<&str>) 
             println!("{}: no file to start from", fuzzed.name);
             continue;
         }
-        let broken = broken(fuzzed, &seeds, count);
+        let (count, broken) = broken(fuzzed, &seeds, budget);
         println!("{}: {count} mutants of {} files, {} failures", fuzzed.name, seeds.len(), broken.len());
         failures.extend(broken.iter().map(|number| format!("{} {number}", fuzzed.name)));
     }
     if failures.is_empty() { Ok(()) } else { Err(format!("mutants fail: {}", failures.join(", "))) }
 }
 
-/// The mutants that a part of the library fails on.
-fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], count: usize) -> Vec<usize> {
+/// How many mutants a part of the library got, and those that it fails on.
+fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], budget: Budget) -> (usize, Vec<usize>) {
     let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let (done, start) = (AtomicUsize::new(0), Instant::now());
     thread::scope(|scope| {
         for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(|| {
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= count {
+                    if !budget.allows(number, start) {
                         break;
                     }
+                    done.fetch_add(1, Ordering::Relaxed);
                     let (format, bytes) = mutant(seeds, number);
                     if catch_unwind(AssertUnwindSafe(|| (fuzzed.run)(format, &bytes))).is_err()
                         && let Ok(mut failures) = failures.lock()
@@ -65,7 +92,7 @@ fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], count: usize) -> Vec<usize> {
     });
     let mut failures = failures.into_inner().unwrap_or_default();
     failures.sort_unstable();
-    failures
+    (done.into_inner(), failures)
 }
 
 /// Writes what fails where the variable `OBJDICT_FUZZ_KEEP` says.
@@ -122,10 +149,18 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
 mod tests {
     use super::*;
 
-    /// A few of many: `cargo xtask fuzz fixtures 10000` has the time for more.
+    #[test]
+    fn libfuzzer_has_every_part() {
+        let manifest = include_str!("../../../fuzz/Cargo.toml").parse::<toml::Table>().unwrap();
+        let bins = manifest["bin"].as_array().unwrap().iter();
+        let names: Vec<&str> = bins.filter_map(|bin| bin["name"].as_str()).collect();
+        assert_eq!(names, FUZZED.each_ref().map(|fuzzed| fuzzed.name));
+    }
+
+    /// A few of many: the gate has the time for more.
     #[test]
     fn corrupted_fixtures_break_nothing() {
         let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures");
-        assert_eq!(run(&fixtures, 6 << 10, 150, None), Ok(()));
+        assert_eq!(run(&fixtures, 6 << 10, Budget::Count(50), None), Ok(()));
     }
 }

@@ -6,10 +6,14 @@ use std::sync::{Arc, LazyLock};
 use objdict::compare::differences;
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
-use objdict::diagnostic::{Applicability, Tool};
+use objdict::diagnostic::{Applicability, Fix, Tool};
+use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
-use objdict::format::{self, Description, Format, NodeSettings, WriteOptions, concise, json, nodelist};
+use objdict::format::input::{Input, Reading};
+use objdict::format::{
+    self, Description, Dialect, Format, NodeSettings, WriteOptions, concise, json, nodelist,
+};
 use objdict::generate::{self, Target};
 use objdict::lint::Options;
 use objdict::model::Commissioning;
@@ -26,7 +30,7 @@ pub(crate) struct Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 11] = [
+pub(crate) const FUZZED: [Fuzzed; 13] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: &["eds", "dcf"], run: arrange },
@@ -34,6 +38,12 @@ pub(crate) const FUZZED: [Fuzzed; 11] = [
     Fuzzed { name: "configure", endings: DESCRIPTIONS, run: configured },
     Fuzzed { name: "generate", endings: DESCRIPTIONS, run: tables },
     Fuzzed { name: "docs", endings: DESCRIPTIONS, run: pages },
+    Fuzzed { name: "dbc", endings: DESCRIPTIONS, run: messages },
+    Fuzzed {
+        name: "open",
+        endings: &["eds", "dcf", "xdd", "xdc", "nxdd", "xml", "json", "cdcf", "txt", "cpj", "gsd", "bin"],
+        run: |_, bytes| any_file(bytes),
+    },
     Fuzzed { name: "json", endings: &["json"], run: |_, bytes| json_of(bytes) },
     Fuzzed { name: "concise", endings: &["cdcf"], run: |_, bytes| stream(bytes) },
     Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
@@ -71,11 +81,22 @@ fn check(format: Format, bytes: &[u8]) {
 }
 
 fn fix(format: Format, bytes: &[u8]) {
-    let Some(description) = read(format, bytes) else { return };
-    let once = objdict::fix(description, Applicability::Unsafe, objdict::check).bytes();
-    let Some(description) = read(format, &once) else { return };
-    let twice = objdict::fix(description, Applicability::Unsafe, objdict::check);
-    assert!(twice.bytes() == once, "the second fix changes nothing, not {:?}", twice.applied);
+    for safety in [Applicability::Safe, Applicability::Unsafe] {
+        let Some(description) = read(format, bytes) else { return };
+        let once = objdict::fix(description, safety, objdict::check);
+        assert!(!once.is_unfinished, "fixes come to an end");
+        let once = once.bytes();
+        let Some(description) = read(format, &once) else { return };
+        let twice = objdict::fix(description, safety, objdict::check);
+        assert!(twice.bytes() == once, "the second fix changes nothing, not {:?}", twice.applied);
+        let findings = objdict::check(&twice.description);
+        let offers = objdict::with_sound_fixes(&twice.description, findings, objdict::check);
+        let is_offer = |fix: &Fix| fix.is_offered && fix.safety <= safety;
+        assert!(
+            !offers.iter().filter_map(|finding| finding.fix.as_ref()).any(is_offer),
+            "reports offer nothing"
+        );
+    }
 }
 
 fn arrange(format: Format, bytes: &[u8]) {
@@ -89,7 +110,8 @@ fn convert(format: Format, bytes: &[u8]) {
     let again = json::read_device(&json::write_device(&device));
     assert!(again.as_ref() == Ok(&device), "JSON gives back the device: {:?}", again.err());
     for to in [Format::Eds, Format::Dcf, Format::Xdd, Format::Xdc] {
-        let mut options = WriteOptions::default();
+        // each dialect by turns
+        let mut options = WriteOptions::from(Dialect::ALL[bytes.len() % Dialect::ALL.len()]);
         options.embed = true;
         let written = format::write(&device, to, &options);
         assert!(written.is_ok(), "what is written is a valid {}: {:?}", to.name(), written.err());
@@ -197,6 +219,38 @@ fn pages(format: Format, bytes: &[u8]) {
     };
     for form in Form::ALL {
         assert!(!document::write(&subject, form, &document::Options::default()).is_empty());
+    }
+}
+
+fn messages(format: Format, bytes: &[u8]) {
+    let Some(device) = read(format, bytes).map(Description::into_device) else { return };
+    let nodes = [BusNode { device: &device, node_id: 5, name: None }];
+    for (sdo, bits) in [(false, false), (true, true)] {
+        let text: String =
+            dbc::write(&nodes, DbcOptions { sdo, bits }).bytes.into_iter().map(char::from).collect();
+        assert!(text.matches('"').count().is_multiple_of(2), "texts have an end");
+        let mut room = 0;
+        for line in text.lines() {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            match words[..] {
+                ["BO_", _, _, length, _] => room = 8 * length.parse::<u32>().unwrap_or_default(),
+                ["SG_", ..] => {
+                    let layout = words.iter().skip_while(|word| **word != ":").nth(1).unwrap_or(&"");
+                    let numbers = layout.split_once('@').and_then(|(bits, _)| bits.split_once('|'));
+                    let end = numbers.and_then(|(start, length)| {
+                        start.parse::<u32>().ok()?.checked_add(length.parse().ok()?)
+                    });
+                    assert!(end.is_some_and(|end| end <= room), "`{line}` is inside its message");
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+fn any_file(bytes: &[u8]) {
+    if let Ok((_, Input::Description(description))) = Reading::default().read("fuzzed", bytes.to_vec()) {
+        assert_eq!(description.print(), bytes, "what is printed is what was read");
     }
 }
 

@@ -149,7 +149,11 @@ impl<'a> Layout<'a> {
         for line in document.lines() {
             match line.kind {
                 LineKind::Blank => notes.blank(),
-                LineKind::Comment | LineKind::Junk => notes.line(line.span.of(text).trim_end()),
+                LineKind::Comment | LineKind::Junk => match line.span.of(text).trim_end() {
+                    // of blanks that are none to the reader of lines
+                    "" => notes.blank(),
+                    line => notes.line(line),
+                },
                 LineKind::Section { name } => {
                     layout.end_section(&mut notes, false);
                     let notes = std::mem::take(&mut notes);

@@ -117,28 +117,37 @@ impl FromIterator<(u8, Entry)> for Subs {
 /// in names and values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]
     pub count: u8,
     /// Names of single entries; other entries have the name of the object with their number appended.
-    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
+    )]
     pub names: Vec<(u8, Box<str>)>,
     /// Configured values of single entries (DCF).
-    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
+    )]
     pub values: Vec<(u8, Value)>,
     /// Denotations of single entries (DCF).
-    #[cfg_attr(feature = "serde", serde(with = "super::sub_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
+    )]
     pub denotations: Vec<(u8, Box<str>)>,
     /// Texts that are not valid in their fields.
     #[cfg_attr(
         feature = "serde",
-        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
+        serde(default, rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
     )]
     pub invalid_values: InvalidValues,
     /// Keys without a field in the model.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
 }
 
