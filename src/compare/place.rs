@@ -10,7 +10,10 @@ pub(super) fn of(path: &str) -> Place {
     let whole = |part: Part| with_field(part, &rest, field);
     match first {
         "file_info" => whole(Part::FileInfo),
-        "device_info" => with_field(Part::DeviceInfo, &rest, device_field),
+        "device_info" => match rest[..] {
+            ["baud_rates", rate] => with_field(Part::DeviceInfo, &[&format!("baud_rate_{rate}")], field),
+            _ => with_field(Part::DeviceInfo, &rest, device_field),
+        },
         "dummy_usage" => whole(Part::DummyUsage),
         "comments" => whole(Part::Comments),
         "commissioning" => with_field(Part::Commissioning, &rest, node_field),

@@ -132,6 +132,15 @@ impl Description {
         }
     }
 
+    /// Whether the text is a network of devices, of which this is one.
+    pub fn is_network(&self) -> bool {
+        match &self.text {
+            Text::Ini(..) => false,
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, _) => xdd::is_network(tree),
+        }
+    }
+
     /// The bytes of the file, put together from what was read: always the bytes as they came.
     pub fn print(&self) -> Vec<u8> {
         match &self.text {

@@ -41,11 +41,12 @@ impl From<Dialect> for WriteOptions {
 pub struct Written {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Every datum of the device that a reader of the file does not get, in the order of the model.
+    /// Every datum of the device that a reader of the file does not get, and every one that only the file states, by kind
+    /// and in the order of the model.
     pub losses: Vec<Loss>,
 }
 
-/// A datum that a written text does not give back.
+/// A datum that a written text does not give back, or that only the text states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
     /// Its place in the model.
@@ -56,7 +57,7 @@ pub struct Loss {
     /// What became of it.
     #[serde(rename = "fate")]
     pub kind: LossKind,
-    /// What the device says.
+    /// What the device says; of what is invented, what the text says.
     pub value: Value,
     /// What the text says in its place; `None` for nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -66,7 +67,7 @@ pub struct Loss {
     pub reason: Option<String>,
 }
 
-/// What became of a datum that the format has no place for.
+/// What became of a datum that only the device or only the text has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LossKind {
@@ -74,6 +75,8 @@ pub enum LossKind {
     Lost,
     /// It belongs to a node, and the format describes a type of device; or the format is for other data.
     LeftOut,
+    /// The text states it although the device does not, because the format demands it.
+    Invented,
     /// objdict reads it from a comment line or property of its own; other tools do not see it.
     #[serde(rename = "carried")]
     Embedded,
@@ -85,6 +88,7 @@ impl LossKind {
         match self {
             Self::Lost => "lost",
             Self::LeftOut => "left out",
+            Self::Invented => "invented",
             Self::Embedded => "embedded",
         }
     }
@@ -112,6 +116,13 @@ impl Loss {
             }
             (None, _) => {}
         }
+    }
+
+    /// A datum that only the text has, by its path.
+    pub fn invented(path: String, value: Value) -> Self {
+        let difference = DatumDifference { path, left: None, right: None };
+        let (place, path) = (difference.place(), difference.path);
+        Self { place, path, kind: LossKind::Invented, value, becomes: None, reason: None }
     }
 }
 
@@ -174,25 +185,25 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
     };
-    let mut bytes = encode(&wanted, format, options);
-    let (mut read, mut violation);
-    (bytes, read, violation) = decode(bytes, format, options.eds.encoding);
-    let mut lost = missing(&wanted, &read);
+    let bytes = encode(&wanted, format, options);
+    let mut text = decode(bytes, format, options.eds.encoding);
+    let mut lost = missing(&wanted, &text.device);
+    losses.append(&mut invented(&wanted, &text.stated));
     if options.embed && !lost.is_empty() {
         let plain = lost;
-        drop((bytes, read));
-        bytes = encode_with(&wanted, format, options, &plain);
-        (bytes, read, violation) = decode(bytes, format, options.eds.encoding);
-        (read, _) = embedded::restore(read, Findings::new());
-        lost = missing(&wanted, &read);
+        drop(text);
+        let bytes = encode_with(&wanted, format, options, &plain);
+        text = decode(bytes, format, options.eds.encoding);
+        (text.device, _) = embedded::restore(text.device, Findings::new());
+        lost = missing(&wanted, &text.device);
         let embedded = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
         losses.append(&mut losses_of(embedded, LossKind::Embedded));
     }
     losses.append(&mut losses_of(lost, LossKind::Lost));
     losses.sort_by_key(|loss| loss.kind);
-    match violation {
+    match text.violation {
         Some(violation) => Err(EditError::NotValid(violation)),
-        None => Ok(Written { bytes, losses }),
+        None => Ok(Written { bytes: text.bytes, losses }),
     }
 }
 
@@ -206,10 +217,10 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
         drop(bytes);
         let mut carrier = wanted.clone();
         embedded::embed(&mut carrier, &needed, room(format));
-        let mut read;
-        (bytes, read, _) = decode(encode(&carrier, format, options), format, options.eds.encoding);
-        embedded::extract(&mut read);
-        let found = changes(&missing(wanted, &read));
+        let mut text = decode(encode(&carrier, format, options), format, options.eds.encoding);
+        embedded::extract(&mut text.device);
+        let found = changes(&missing(wanted, &text.device));
+        bytes = text.bytes;
         if found == needed {
             break;
         }
@@ -221,11 +232,56 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
 /// What a text does not give back of the device that it was made of.
 pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
     let kept = kept(device, format);
-    let (_, read, _) = decode(bytes.to_vec(), format, Some(encoding));
-    let (read, _) = embedded::restore(read, Findings::new());
+    let text = decode(bytes.to_vec(), format, Some(encoding));
+    let (read, _) = embedded::restore(text.device, Findings::new());
     let mut losses = losses_of(missing(&kept, &read), LossKind::Lost);
     losses.append(&mut losses_of(missing(device, &kept), LossKind::LeftOut));
+    losses.append(&mut invented(&kept, &text.stated));
     losses
+}
+
+/// What a text states of file, device and node although the device does not. The objects of a text state in addition
+/// only what CiA 306 says of a missing key, such as the object type VAR.
+fn invented(device: &Device, stated: &Device) -> Vec<Loss> {
+    let mut losses = Vec::new();
+    each_difference(&frame(device), &frame(stated), &mut |DatumDifference { path, left, right }| {
+        // a bit rate that the device does not support
+        let is_new = left.is_none() || left == Some(Value::Bool(false)) && right == Some(Value::Bool(true));
+        if let Some(value) = right.filter(|_| is_new) {
+            add_invented(path, value, &mut losses);
+        }
+    });
+    losses
+}
+
+/// The parts of a device about file, device and node.
+fn frame(device: &Device) -> Device {
+    Device {
+        file_info: device.file_info.clone(),
+        device_info: device.device_info.clone(),
+        commissioning: device.commissioning.clone(),
+        ..Device::default()
+    }
+}
+
+fn add_invented(path: String, value: Value, losses: &mut Vec<Loss>) {
+    if let Value::Object(fields) = value {
+        for (name, value) in fields {
+            add_invented(format!("{path}/{name}"), value, losses);
+        }
+        return;
+    }
+    // a bit rate that is not supported, and what a missing key of the node means
+    let is_zero = value == Value::Bool(false) || value.as_u64() == Some(0);
+    let says_nothing =
+        is_zero && ["/device_info/baud_rates/", "/commissioning/"].iter().any(|part| path.starts_with(part));
+    let is_empty = value.as_str().is_some_and(|text| text.trim().is_empty())
+        || value.as_array().is_some_and(Vec::is_empty);
+    // the file that a DCF was made of is a fact
+    let is_fact = path == "/file_info/last_eds";
+    if !(says_nothing || is_empty || is_fact) {
+        losses.push(Loss::invented(path, value));
+    }
 }
 
 /// What a format describes of a device: all of it, or its type.
@@ -292,19 +348,37 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-/// The device that a text describes, with what is embedded still where it is kept; and the first violation of CiA 311. The
-/// bytes come back.
-fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> (Vec<u8>, Device, Option<String>) {
+/// A text and what readers find in it.
+struct Decoded {
+    bytes: Vec<u8>,
+    /// With what is embedded still where it is kept.
+    device: Device,
+    /// What it says of file, device and node to a tool that does not know the placeholders of objdict.
+    stated: Device,
+    /// The first violation of CiA 311.
+    violation: Option<String>,
+}
+
+fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> Decoded {
     let source_options = SourceOptions { encoding, max_size: u64::MAX };
     let source = match SourceFile::from_bytes("", bytes, &source_options) {
         Ok(source) => source,
-        Err(error) => return (Vec::new(), Device::default(), Some(error.to_string())),
+        Err(error) => {
+            let violation = Some(error.to_string());
+            return Decoded {
+                bytes: Vec::new(),
+                device: Device::default(),
+                stated: Device::default(),
+                violation,
+            };
+        }
     };
     match format.syntax() {
         Syntax::Ini => {
             let document = Document::new(source);
             let device = eds::read(&document, format.kind()).0;
-            (document.into_source().into_bytes(), device, None)
+            let (bytes, stated) = (document.into_source().into_bytes(), frame(&device));
+            Decoded { bytes, device, stated, violation: None }
         }
         Syntax::Xml => {
             let mut findings = Findings::new();
@@ -312,7 +386,8 @@ fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> (Vec<u8
             findings.append(xdd::findings::violations(&tree));
             let violation = findings.iter().next().map(|finding| finding.message.to_string());
             let device = xdd::read(&tree, 0, format.kind()).0;
-            (tree.into_source().into_bytes(), device, violation)
+            let stated = xdd::read_literally(&tree, format.kind());
+            Decoded { bytes: tree.into_source().into_bytes(), device, stated, violation }
         }
     }
 }

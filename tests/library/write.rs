@@ -390,7 +390,8 @@ proptest! {
             (format, false) => format,
         };
         let written = format::write(&device, format, &options).unwrap();
-        let lost: Vec<_> = written.losses.iter().filter(|loss| loss.kind != LossKind::Embedded).collect();
+        let is_lost = |kind| matches!(kind, LossKind::Lost | LossKind::LeftOut);
+        let lost: Vec<_> = written.losses.iter().filter(|loss| is_lost(loss.kind)).collect();
         prop_assert!(lost.is_empty(), "{lost:?}");
         prop_assert_eq!(differences(&device, &read(&written.bytes, format)), []);
     }

@@ -13,7 +13,7 @@ use crate::format::XddVersion;
 /// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
 /// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
 /// properties or comment lines of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network. Exits
-/// with 1 when --deny-loss is given and data are lost.
+/// with 1 when --deny-loss is given and data are lost or invented.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConvertArgs {
     /// Files to convert; `-` is the standard input
@@ -26,10 +26,10 @@ pub(in crate::cli) struct ConvertArgs {
     /// The format to write [default: by the extension of the output]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<WrittenKind>,
-    /// Write lost, omitted and embedded data to this file, as JSON (docs/json.md); `-` is the standard output
+    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/json.md); `-` is the standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
-    /// Exit with 1 when data are lost
+    /// Exit with 1 when data are lost or invented
     #[arg(long)]
     pub deny_loss: bool,
     /// Embed nothing in properties or comments of objdict: data without a place in the format are lost

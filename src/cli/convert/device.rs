@@ -34,7 +34,7 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
-    if description.is_project() {
+    if description.is_project() || description.is_network() {
         return of_device(args, job, device, !args.no_embed);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
@@ -50,12 +50,15 @@ pub(super) fn of_description(
     }
     let file_name = base_name(&job.output);
     let mut expected = device.clone();
+    let mut rate = None;
     let bytes = match to.kind() {
         DeviceKind::Node => {
             let node = node(args, job, device)?;
             let bytes = description.to_node(&file_name, &node.clone().unwrap_or_default());
+            rate = invented_rate(args, device, node.as_ref());
             expected.kind = DeviceKind::Node;
             expected.commissioning = node;
+            expected.file_info.get_or_insert_default();
             bytes
         }
         DeviceKind::Type => description.to_type(&file_name),
@@ -64,7 +67,8 @@ pub(super) fn of_description(
     if let Some(info) = &mut expected.file_info {
         info.file_name = Some(file_name);
     }
-    let losses = format::losses(&expected, &bytes, to, description.source().encoding());
+    let mut losses = format::losses(&expected, &bytes, to, description.source().encoding());
+    losses.extend(rate);
     Ok(Converted { bytes, losses })
 }
 
@@ -94,9 +98,13 @@ pub(super) fn of_device(
         FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
-            node_device.commissioning = node(args, job, &node_device)?;
+            let node = node(args, job, &node_device)?;
+            let rate = invented_rate(args, &node_device, node.as_ref());
+            node_device.commissioning = node;
             node_device.kind = DeviceKind::Node;
-            anew(args, job, node_device, embed)
+            let mut converted = anew(args, job, node_device, embed)?;
+            converted.losses.extend(rate);
+            Ok(converted)
         }
     }
 }
@@ -132,6 +140,13 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
     }
     let node = commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })?;
     Ok(Some(node))
+}
+
+/// The bit rate of a node for which neither the device nor an argument states one.
+fn invented_rate(args: &ConvertArgs, device: &Device, node: Option<&Commissioning>) -> Option<Loss> {
+    let stated = args.bit_rate.or(device.commissioning.as_ref().and_then(|node| node.baud_rate));
+    let rate = node?.baud_rate.filter(|_| stated.is_none())?;
+    Some(Loss::invented("/commissioning/baud_rate".to_owned(), rate.into()))
 }
 
 /// The downloads that configure a node as the device says.

@@ -35,6 +35,7 @@ struct Document<'a> {
 struct Summary {
     lost: usize,
     left_out: usize,
+    invented: usize,
     carried: usize,
 }
 
@@ -49,9 +50,9 @@ impl LossReport {
         });
     }
 
-    /// Whether something is gone.
+    /// Whether something is gone or invented.
     pub(super) fn has_lost(&self) -> bool {
-        self.count(LossKind::Lost) > 0
+        self.count(LossKind::Lost) + self.count(LossKind::Invented) > 0
     }
 
     fn count(&self, kind: LossKind) -> usize {
@@ -63,6 +64,7 @@ impl LossReport {
         let summary = Summary {
             lost: self.count(LossKind::Lost),
             left_out: self.count(LossKind::LeftOut),
+            invented: self.count(LossKind::Invented),
             carried: self.count(LossKind::Embedded),
         };
         let document = Document { version: VERSION, files: &self.files, summary };
@@ -94,7 +96,7 @@ pub(super) fn text(losses: &[Loss]) -> String {
         };
         text.push_str(&format!("  {line}\n"));
     }
-    let counts = [LossKind::Lost, LossKind::LeftOut, LossKind::Embedded].map(|kind| {
+    let counts = [LossKind::Lost, LossKind::LeftOut, LossKind::Invented, LossKind::Embedded].map(|kind| {
         let count = losses.iter().filter(|loss| loss.kind == kind).count();
         (count > 0).then(|| format!("{count} {}", kind.name()))
     });

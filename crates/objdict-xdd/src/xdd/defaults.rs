@@ -4,6 +4,22 @@
 use super::layout::ProfileClass;
 use crate::model::{Characteristic, CharacteristicsList, DeviceFunction, Labels, ProfileHeader};
 
+/// What a reader makes of placeholders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Placeholders {
+    /// They say nothing.
+    Dropped,
+    /// They are values, as for a tool that does not know them.
+    Kept,
+}
+
+impl Placeholders {
+    /// Whether a text that is a placeholder says nothing.
+    pub(crate) const fn are_dropped(self) -> bool {
+        matches!(self, Self::Dropped)
+    }
+}
+
 /// A missing text: the author of the file, the vendor, the product.
 pub(crate) const NOT_STATED: &str = "not stated";
 

@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::borrow::Cow;
 
-use super::defaults;
+use super::defaults::{self, Placeholders};
 use super::schema::{self, At, Attribute, Kind};
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
@@ -62,10 +62,12 @@ pub(crate) fn take(
     part: &mut impl Facts,
     known: &Attribute,
     text: &Text<'_>,
+    placeholders: Placeholders,
     findings: &mut Findings,
 ) -> bool {
     let At::Fact(at) = known.at else { return false };
-    let is_unstated = at.unstated.is_some_and(|nothing| text.text == nothing || text.trimmed() == nothing);
+    let is_placeholder = |nothing| text.text == nothing || text.trimmed() == nothing;
+    let is_unstated = placeholders.are_dropped() && at.unstated.is_some_and(is_placeholder);
     if !is_unstated
         && let Some(fact) = (at.lens.get_mut)(part)
         && let Err(reason) = fact.take(text, known, findings)

@@ -89,6 +89,11 @@ pub fn is_project(tree: &Tree) -> bool {
     tree.root().is_some_and(|root| root.name() == PROJECT)
 }
 
+/// Whether a document is a network: descriptions inside another element.
+pub fn is_network(tree: &Tree) -> bool {
+    containers(tree).first().is_some_and(|container| container.parent().is_some())
+}
+
 impl<'a> Layout<'a> {
     /// One of the [`containers`] of a tree.
     pub(crate) fn of(tree: &'a Tree, number: usize) -> Option<Self> {

@@ -20,9 +20,9 @@ mod xdd_writer;
 
 pub use self::configure::{to_xdc, to_xdd};
 pub use self::fix::edits;
-pub use self::layout::{containers, is_project};
+pub use self::layout::{containers, is_network, is_project};
 pub use self::locate::Locator;
-pub use self::read::read;
+pub use self::read::{read, read_literally};
 pub use self::schema::xsd;
 pub use self::version::XddVersion;
 pub use self::write::write;

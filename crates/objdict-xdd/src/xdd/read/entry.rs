@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Findings;
 use crate::model::{DataType, Entry, ObjectType, StackOptions};
-use crate::xdd::defaults;
+use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, hex};
 use crate::xdd::schema::{At, OBJECT};
 use crate::xdd::shape::stack_attribute;
@@ -81,7 +81,7 @@ impl<'a> EntryAttributes<'a> {
         }
         for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
             if let Some(attribute) = attribute {
-                fact::take(&mut entry, known, &Text::of(attribute), findings);
+                fact::take(&mut entry, known, &Text::of(attribute), Placeholders::Dropped, findings);
             }
         }
         let denotation = self.get(n::denotation).map(Text::of);

@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::diagnostic::Findings;
 use crate::model::{FileInfo, InvalidValues, ProfileHeader};
-use crate::xdd::defaults;
+use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text};
 use crate::xdd::layout::{Profile, ProfileClass};
 use crate::xdd::leftovers::Leftovers;
@@ -28,8 +28,10 @@ impl<'a> Reader<'a> {
 
     /// The file attributes of the bodies. Of the communication network profile, only differences are kept.
     pub(super) fn files(&mut self) {
+        let placeholders = self.placeholders;
         let mut info = |profile: Option<Profile<'a>>| {
-            profile.map(|profile| file_info(profile.body, &mut self.leftovers, &mut self.findings))
+            profile
+                .map(|profile| file_info(profile.body, placeholders, &mut self.leftovers, &mut self.findings))
         };
         let (device, network) = (info(self.layout.device), info(self.layout.network));
         match (device, network) {
@@ -45,7 +47,12 @@ impl<'a> Reader<'a> {
 }
 
 /// The file attributes of a body.
-fn file_info<'a>(body: Element<'a>, leftovers: &mut Leftovers<'a>, findings: &mut Findings) -> FileInfo {
+fn file_info<'a>(
+    body: Element<'a>,
+    placeholders: Placeholders,
+    leftovers: &mut Leftovers<'a>,
+    findings: &mut Findings,
+) -> FileInfo {
     let mut info = FileInfo::default();
     for attribute in body.attributes() {
         let text = Text::of(attribute);
@@ -56,7 +63,7 @@ fn file_info<'a>(body: Element<'a>, leftovers: &mut Leftovers<'a>, findings: &mu
             n::formatVersion => text.trimmed() == "1.0",
             // the type of the profile
             n::r#type => true,
-            _ => known.is_some_and(|known| fact::take(&mut info, known, &text, findings)),
+            _ => known.is_some_and(|known| fact::take(&mut info, known, &text, placeholders, findings)),
         };
         if !is_taken {
             leftovers.attribute(body, attribute);

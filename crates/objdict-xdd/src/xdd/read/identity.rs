@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::diagnostic::Findings;
 use crate::model::{DeviceIdentity, DeviceInfo, Field, Label, Labels, NetworkIdentity};
-use crate::xdd::defaults;
+use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::Text;
 use crate::xdd::schema::{DEVICE_IDENTITY, IDENTITY};
 use crate::xdd::shape::{self, Identity, MarkedText};
@@ -14,13 +14,14 @@ impl<'a> Reader<'a> {
         let mut identity: Identity = shape::read(element, &DEVICE_IDENTITY, &mut self.leftovers);
         let mut rest = rest(&mut identity);
         let info = self.device.device_info.get_or_insert_default();
+        let placeholders = self.placeholders;
         let name = |text: Option<MarkedText>| {
             let text = text.map(|text| text.value.trim_ascii().to_owned());
-            text.filter(|text| text != defaults::NOT_STATED)
+            text.filter(|text| text != defaults::NOT_STATED || !placeholders.are_dropped())
         };
         info.vendor_name = name(identity.vendor_name);
         info.product_name = name(identity.product_name);
-        numbers(element, info, &mut self.findings);
+        numbers(element, info, self.placeholders, &mut self.findings);
         let mut order_numbers = identity.order_numbers.into_iter().map(|number| number.value);
         info.order_code = order_numbers.next().map(|text| text.trim_ascii().to_owned());
         rest.further_order_numbers = order_numbers.collect();
@@ -41,13 +42,13 @@ impl<'a> Reader<'a> {
         let mut identity = rest(&mut read);
         let info = self.device.device_info.get_or_insert_default();
         let Some(device) = &self.device.identity else {
-            numbers(element, info, &mut self.findings);
+            numbers(element, info, self.placeholders, &mut self.findings);
             self.device.identity = Some(Box::new(identity));
             return;
         };
         drop_same(&mut identity, device);
         let mut stated = DeviceInfo::default();
-        numbers(element, &mut stated, &mut Findings::new());
+        numbers(element, &mut stated, self.placeholders, &mut Findings::new());
         let differs = |stated: Option<u32>, own: Option<u32>, text: Option<MarkedText>| {
             let is_other = stated.is_none() || stated != own;
             text.map(|text| text.value).filter(|text| !text.trim_ascii().is_empty() && is_other)
@@ -82,10 +83,10 @@ fn rest(identity: &mut Identity) -> DeviceIdentity {
 }
 
 /// Vendor-ID and product code.
-fn numbers(element: Element<'_>, info: &mut DeviceInfo, findings: &mut Findings) {
+fn numbers(element: Element<'_>, info: &mut DeviceInfo, placeholders: Placeholders, findings: &mut Findings) {
     let mut number = |name: Name, field: Field| {
         let text = Text::in_element(element.child(name)?);
-        if text.text == defaults::ID {
+        if text.text == defaults::ID && placeholders.are_dropped() {
             return None;
         }
         let read = text.integer(u64::from(u32::MAX), findings);

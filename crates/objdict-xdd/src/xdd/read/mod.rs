@@ -18,7 +18,7 @@ pub(crate) use self::network::{
 };
 pub(crate) use self::objects::count;
 use self::parameters::Slot;
-use super::defaults;
+use super::defaults::{self, Placeholders};
 use super::layout::{Layout, Profile, containers};
 use super::leftovers::Leftovers;
 use super::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_MANAGER};
@@ -38,7 +38,7 @@ pub fn read(tree: &Tree, number: usize, kind: DeviceKind) -> (Device, Findings) 
 
 /// Reads one of the [`containers`] of a tree.
 fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings) {
-    let mut reader = Reader::new(Layout::of_container(container));
+    let mut reader = Reader::new(Layout::of_container(container), Placeholders::Dropped);
     reader.headers();
     reader.files();
     reader.device_body();
@@ -50,17 +50,38 @@ fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings
     reader.finish(kind)
 }
 
+/// What the first of the [`containers`] says of file, device and node to a tool that does not know the placeholders of the
+/// writer. Objects are not read.
+pub fn read_literally(tree: &Tree, kind: DeviceKind) -> Device {
+    let Some(&container) = containers(tree).first() else { return Device::default() };
+    let mut reader = Reader::new(Layout::of_container(container), Placeholders::Kept);
+    reader.files();
+    let identity = reader.layout.device.and_then(|profile| profile.body.child(n::DeviceIdentity));
+    if let Some(identity) = identity {
+        reader.device_identity(identity);
+    }
+    reader.network_body();
+    reader.finish(kind).0
+}
+
 /// A description while it is read.
 struct Reader<'a> {
     layout: Layout<'a>,
     device: Device,
     findings: Findings,
     leftovers: Leftovers<'a>,
+    placeholders: Placeholders,
 }
 
 impl<'a> Reader<'a> {
-    fn new(layout: Layout<'a>) -> Self {
-        Self { layout, device: Device::default(), findings: Findings::new(), leftovers: Leftovers::default() }
+    fn new(layout: Layout<'a>, placeholders: Placeholders) -> Self {
+        Self {
+            layout,
+            device: Device::default(),
+            findings: Findings::new(),
+            leftovers: Leftovers::default(),
+            placeholders,
+        }
     }
 
     /// The device information, created if needed.

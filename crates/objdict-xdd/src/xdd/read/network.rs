@@ -49,9 +49,9 @@ impl<'a> Reader<'a> {
         let info = self.device.device_info.get_or_insert_default();
         for attribute in element.attributes() {
             let known = schema.attribute(attribute.tag());
-            if !known
-                .is_some_and(|(_, known)| fact::take(info, known, &Text::of(attribute), &mut self.findings))
-            {
+            if !known.is_some_and(|(_, known)| {
+                fact::take(info, known, &Text::of(attribute), self.placeholders, &mut self.findings)
+            }) {
                 self.leftovers.attribute(element, attribute);
             }
         }
@@ -206,7 +206,8 @@ impl<'a> Reader<'a> {
             }
         }
         // a placeholder for none
-        let is_placeholder = rates.len() == 2 && rates.iter().all(|text| text.text == defaults::BIT_RATE);
+        let is_twice = rates.len() == 2 && rates.iter().all(|text| text.text == defaults::BIT_RATE);
+        let is_placeholder = is_twice && self.placeholders.are_dropped();
         if !rates.is_empty() && !is_placeholder {
             let info = self.info();
             info.baud_rates = none_supported();
@@ -239,7 +240,7 @@ impl<'a> Reader<'a> {
             };
             let known = DEVICE_COMMISSIONING.attribute(name);
             if !known.is_some_and(|(_, known)| {
-                fact::take(&mut node, known, &Text::of(attribute), &mut self.findings)
+                fact::take(&mut node, known, &Text::of(attribute), self.placeholders, &mut self.findings)
             }) {
                 node.extra.push(attribute.name(), &attribute.value());
             }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use super::Reader;
 use crate::model::{Commissioning, DataType, DummyUsage, Field, Label, Labels};
-use crate::xdd::defaults;
+use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, boolean};
 use crate::xdd::layout::below;
 use crate::xdd::schema::DEVICE_BODY;
@@ -65,7 +65,9 @@ impl<'a> Reader<'a> {
             }
             _ => DEVICE_BODY.attribute(attribute.tag()),
         };
-        if !known.is_some_and(|(_, known)| fact::take(info, known, &text, &mut self.findings)) {
+        if !known.is_some_and(|(_, known)| {
+            fact::take(info, known, &text, Placeholders::Dropped, &mut self.findings)
+        }) {
             self.leftovers.attribute(element, attribute);
         }
     }
