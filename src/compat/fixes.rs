@@ -3,7 +3,7 @@
 //! Without tools only fixes that every tool survives are safe. With tools, a fix is safe when one of them reads the file better
 //! and none of them reads it worse; a fix that makes the file worse for one of them is not offered.
 
-use super::reactions::{is_of_comments, is_of_one_byte, shown};
+use super::reactions::{is_at_header, is_of_comments, is_of_one_byte, shown};
 use crate::diagnostic::{Applicability, Change, Diagnostic, Fix, Tool, say};
 use crate::format::ini::{Line, LineKind};
 use crate::format::{Description, eds};
@@ -13,30 +13,44 @@ use crate::source::Span;
 /// A section with more lines is left as it is.
 const MAX_LINES: usize = 1000;
 
-use Tool::{CanOpenEditor, DcfTools, PythonCanopen};
+use Tool::{CanOpenEditor, DcfTools, NodeCanopen, PythonCanopen};
 
 /// The existing fixes of a rule, which are safe for the first tools and do harm to the others.
 struct Choice {
     rule: &'static str,
     better: &'static [Tool],
     worse: &'static [Tool],
-    /// Whether the fix can be safe in this file.
-    when: fn(&Description) -> bool,
+    /// Whether the fix can be safe for this finding.
+    when: fn(&Description, &Diagnostic) -> bool,
 }
 
 const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [Tool]) -> Choice {
-    Choice { rule, better, worse, when: |_| true }
+    Choice { rule, better, worse, when: |_, _| true }
 }
 
-const CHOICES: [Choice; 5] = [
+const CHOICES: [Choice; 10] = [
     choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[]),
+    // all readers of lists but this one do without the objects, which have no entries
+    choice("cia306/listed-object-missing", &[DcfTools], &[]),
     Choice {
-        when: is_refused_for_its_letters,
-        ..choice("cia306/not-ascii", &[DcfTools, PythonCanopen, CanOpenEditor], &[])
+        // other misspelt keys may be those of a value
+        when: |description, finding| shown(description, finding).contains(' '),
+        ..choice("cia306/misspelt-key", &[DcfTools], &[])
+    },
+    Choice {
+        // a fix that leaves `SubNumber` adds what is counted
+        when: |_, finding| finding.fix.as_ref().is_some_and(|fix| fix.changes.len() == 1),
+        ..choice("cia306/missing-sub-0", &[DcfTools], &[])
+    },
+    choice("cia306/nested-structure", &[NodeCanopen], &[]),
+    Choice {
+        when: |description, _| is_refused_for_its_letters(description),
+        ..choice("cia306/not-ascii", &[DcfTools, PythonCanopen, CanOpenEditor, NodeCanopen], &[])
     },
     choice("cia306/quoted-string", &[CanOpenEditor, PythonCanopen], &[DcfTools]),
-    choice("cia306/real-as-bits", &[PythonCanopen], &[DcfTools]),
-    choice("portability/real-as-decimal", &[DcfTools], &[PythonCanopen]),
+    choice("cia306/real-as-bits", &[PythonCanopen, NodeCanopen], &[DcfTools]),
+    choice("cia306/sub-number-mismatch", &[DcfTools], &[]),
+    choice("portability/real-as-decimal", &[DcfTools], &[PythonCanopen, NodeCanopen]),
 ];
 
 /// The finding with its fix as the tools need it; `None` if the finding is what they need.
@@ -47,23 +61,28 @@ pub(super) fn choose(
 ) -> Option<Diagnostic> {
     let has = |of: &[Tool]| of.iter().any(|tool| tools.contains(tool));
     // the bits of a REAL are the only spelling that dcf-tools reads
-    if finding.rule.id == "cia306/real-as-bits" && has(&[DcfTools]) && !has(&[PythonCanopen]) {
+    if finding.rule.id == "cia306/real-as-bits" && has(&[DcfTools]) && !has(&[PythonCanopen, NodeCanopen]) {
         return None;
     }
     if let Some(choice) = CHOICES.iter().find(|choice| choice.rule == finding.rule.id) {
+        let is_safe = has(choice.better) && (choice.when)(description, &finding);
         if has(choice.worse) {
             finding.fix = None;
-        } else if let Some(fix) = &mut finding.fix
-            && has(choice.better)
-            && (choice.when)(description)
-        {
+        } else if let Some(fix) = finding.fix.as_mut().filter(|_| is_safe) {
             fix.safety = Applicability::Safe;
         }
     }
+    // what is not read, though it may be meant, is kept as a comment
+    let is_unsafe = finding.fix.as_ref().is_some_and(|fix| fix.safety != Applicability::Safe);
+    if is_unsafe && is_unread(&finding, tools) {
+        finding.fix = comment_unread(&finding, description);
+    }
     if finding.fix.is_none() {
         finding.fix = match finding.rule.id {
-            "cia306/unknown-key" if has(&[DcfTools]) => comment_key(&finding, description),
-            "cia306/unknown-section" if has(&[DcfTools]) => comment_section(&finding, description),
+            "cia306/unknown-key" if has(&[DcfTools]) => {
+                comment_key(&finding, description, has(&[PythonCanopen, CanOpenEditor]))
+            }
+            "cia306/unknown-section" if has(&[DcfTools]) => comment_unknown_section(&finding, description),
             "cia306/missing-section" if has(&[CanOpenEditor]) => add_section(&finding, description.device()),
             _ => None,
         };
@@ -91,32 +110,67 @@ fn is_refused_for_its_letters(description: &Description) -> bool {
 /// Keys beyond the standard that other tools read.
 const READ_BY_OTHERS: [&str; 5] = ["StorageLocation", "TPDODetectCos", "Factor", "Unit", "Description"];
 
-/// Makes a comment of a key that the standard does not define.
-fn comment_key(finding: &Diagnostic, description: &Description) -> Option<Fix> {
+/// Makes a comment of a key that the standard does not define; `is_needed` says whether one of the tools is among those that
+/// read some of them.
+fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool) -> Option<Fix> {
     let name = shown(description, finding);
     // a key of another section may be one that the tool reads there
     if eds::is_key(name) || is_of_comments(description, finding) {
         return None;
     }
-    let is_read = READ_BY_OTHERS.iter().any(|key| name.eq_ignore_ascii_case(key));
-    let title = say!("make a comment of `{}`", name);
-    let fix = if is_read { Fix::risky(title) } else { Fix::safe(title) };
-    let line = description.document()?.line_at(start_of(finding, description)?)?;
-    Some(fix.replace(Span::empty(line.span.start), "; "))
+    if is_needed && READ_BY_OTHERS.iter().any(|key| name.eq_ignore_ascii_case(key)) {
+        return None;
+    }
+    let fix = Fix::safe(say!("make a comment of `{}`", name));
+    comment_line(fix, start_of(finding, description)?, description)
 }
 
 /// Makes comments of the lines of a section that the standard does not define.
-fn comment_section(finding: &Diagnostic, description: &Description) -> Option<Fix> {
+fn comment_unknown_section(finding: &Diagnostic, description: &Description) -> Option<Fix> {
     let name = shown(description, finding);
+    if name.eq_ignore_ascii_case("TypeDefinitions") {
+        return None;
+    }
+    let fix = Fix::safe(say!("make comments of the lines of `[{}]`", name));
+    comment_section(fix, start_of(finding, description)?, description)
+}
+
+/// Whether a finding is about a line or section that the standard leaves unread, and tools refuse or read.
+fn is_unread(finding: &Diagnostic, tools: &[Tool]) -> bool {
+    let minded_by: &[Tool] = match finding.rule.id {
+        "cia306/duplicate-key" | "cia306/duplicate-section" => &[DcfTools, PythonCanopen, NodeCanopen],
+        "cia306/unsupported-key" if finding.message.names(&Field::CompactSubObj) => &[NodeCanopen],
+        _ => &[],
+    };
+    minded_by.iter().any(|tool| tools.contains(tool))
+}
+
+/// Makes a comment of a line or section that is not read.
+fn comment_unread(finding: &Diagnostic, description: &Description) -> Option<Fix> {
+    let (name, start) = (shown(description, finding), start_of(finding, description)?);
+    if is_at_header(description, finding) {
+        let fix = Fix::safe(say!("make comments of the lines of this `[{}]`", name));
+        return comment_section(fix, start, description);
+    }
+    let line = description.document()?.line_at(start)?;
+    let setting = line.span.of(description.source().text()).trim();
+    comment_line(Fix::safe(say!("make a comment of `{}`", setting)), start, description)
+}
+
+fn comment_line(fix: Fix, start: u32, description: &Description) -> Option<Fix> {
+    let line = description.document()?.line_at(start)?;
+    Some(fix.replace(Span::empty(line.span.start), "; "))
+}
+
+fn comment_section(fix: Fix, start: u32, description: &Description) -> Option<Fix> {
     let document = description.document()?;
-    let header = document.line_at(start_of(finding, description)?)?.span.start;
+    let header = document.line_at(start)?.span.start;
     let section = document.section_at(header)?;
-    if name.eq_ignore_ascii_case("TypeDefinitions") || section.entries.len() > MAX_LINES {
+    if section.entries.len() > MAX_LINES {
         return None;
     }
     let starts = std::iter::once(header).chain(section.entries.iter().map(|entry| entry.key.start));
     let lines = starts.filter_map(|start| document.line_at(start));
-    let fix = Fix::safe(say!("make comments of the lines of `[{}]`", name));
     Some(lines.fold(fix, |fix, line| fix.replace(Span::empty(line.span.start), "; ")))
 }
 

@@ -1,11 +1,11 @@
-//! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python and CANopenNode 4; taken from
+//! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python, canopen 6.2.1 of npm and CANopenNode 4; taken from
 //! the sources of CANopenEditor of July 2026 and CANopenNode 4, and from the manual of CODESYS.
 
 use super::{Effect, Reaction, When};
-use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, PythonCanopen};
+use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, NodeCanopen, PythonCanopen};
 use crate::diagnostic::{At, Diagnostic, Tool};
 use crate::format::Description;
-use crate::model::{Field, ObjectList, Part, Place};
+use crate::model::{DataType, Field, ObjectList, Part, Place};
 use crate::source::Encoding;
 use objdict_model::canopennode::{Cause, unmet};
 
@@ -17,8 +17,9 @@ const DCF_TOOLS: &[Tool] = &[DcfTools];
 const PYTHON_CANOPEN: &[Tool] = &[PythonCanopen];
 const EDITOR: &[Tool] = &[CanOpenEditor];
 const CANOPENNODE: &[Tool] = &[CanOpenNode];
-/// Both tools that write files.
-const WRITERS: &[Tool] = &[PythonCanopen, CanOpenEditor];
+const NODE: &[Tool] = &[NodeCanopen];
+/// The tools that write files.
+const WRITERS: &[Tool] = &[PythonCanopen, CanOpenEditor, NodeCanopen];
 
 const fn row(rule: &'static str, tools: &'static [Tool], effect: Effect, what: &'static str) -> Reaction {
     Reaction { rule, tools, effect, what, when: None }
@@ -67,10 +68,11 @@ pub static REACTIONS: &[Reaction] = &[
             has_entry(description, |line| is_indented(line) || has_tab(line))
         }),
     row("cia306/blanks-in-section-name", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/blanks-in-section-name", PYTHON_CANOPEN, Dropped, "the section is skipped"),
+    row("cia306/blanks-in-section-name", &[PythonCanopen, NodeCanopen], Dropped, "the section is skipped"),
     row("cia306/blanks-in-section-name", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/boolean-word", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/boolean-word", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/boolean-word", NODE, Wrong, "both words are read as true"),
     row("cia306/byte-order-mark", PYTHON, Refused, "the file is refused"),
     row("cia306/comment-style", PYTHON, Refused, "the file is refused").when(
         "with `//`",
@@ -83,6 +85,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/commissioning-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/commissioning-spelling", PYTHON_CANOPEN, Dropped, "node-ID and bit rate are lost"),
     row("cia306/duplicate-key", PYTHON, Refused, "the file is refused").when("in the same case", is_repeated),
+    row("cia306/duplicate-key", NODE, Wrong, "the last line counts").when("in the same case", is_repeated),
     row("cia306/duplicate-section", PYTHON, Refused, "the file is refused")
         .when("in the same case", is_repeated),
     row(
@@ -91,6 +94,8 @@ pub static REACTIONS: &[Reaction] = &[
         Wrong,
         "both become one section, with the first value of each key",
     ),
+    row("cia306/duplicate-section", NODE, Wrong, "the last value of each key counts")
+        .when("in the same case", is_repeated),
     row("cia306/formula-spelling", DCF_TOOLS, Refused, "the file is refused")
         .when("`$nodeid` alone", |description, finding| {
             shown(description, finding).eq_ignore_ascii_case("$NODEID")
@@ -100,6 +105,7 @@ pub static REACTIONS: &[Reaction] = &[
         .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
     row("cia306/indented-section", PYTHON, Wrong, "the header is read as continuation of the value above it"),
     row("cia306/indented-section", EDITOR, Wrong, "the keys below are read into the previous section"),
+    row("cia306/indented-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/junk-line", PYTHON, Refused, "the file is refused"),
     row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
@@ -109,6 +115,8 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/low-limit-above-high", NODE, Refused, "the file is refused")
+        .when("of numbers", |_, finding| !finding.message.shown().contains("$NODEID")),
     row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
         "`DataType` or `AccessType`, except in modules",
@@ -118,10 +126,18 @@ pub static REACTIONS: &[Reaction] = &[
         },
     ),
     row("cia306/missing-key", EDITOR, Dropped, "the object is skipped"),
+    row("cia306/missing-key", NODE, Refused, "the file is refused").when(
+        "`DataType`, except in modules",
+        |description, finding| {
+            finding.message.names(&Field::DataType)
+                && !section_of(description, finding).starts_with(['M', 'm'])
+        },
+    ),
     row("cia306/missing-name", PYTHON, Refused, "the file is refused")
         .when("no `ParameterName`", is_at_header),
     row("cia306/missing-name", EDITOR, Dropped, "the object is skipped")
         .when("no `ParameterName`", is_at_header),
+    row("cia306/missing-name", NODE, Refused, "the file is refused").when("no `ParameterName`", is_at_header),
     row("cia306/missing-section", DCF_TOOLS, Refused, "the file is refused")
         .when("a list of objects", |_, finding| {
             finding.message.names_part(|part| matches!(part, Part::List(_)))
@@ -137,18 +153,25 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/misspelt-key", WRITERS, Dropped, "the key is lost"),
     row("cia306/misspelt-section", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/misspelt-section", WRITERS, Dropped, "the section is lost"),
+    row("cia306/nested-structure", NODE, Refused, "the file is refused")
+        .when("`ObjectType` of a sub-index", |_, finding| finding.fix.is_some()),
     row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/not-ascii", PYTHON, Refused, "the file is refused")
         .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/not-ascii", EDITOR, Wrong, "each such character becomes U+FFFD")
         .when("not UTF-8", |description, _| is_of_one_byte(description)),
+    row("cia306/not-ascii", NODE, Wrong, "each such character becomes U+FFFD")
+        .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/number-suffix", NODE, Wrong, "the number is read as 0; in 64 bits, the file is refused"),
     row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
     row("cia306/octal-number", PYTHON, Refused, "the number is refused, and usually the file")
         .when("outside [FileInfo]", is_read_number),
-    row("cia306/quoted-string", WRITERS, Wrong, "the quotes become part of the text"),
+    row("cia306/octal-number", NODE, Wrong, "the number is read as decimal"),
+    row("cia306/quoted-string", &[PythonCanopen, CanOpenEditor], Wrong, "the quotes become part of the text"),
     row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("cia306/real-as-bits", NODE, Wrong, "the bits are read as the number"),
     row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
         .when("with `0x` or blanks", |_, finding| finding.fix.is_some() && is_decorated(finding)),
@@ -161,7 +184,10 @@ pub static REACTIONS: &[Reaction] = &[
     )
     .when("in [xxxxName]", is_of_names),
     row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/sub-of-var", NODE, Refused, "the file is refused"),
     row("cia306/sub-without-object", PYTHON, Refused, "the file is refused"),
+    row("cia306/sub-without-object", NODE, Refused, "the file is refused"),
+    row("cia306/text-after-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/trailing-comment", PYTHON_CANOPEN, Dropped, "the value is lost")
         .when("with `#` or `//`", |description, finding| !shown(description, finding).contains(" ;")),
     row(
@@ -172,8 +198,11 @@ pub static REACTIONS: &[Reaction] = &[
     ),
     row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/twos-complement", PYTHON_CANOPEN, Wrong, "a value is read as a positive number"),
+    row("cia306/twos-complement", NODE, Refused, "the file is refused")
+        .when("of a default", |description, finding| !is_limit(description, finding)),
     row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
     row("cia306/unclosed-section", EDITOR, Wrong, "the keys below are read into the previous section"),
+    row("cia306/unclosed-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/unknown-key", WRITERS, Dropped, "the key is lost"),
@@ -190,6 +219,8 @@ pub static REACTIONS: &[Reaction] = &[
             keys.iter().any(|field| finding.message.names(field))
         },
     ),
+    row("cia306/unsupported-key", NODE, Refused, "the file is refused")
+        .when("other than `SubNumber`", |_, finding| !finding.message.names(&Field::SubNumber)),
     row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/wrong-count", PYTHON_CANOPEN, Refused, "the file is refused")
@@ -202,10 +233,12 @@ pub static REACTIONS: &[Reaction] = &[
         }),
     row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
+    row("portability/blanks-after-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("portability/commented-section", EDITOR, Wrong, "the keys below are read into the commented section"),
     row("portability/compact-denotations", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/compact-denotations", WRITERS, Dropped, "they are lost"),
     row("portability/compact-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
+    row("portability/compact-names", NODE, Dropped, "they are lost"),
     row("portability/compact-parameter-value", DCF_TOOLS, Refused, "the file is refused"),
     row(
         "portability/compact-storage",
@@ -219,8 +252,10 @@ pub static REACTIONS: &[Reaction] = &[
         Wrong,
         "default and mapping are lost, the low limit becomes the high one",
     ),
+    row("portability/compact-storage", NODE, Wrong, "the sub-indexes do not exist"),
     row("portability/compact-values", PYTHON_CANOPEN, Wrong, "the default is used instead"),
     row("portability/compact-values", EDITOR, Wrong, "they are lost, as are default and mapping"),
+    row("portability/compact-values", NODE, Dropped, "they are lost"),
     row("portability/denotation", PYTHON_CANOPEN, Dropped, "it is lost"),
     row("portability/domain-without-type", PYTHON, Refused, "the file is refused"),
     row("portability/dummy-usage", PYTHON_CANOPEN, Refused, "the file is refused"),
@@ -235,8 +270,13 @@ pub static REACTIONS: &[Reaction] = &[
     ),
     row("portability/empty-key", EDITOR, Dropped, "the object is skipped")
         .when("outside [DeviceInfo]", |description, finding| !is_of_device(description, finding)),
+    row("portability/empty-key", NODE, Refused, "the file is refused")
+        .when("of an ARRAY, RECORD or DOMAIN", |description, finding| {
+            ["AccessType", "DefaultValue"].contains(&shown(description, finding))
+        }),
     row("portability/file-reference", WRITERS, Dropped, "it is lost"),
     row("portability/hash-in-text", DCF_TOOLS, Wrong, "the text ends before the `#`"),
+    row("portability/hash-in-text", NODE, Wrong, "the text ends before the `#`"),
     row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is refused"),
     row("portability/hex-count", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/hex-count", PYTHON_CANOPEN, Refused, "the file is refused")
@@ -258,11 +298,17 @@ pub static REACTIONS: &[Reaction] = &[
         "the key is not found, which a name, type or access does not forgive",
     ),
     row("portability/key-case", EDITOR, Dropped, "the key is not found, and mostly the object is skipped"),
+    row("portability/key-case", NODE, Refused, "the key is not found, which a name or type does not forgive"),
     row("portability/limit-not-read", PYTHON_CANOPEN, Dropped, "the limit is lost"),
     row("portability/long-value", &[Codesys], Dropped, "the entry is not offered for the configuration"),
     row("portability/mapped-bits", CANOPENNODE, Wrong, Cause::Bits.effect()),
+    row("portability/mapping-of-structure", NODE, Refused, "the file is refused"),
     row("portability/modules", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/modules", PYTHON_CANOPEN, Dropped, "the modules are lost"),
+    row("portability/modules", NODE, Dropped, "the modules are lost"),
+    row("portability/negative-hex", NODE, Wrong, "the number is read as 0")
+        .when("below 56 bits", |description, finding| !is_wide(description, finding)),
+    row("portability/negative-hex", NODE, Refused, "the file is refused").when("of 56 or 64 bits", is_wide),
     row("portability/no-error-history", CANOPENNODE, Refused, Cause::NoHistory.effect()),
     row("portability/object-flags", DCF_TOOLS, Dropped, "they are not obeyed"),
     row("portability/object-flags", PYTHON_CANOPEN, Dropped, "they are lost"),
@@ -284,7 +330,9 @@ pub static REACTIONS: &[Reaction] = &[
         Refused,
         "the section is not found, which an information section or list does not forgive",
     ),
+    row("portability/section-case", NODE, Dropped, "the section is not found"),
     row("portability/semicolon-in-text", PYTHON, Wrong, "the text ends before the `;`"),
+    row("portability/semicolon-in-text", NODE, Wrong, "the text ends before the `;`"),
     row("portability/service-count", CANOPENNODE, Refused, Cause::Count.effect()),
     row("portability/service-gap", CANOPENNODE, Wrong, Cause::Gap.effect()),
     row("portability/service-object-missing", CANOPENNODE, Refused, Cause::Missing.effect()),
@@ -349,6 +397,24 @@ fn is_repeated(description: &Description, finding: &Diagnostic) -> bool {
     let text = description.source().text();
     let mut places = finding.labels.iter().map(|label| description.span_of(&label.at).of(text));
     places.next() == places.next()
+}
+
+/// Whether the first place of a finding is in an entry of an integer type that node-canopen keeps in 64 bits.
+fn is_wide(description: &Description, finding: &Diagnostic) -> bool {
+    let place = finding.labels.first().and_then(|label| description.place_of(&label.at));
+    let entry = place.and_then(|place| match place.part {
+        Part::Object(index) => description.device().object(index).map(|object| &object.main),
+        Part::Entry(index, sub) => description.device().object(index)?.subs.get(sub),
+        _ => None,
+    });
+    let wide = [DataType::INTEGER56, DataType::INTEGER64, DataType::UNSIGNED56, DataType::UNSIGNED64];
+    entry.and_then(|entry| entry.data_type).is_some_and(|data_type| wide.contains(&data_type))
+}
+
+fn is_limit(description: &Description, finding: &Diagnostic) -> bool {
+    let before = before(description, finding);
+    let line = before.rsplit(['\n', '\r']).next().unwrap_or_default();
+    line.trim_start().to_ascii_lowercase().contains("limit")
 }
 
 /// Whether the text holds an entry whose line is as `is_meant` says.

@@ -2,7 +2,6 @@
 
 use super::Subject;
 use crate::diagnostic::{At, Diagnostic, Reach, Severity};
-use crate::model::{Part, Place};
 use crate::source::Span;
 
 /// The findings without those that others among them explain.
@@ -12,9 +11,9 @@ pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnosti
     let mut explained: Vec<(&[&str], Severity, Extent)> = Vec::new();
     for (finding, span) in located() {
         let extents = finding.rule.explains.iter();
-        explained.extend(
-            extents.filter_map(|one| Some((one.rules, finding.severity, places.extent(one.reach, *span)?))),
-        );
+        explained.extend(extents.filter_map(|one| {
+            Some((one.rules, finding.severity, places.extent(one.reach, finding, *span)?))
+        }));
     }
     let is_explained = |(finding, span): (&Diagnostic, &Span)| {
         let section = places.section(*span);
@@ -94,14 +93,14 @@ impl<'a> Places<'a> {
         self.headers.partition_point(|&header| header < span.start)
     }
 
-    fn extent(&self, reach: Reach, cause: Span) -> Option<Extent> {
+    fn extent(&self, reach: Reach, finding: &Diagnostic, cause: Span) -> Option<Extent> {
         let line = || line(self.text, cause.start);
         match reach {
             Reach::File => Some(Extent::All),
             Reach::NoObjects => self.has_no_objects.then_some(Extent::All),
             Reach::Around => Some(Extent::At(cause.start)),
             Reach::Section => Some(Extent::Section(self.section(cause))),
-            Reach::Object => self.object_of(cause),
+            Reach::Object => index_of(finding).map(Extent::Object).or_else(|| self.object_of(cause)),
             Reach::Value => value_of(line()).map(Extent::Object),
             Reach::Conflict if line().starts_with("<<<<<<<") => {
                 let next = self.conflict_ends.partition_point(|&end| end < cause.start);
@@ -139,9 +138,9 @@ fn line(text: &str, offset: u32) -> &str {
 }
 
 fn index_of(finding: &Diagnostic) -> Option<u16> {
-    match finding.labels.first()?.at {
-        At::Place(Place { part: Part::Object(index) | Part::Entry(index, _), .. }) => Some(index),
-        _ => None,
+    match &finding.labels.first()?.at {
+        At::Place(place) => place.part.object(),
+        At::Span(_) => None,
     }
 }
 

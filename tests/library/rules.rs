@@ -164,9 +164,13 @@ fn report_finding(examined: &Examined, finding: &Diagnostic, report: &mut String
     }
 }
 
-/// The ids of the rules that find something in a file.
+/// The ids of the rules that a report of a file shows: what another finding explains is not among them.
 fn fired(path: &Path) -> BTreeSet<&'static str> {
-    Examined::new(path).findings().iter().map(|finding| finding.rule.id).collect()
+    let findings = match Examined::new(path) {
+        Examined::Description(description, findings) => objdict::report::grouped(&*description, findings),
+        examined => examined.findings().clone(),
+    };
+    findings.iter().map(|finding| finding.rule.id).collect()
 }
 
 fn assert_clean(path: &Path) {

@@ -1,6 +1,6 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
-//! `cargo xtask readers FOLDER PYTHON`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
+//! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
 //! `cargo xtask xsd FOLDER`, `cargo xtask deny`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
@@ -36,9 +36,9 @@ usage:
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
-  cargo xtask readers FOLDER PYTHON
-      count the EDS and DCF below FOLDER that python-canopen and dcf-tools read, as they are and after safe fixes; PYTHON is
-      an interpreter that has both
+  cargo xtask readers FOLDER PYTHON [MODULES]
+      count the EDS and DCF below FOLDER that python-canopen, dcf-tools and node-canopen read, as they are and after safe
+      fixes; PYTHON is an interpreter that has the first two, MODULES the folder node_modules that has the last
   cargo xtask docs [--check]
       write docs/rules (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
   cargo xtask profiles [--check]
@@ -68,7 +68,9 @@ fn main() -> ExitCode {
             None => Err(USAGE.to_owned()),
         },
         ["concise", corpus] => concise::run(Path::new(corpus)),
-        ["readers", folder, python] => readers::run(Path::new(folder), Path::new(python)),
+        ["readers", folder, python, ref modules @ ..] if modules.len() < 2 => {
+            readers::run(Path::new(folder), Path::new(python), modules.first().map(Path::new))
+        }
         ["docs"] => docs::run(false),
         ["docs", "--check"] => docs::run(true),
         ["profiles"] => profiles::run(false),

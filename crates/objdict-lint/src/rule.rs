@@ -125,11 +125,14 @@ pub(crate) fn with_others<T: Into<Text>>(
 /// `one! { "cia306/name", Error, Entry(check), fix Safe; summary: "…", … }`
 macro_rules! one {
     (
-        $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
+        $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
+            $(, explains $reach:ident [$($rule:literal),+])*;
         $($part:ident: $text:literal,)+
     ) => {
         $crate::Rule {
-            info: objdict_model::rule_info! { $id, $severity $(, fix $safety)?; $($part: $text,)+ },
+            info: objdict_model::rule_info! {
+                $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*; $($part: $text,)+
+            },
             check: $crate::Check::$kind($check),
         }
     };

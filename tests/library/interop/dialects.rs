@@ -10,7 +10,7 @@ use objdict::model::{Access, Device, DeviceKind, Value};
 use objdict::source::SourceOptions;
 use serde_json::{Value as Json, json};
 
-use super::environment;
+use super::{environment, node_modules};
 use crate::support;
 
 /// The healthy devices of the fixtures, and with `OBJDICT_CORPUS_DIR` those of the files below that folder.
@@ -115,20 +115,6 @@ fn read_with(command: &mut Command) -> Verdict {
         }
     }
     verdict
-}
-
-/// The package of npm, installed once.
-fn node_modules() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-npm");
-    let modules = folder.join("node_modules");
-    if modules.join("canopen").is_dir() {
-        return Some(modules);
-    }
-    fs::create_dir_all(&folder).unwrap();
-    let mut npm = Command::new("npm");
-    npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(&folder).arg("canopen@6.2.1");
-    let is_there = Command::new("npm").arg("--version").output().is_ok();
-    (is_there && support::unless_offline(support::run(&mut npm)).is_some()).then_some(modules)
 }
 
 #[test]

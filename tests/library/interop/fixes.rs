@@ -1,4 +1,4 @@
-//! Safe fixes leave every entry as python-canopen and dcf-tools read it, or better: as objdict reads it.
+//! Safe fixes leave every entry as python-canopen, dcf-tools and node-canopen read it, or better: as objdict reads it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,7 +14,7 @@ use serde_json::{Value as Json, json};
 use super::{environment, readings};
 use crate::support;
 
-const TOOLS: [Tool; 2] = [Tool::DcfTools, Tool::PythonCanopen];
+const TOOLS: [Tool; 3] = [Tool::DcfTools, Tool::PythonCanopen, Tool::NodeCanopen];
 const NODE_ID: u8 = 5;
 
 /// A fixture after its safe fixes, chosen for some tools.
@@ -32,7 +32,7 @@ struct Case {
 fn cases(folder: &Path) -> Vec<Case> {
     let mut cases = Vec::new();
     for path in support::devices_of_all_folders() {
-        for selected in [&[][..], &TOOLS[..1], &TOOLS[1..]] {
+        for selected in [&[][..], &TOOLS[..1], &TOOLS[1..2], &TOOLS[2..]] {
             let Ok(description) = format::open(&path, &SourceOptions::default()) else { continue };
             let options = Options { tools: selected.to_vec(), ..Options::default() };
             let before = description.print();

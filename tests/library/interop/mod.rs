@@ -1,6 +1,6 @@
 //! Other tools read what we write: python-canopen 2.4.1 uploads every entry, dcf-tools 2.4.2 accepts what is within its
 //! range, cantools 45.1.0 and canmatrix 1.3.3 decode the frames of a DBC, and safe fixes make no fixture worse for the first two
-//! (`fixes`).
+//! and canopen 6.2.1 of npm (`fixes`).
 //!
 //! The test makes a Python environment below `target` and installs the packages. Without Python or network it says so
 //! and passes, except when `CI=true`.
@@ -37,6 +37,25 @@ const PACKAGES: [&str; 4] = ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45
 fn environment() -> Option<&'static Path> {
     static ENVIRONMENT: OnceLock<Option<PathBuf>> = OnceLock::new();
     ENVIRONMENT.get_or_init(|| support::unless_offline(support::python("interop-venv", &PACKAGES))).as_deref()
+}
+
+/// The package of npm, installed once.
+fn node_modules() -> Option<&'static Path> {
+    static MODULES: OnceLock<Option<PathBuf>> = OnceLock::new();
+    MODULES.get_or_init(install_node_modules).as_deref()
+}
+
+fn install_node_modules() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-npm");
+    let modules = folder.join("node_modules");
+    if modules.join("canopen").is_dir() {
+        return Some(modules);
+    }
+    fs::create_dir_all(&folder).unwrap();
+    let mut npm = Command::new("npm");
+    npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(&folder).arg("canopen@6.2.1");
+    let is_there = Command::new("npm").arg("--version").output().is_ok();
+    (is_there && support::unless_offline(support::run(&mut npm)).is_some()).then_some(modules)
 }
 
 fn text_of(output: &Output) -> String {
@@ -174,15 +193,25 @@ fn bad_fixtures() -> Vec<(PathBuf, Findings)> {
     fixtures
 }
 
-/// What both tools read in files, an object for each: by the name of the tool its entries, or why it refuses the file.
+/// What the tools read in files, an object for each: by the name of the tool its entries, or why it refuses the file. Without
+/// npm, node-canopen is not among them.
 fn readings(programs: &Path, paths: &[&Path]) -> Vec<serde_json::Value> {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/readings.py");
-    let mut child = Command::new(programs.join("python"))
-        .arg(script)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop");
+    let mut python = Command::new(programs.join("python"));
+    let mut answers = answers(python.arg(scripts.join("readings.py")), paths);
+    if let Some(modules) = node_modules() {
+        let mut node = Command::new("node");
+        let more = self::answers(node.env("NODE_PATH", modules).arg(scripts.join("readings.js")), paths);
+        for (answer, more) in answers.iter_mut().zip(more) {
+            answer["node-canopen"] = more["node-canopen"].clone();
+        }
+    }
+    answers
+}
+
+/// The lines of JSON that a script writes, one for each path.
+fn answers(command: &mut Command, paths: &[&Path]) -> Vec<serde_json::Value> {
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     let paths: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     child.stdin.take().unwrap().write_all(paths.join("\n").as_bytes()).unwrap();
     let output = child.wait_with_output().unwrap();
@@ -202,7 +231,10 @@ fn tools_refuse_what_findings_say_they_refuse() {
     let rules = support::fixtures().join("rules");
     let mut wrong = Vec::new();
     for ((path, findings), answer) in fixtures.iter().zip(&answers) {
-        for tool in [Tool::DcfTools, Tool::PythonCanopen] {
+        for tool in [Tool::DcfTools, Tool::PythonCanopen, Tool::NodeCanopen] {
+            if answer[tool.name()].is_null() {
+                continue;
+            }
             let claimed = claims(findings, tool);
             let refusal = answer[tool.name()].as_str();
             let rule =

@@ -70,7 +70,7 @@ text_rule! {
 }
 
 text_rule! {
-    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Mixed;
+    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Safe;
     summary: "the standard does not define a key in its section",
     checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
     why: "The standard allows unknown keys, dcf-tools refuses them.",
@@ -90,7 +90,7 @@ text_rule! {
 }
 
 text_rule! {
-    MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Unsafe;
+    MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Mixed;
     summary: "the name of a key is misspelt",
     checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported.",
     why: "Other tools ignore the key: the value, limit or type has no effect.",

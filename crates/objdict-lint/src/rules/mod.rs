@@ -333,6 +333,7 @@ rules! {
         implicit_pdo,
         long_value,
         mapped_bits,
+        mapping_of_structure,
         modules,
         no_error_history,
         object_flags,

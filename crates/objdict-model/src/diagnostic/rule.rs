@@ -50,7 +50,7 @@ pub enum Reach {
     Around,
     /// In the section of an EDS or DCF that the cause is in.
     Section,
-    /// In the object of an XDD or XDC that the cause is in.
+    /// At the object of the cause; of a cause that only the text shows, in the element of an XDD or XDC that it is in.
     Object,
     /// At the object that the line of the cause names as its value.
     Value,

@@ -13,6 +13,8 @@ pub enum Tool {
     CanOpenEditor,
     /// The library canopen for Python.
     PythonCanopen,
+    /// The package canopen of npm (node-canopen).
+    NodeCanopen,
     /// CODESYS.
     Codesys,
     /// CANopenNode 4, whose object dictionary is generated from the description.
@@ -23,10 +25,11 @@ pub enum Tool {
 
 impl Tool {
     /// All tools.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::DcfTools,
         Self::CanOpenEditor,
         Self::PythonCanopen,
+        Self::NodeCanopen,
         Self::Codesys,
         Self::CanOpenNode,
         Self::CanChkEds,
@@ -38,6 +41,7 @@ impl Tool {
             Self::DcfTools => "dcf-tools",
             Self::CanOpenEditor => "canopeneditor",
             Self::PythonCanopen => "python-canopen",
+            Self::NodeCanopen => "node-canopen",
             Self::Codesys => "codesys",
             Self::CanOpenNode => "canopennode",
             Self::CanChkEds => "canchkeds",

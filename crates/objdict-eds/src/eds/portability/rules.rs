@@ -5,6 +5,7 @@ use crate::diagnostic::{RuleInfo, text_rule};
 /// Every rule of this module.
 pub static RULES: &[&RuleInfo] = &[
     &BARE_NODE_ID,
+    &BLANKS_AFTER_SECTION,
     &COMMENTED_SECTION,
     &DUMMY_USAGE,
     &EMPTY_KEY,
@@ -14,6 +15,7 @@ pub static RULES: &[&RuleInfo] = &[
     &HEX_FLAG,
     &KEY_CASE,
     &LIMIT_NOT_READ,
+    &NEGATIVE_HEX,
     &REAL_AS_DECIMAL,
     &SECTION_CASE,
     &SEMICOLON_IN_TEXT,
@@ -30,6 +32,16 @@ text_rule! {
     example: "`DefaultValue=$NODEID`",
     remedy: "Write `$NODEID+0`.",
     source: "python-canopen 2.4.1",
+}
+
+text_rule! {
+    BLANKS_AFTER_SECTION = "portability/blanks-after-section", Warning, fix Safe;
+    summary: "a section header is followed by spaces",
+    checks: "Whether a section header is followed by spaces or tabs. The first one is shown, the others are counted.",
+    why: "node-canopen takes such a line for a key, and reads the keys below into the previous section.",
+    example: "`[2240] ` with a space behind it",
+    remedy: "Remove the spaces.",
+    source: "node-canopen 6.2.1",
 }
 
 text_rule! {
@@ -55,11 +67,11 @@ text_rule! {
 text_rule! {
     EMPTY_KEY = "portability/empty-key", Warning, fix Safe;
     summary: "a key has no value",
-    checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, or a number of `[DeviceInfo]`, has no value. Each key of objects is reported once, at its first place.",
-    why: "An empty key is the same as a missing one. python-canopen parses the first two and the numbers of `[DeviceInfo]` and fails; CANopenEditor parses all of an object and skips it.",
+    checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, a number of `[DeviceInfo]`, or `AccessType` or `DefaultValue` of an ARRAY or RECORD, has no value. Each key of objects is reported once, at its first place.",
+    why: "An empty key is the same as a missing one. python-canopen parses the first two and the numbers of `[DeviceInfo]` and fails; CANopenEditor parses all of an object and skips it. node-canopen takes the last two for keys of a value and fails.",
     example: "`PDOMapping=`",
     remedy: "Remove the line.",
-    source: "python-canopen 2.4.1, CANopenEditor of 2026",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026, node-canopen 6.2.1",
 }
 
 text_rule! {
@@ -120,6 +132,16 @@ text_rule! {
     example: "`HighLimit=1.5` of a REAL32",
     remedy: "Check the value in the application.",
     source: "python-canopen 2.4.1",
+}
+
+text_rule! {
+    NEGATIVE_HEX = "portability/negative-hex", Warning, fix Safe;
+    summary: "a value is a negative hex number",
+    checks: "Whether an integer value has a sign and is written in hex. The first one is shown, the others are counted.",
+    why: "node-canopen converts the text with the number syntax of JavaScript, where hex numbers have no sign: it reads 0, and refuses the file if the integer has 64 bits.",
+    example: "`DefaultValue=-0x10`",
+    remedy: "Write the number in decimal.",
+    source: "node-canopen 6.2.1",
 }
 
 text_rule! {

@@ -1,6 +1,8 @@
 //! Spellings of names and numbers that some tools do not accept.
 
-use super::rules::{EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE};
+use super::rules::{
+    BLANKS_AFTER_SECTION, EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE,
+};
 use super::{Line, Section, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part};
@@ -8,14 +10,17 @@ use crate::model::{Field, Part};
 /// Findings that are reported once per file.
 #[derive(Default)]
 pub(super) struct Spellings {
+    blanks: Together,
     sections: Together,
     keys: Together,
-    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj`, and numbers of `[DeviceInfo]` without a value.
-    empty: [Together; 5],
+    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj`, numbers of `[DeviceInfo]`, and `AccessType` and `DefaultValue` of
+    /// structures without a value.
+    empty: [Together; 7],
 }
 
 impl Spellings {
     pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+        self.check_blanks(section);
         if matches!(section.part(), Part::Section(_)) {
             return;
         }
@@ -30,9 +35,21 @@ impl Spellings {
     pub(super) fn finish(self, findings: &mut Findings) {
         let title = "write the names in the case of the standard";
         self.sections.finish(&SECTION_CASE, "write the name in the case of the standard", title, findings);
+        let remove = "remove the spaces";
+        self.blanks.finish(&BLANKS_AFTER_SECTION, remove, remove, findings);
         self.keys.finish(&KEY_CASE, "write the key in the case of the standard", title, findings);
         for together in self.empty {
             together.finish(&EMPTY_KEY, "remove the line", "remove the lines without a value", findings);
+        }
+    }
+
+    fn check_blanks(&mut self, section: &Section<'_>) {
+        let line = section.header.line.of(section.text);
+        let header = line.trim_end_matches([' ', '\t']);
+        if header.len() < line.len() && header.ends_with(']') {
+            self.blanks.add(section.header.name, || say!("`[{}]` is followed by spaces", section.name));
+            let end = section.header.line.end;
+            self.blanks.fix(crate::source::Span::new(end - (line.len() - header.len()) as u32, end), "");
         }
     }
 
@@ -80,6 +97,8 @@ impl Spellings {
             Some(Field::PdoMapping) if holds_value(section) => 1,
             Some(Field::ObjFlags) => 2,
             Some(Field::CompactSubObj) => 3,
+            Some(Field::AccessType) if !holds_value(section) => 5,
+            Some(Field::DefaultValue) if !holds_value(section) => 6,
             _ => return,
         };
         let together = &mut self.empty[number];

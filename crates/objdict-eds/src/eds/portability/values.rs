@@ -1,7 +1,8 @@
 //! Values in a form that some tools misread.
 
 use super::rules::{
-    BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT, UNQUOTED_STRING,
+    BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, NEGATIVE_HEX, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT,
+    UNQUOTED_STRING,
 };
 use super::{Line, Section, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
@@ -14,6 +15,7 @@ pub(super) struct Values {
     reals: Together,
     strings: Together,
     limits: Together,
+    negative: Together,
 }
 
 impl Values {
@@ -33,6 +35,7 @@ impl Values {
             if is_value {
                 self.check_real(data_type, &line);
                 self.check_string(data_type, &line);
+                self.check_negative(data_type, &line);
                 check_bare_node_id(data_type, &line, findings);
             }
             if is_text(section, &line, is_value.then_some(data_type).flatten()) {
@@ -55,6 +58,12 @@ impl Values {
             no_fix,
             findings,
         );
+        self.negative.finish(
+            &NEGATIVE_HEX,
+            "write the number in decimal",
+            "write negative hex numbers in decimal",
+            findings,
+        );
         self.limits.finish(&LIMIT_NOT_READ, "check the limits in the application", no_fix, findings);
     }
 
@@ -72,6 +81,19 @@ impl Values {
         let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
         if is_string && !line.value.starts_with(['"', '\'']) {
             self.strings.add(line.value_at, || say!("the string `{}` has no quotes", line.value));
+        }
+    }
+
+    fn check_negative(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+        let digits = line.value.strip_prefix('-');
+        if data_type.is_some_and(DataType::is_integer) && digits.is_some_and(is_hex) {
+            self.negative.add(line.value_at, || say!("`{}` is a negative hex number", line.value));
+            let mut quirks = Quirks::default();
+            if let Ok(value) = literal::value(line.value, data_type, &mut quirks)
+                && !quirks.has(Quirk::TrailingComment)
+            {
+                self.negative.fix(line.value_at, literal::print(&value, literal::Spelling::default()));
+            }
         }
     }
 

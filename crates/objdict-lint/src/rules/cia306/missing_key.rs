@@ -1,5 +1,6 @@
 use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, listing, say};
-use crate::model::{Field, ObjectType};
+use crate::model::{DataType, Field, ObjectType};
+use crate::profile;
 use crate::{EntryAt, rule, stated};
 
 rule! {
@@ -51,10 +52,12 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     };
     let message = say!("{} needs {}", kind, listing(&missing));
     let mut finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
-    // sub-index 0 has one type (CiA 301 §7.4.7.2), except the numbers of PDOs in 1004h
-    if missing == [Field::DataType] && at.sub == Some(0) && at.index != 0x1004 && is_structure(at) {
-        let fix = Fix::safe(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
-        finding = finding.fix(fix);
+    if missing == [Field::DataType]
+        && let Some(data_type) = prescribed_type(at)
+    {
+        let text = format!("0x{:04X}", data_type.0);
+        let title = say!("write `{}`", Argument::setting(Field::DataType, &text));
+        finding = finding.fix(Fix::safe(title).set(at.field(Field::DataType), text));
     }
     findings.push(finding.help(match missing.as_slice() {
         [Field::DataType] => say!("add `{DataType}` with the type of the value"),
@@ -63,6 +66,19 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
             say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`")
         }
     }));
+}
+
+/// The only type that an entry can have.
+fn prescribed_type(at: &EntryAt<'_>) -> Option<DataType> {
+    // sub-index 0 has one type (CiA 301 §7.4.7.2), except the numbers of PDOs in 1004h
+    if at.sub == Some(0) && at.index != 0x1004 && is_structure(at) {
+        return Some(DataType::UNSIGNED8);
+    }
+    let object = profile::for_all(at.device).find_map(|document| document.object(at.index))?;
+    match *object.entry(at.sub.unwrap_or_default())?.data_types {
+        [data_type] => Some(data_type),
+        _ => None,
+    }
 }
 
 fn is_structure(at: &EntryAt<'_>) -> bool {

@@ -1,9 +1,9 @@
-use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say, sub_index};
 use crate::model::{DataType, Device, Field, ObjectType, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    "cia306/nested-structure", Warning, Entry(check);
+    "cia306/nested-structure", Warning, Entry(check), fix Mixed;
     summary: "an entry is a structure",
     checks: "Whether a sub-index or VAR has an object type with sub-indexes (ARRAY, RECORD, DEFSTRUCT), or a structured data type: 0020h to 0025h, or a DEFSTRUCT of the file.",
     why: "A sub-index cannot have sub-indexes, so the parts of the structure cannot be accessed.",
@@ -26,7 +26,12 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         None => say!("{:04X}h", at.index),
     };
     let message = say!("{} is a structure ({}), but must be a single value", what, kind);
-    let finding = Diagnostic::new(&RULE.info, at.field(field), message);
+    let is_of_one_type = nested_type.is_some() && structure.is_none() && entry.data_type.is_some();
+    let mut finding = Diagnostic::new(&RULE.info, at.field(field.clone()), message);
+    if is_of_one_type {
+        // the data type says that it is a single value
+        finding = finding.fix(Fix::risky(say!("write `{ObjectType=0x7}`")).set(at.field(field), "0x7"));
+    }
     findings.push(finding.help("use a separate sub-index or object for each part of the structure"));
 }
 

@@ -3,7 +3,8 @@ use crate::model::{Device, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    "cia306/sub-number-mismatch", Error, Object(check), fix Safe;
+    "cia306/sub-number-mismatch", Error, Object(check), fix Mixed,
+        explains Object ["wrong-highest-sub-index"];
     summary: "`SubNumber` does not match the described sub-indexes",
     checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT equals the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
     why: "Readers that count do not see the last sub-indexes, or look for missing ones.",
@@ -37,8 +38,11 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         // if sub-index 0 agrees with `SubNumber`, a section is missing
         let value = object.value(0).and_then(|value| value.as_integer());
         let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
-        let fix = Fix::safe(title.clone()).set(place, described.to_string());
-        let finding = if is_lost { finding } else { finding.fix(fix) };
-        finding.help(if stated > described { say!("describe the others, or {}", title) } else { title })
+        let fix = if is_lost { Fix::risky(title.clone()) } else { Fix::safe(title.clone()) };
+        finding.fix(fix.set(place, described.to_string())).help(if stated > described {
+            say!("describe the others, or {}", title)
+        } else {
+            title
+        })
     });
 }

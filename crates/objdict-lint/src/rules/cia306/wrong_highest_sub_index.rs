@@ -25,9 +25,6 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
         (None, None) => return missing_value(index, sub_0, highest, findings),
     };
     let Some(value) = value.filter(|&value| value != i128::from(highest)) else { return };
-    if explained_by_sub_number(object, value) {
-        return;
-    }
     let place = Place::entry(index, 0).field(field.clone());
     let title = say!("write `{}`", Argument::setting(&field, highest));
     let fix = Fix::risky(title).set(place.clone(), highest.to_string());
@@ -49,13 +46,6 @@ fn check(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
             .help(say!("describe the missing sub-indexes, or write `{}`", Argument::setting(&field, highest)))
     };
     findings.push(finding.fix(fix));
-}
-
-/// Whether `SubNumber` and sub-index 0 agree: then a section is missing or superfluous, which
-/// `sub-number-mismatch` reports.
-fn explained_by_sub_number(object: &Object, value: i128) -> bool {
-    let stated = object.sub_number.map(i128::from);
-    stated == Some(value + 1) && object.sub_number.map(usize::from) != Some(stated::described_subs(object))
 }
 
 fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings) {
