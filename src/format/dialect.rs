@@ -130,6 +130,10 @@ impl Dialect {
             (1..=7).for_each(|number| _ = usage.types.entry(DataType(number)).or_insert(false));
             usage.invalid_values = InvalidValues::default();
         }
+        if let Some(info) = &mut device.device_info {
+            // texts that are not numbers are refused
+            info.invalid_values = InvalidValues::default();
+        }
         device.objects.retain(|_, object| !object.orphan);
         device.objects.values_mut().for_each(complete);
         if row.lists {
@@ -141,6 +145,11 @@ impl Dialect {
 
 /// States type and access of every entry that has a value.
 fn complete(object: &mut Object) {
+    let is_var = object.main.object_type.is_some() && !object.object_type().has_subs();
+    if !object.object_type().has_subs() && (object.compact.is_some() || !is_var && !object.subs.is_empty()) {
+        object.main.object_type = Some(ObjectType::Array);
+    }
+    object.main.invalid_values.retain(|invalid| invalid.field != Field::ObjectType);
     let has_subs = object.object_type().has_subs();
     if !has_subs || object.compact.is_some() {
         complete_entry(&mut object.main, DataType::DOMAIN, Access::Rw);
@@ -157,7 +166,7 @@ fn complete_entry(entry: &mut Entry, data_type: DataType, access: Access) {
     let is_domain = entry.object_type == Some(ObjectType::Domain);
     entry.data_type.get_or_insert(if is_domain { DataType::DOMAIN } else { data_type });
     entry.access.get_or_insert(if is_domain { Access::Rw } else { access });
-    let stated = [Field::DataType, Field::AccessType];
+    let stated = [Field::DataType, Field::AccessType, Field::ObjectType];
     entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
 }
 

@@ -1,9 +1,14 @@
 //! DBC files of fixtures.
 
+use std::collections::BTreeMap;
+
 use objdict::document::dbc::{self, BusNode, DbcOptions};
-use objdict::format;
-use objdict::model::{Device, Value};
-use objdict::source::SourceOptions;
+use objdict::format::{self, Format};
+use objdict::model::{
+    ApplicationProcess, DataTypeRef, Device, Labels, Object, Parameter, SimpleType, TypeDefinition,
+    TypeShape, Unit, Value, VarDeclaration,
+};
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -38,4 +43,69 @@ fn bits_and_scales_of_an_xdd() {
     mapping.subs.get_mut(2).unwrap().default = Some(Value::Unsigned(0x2000_0020));
     let node = BusNode { device: &press, node_id: 3, name: Some("press") };
     insta::assert_snapshot!(shown(&[node], DbcOptions { bits: true, sdo: false }));
+}
+
+/// Entries refer to a parameter that others refer to too, or to a member of a struct; a bit field is a member itself.
+#[test]
+fn units_and_scales_of_shared_parameters_and_members() {
+    let unit = |name: &str| Some(Unit { labels: Labels::name("en", name), ..Unit::default() });
+    let member = |id: &str, bits: &str, name: &str| VarDeclaration {
+        name: id.into(),
+        unique_id: id.into(),
+        size: Some(bits.into()),
+        data_type: Some(DataTypeRef::Simple(SimpleType::Bitstring)),
+        multiplier: Some("0.25".into()),
+        offset: Some("-8".into()),
+        unit: unit(name),
+        ..VarDeclaration::default()
+    };
+    let members = vec![member("Low", "12", "bar"), member("High", "4", "mm")];
+    let word = TypeDefinition {
+        unique_id: "word".into(),
+        shape: TypeShape::Struct { members },
+        ..TypeDefinition::default()
+    };
+    let parameter = |id: &str, data_type: DataTypeRef, name: &str| Parameter {
+        unique_id: id.into(),
+        data_type: Some(data_type),
+        multiplier: Some("0.5".into()),
+        unit: unit(name),
+        ..Parameter::default()
+    };
+    let process = ApplicationProcess {
+        data_types: vec![word],
+        parameters: vec![
+            parameter("shared", DataTypeRef::Simple(SimpleType::Uint), "K"),
+            parameter("split", DataTypeRef::Defined("word".into()), "%"),
+        ],
+        ..ApplicationProcess::default()
+    };
+    for (id, bits, expected) in [
+        ("shared", false, vec!["(0.5,0) [0|0] \"K\""]),
+        ("Low", false, vec!["(0.25,-2) [0|0] \"bar\""]),
+        ("split", true, vec!["(0.25,-2) [0|0] \"bar\"", "(0.25,-2) [0|0] \"mm\""]),
+    ] {
+        let mut device = device("eds/minimal.eds");
+        device.objects.extend(device_of_one_tpdo());
+        device.application = vec![process.clone()];
+        device.objects.get_mut(&0x2000).unwrap().main.extra.push("uniqueIDRef", id);
+        let node = BusNode { device: &device, node_id: 3, name: Some("n") };
+        let text = shown(&[node], DbcOptions { bits, sdo: false });
+        let found: Vec<&str> =
+            text.lines().filter(|line| line.contains(" SG_ Pressure")).filter_map(scale_and_unit).collect();
+        assert_eq!(found, expected, "{id}: {text}");
+    }
+}
+
+/// `(0.5,0) [0|0] "K"` of a line.
+fn scale_and_unit(line: &str) -> Option<&str> {
+    Some(&line[line.find('(')?..=line.rfind('"')?])
+}
+
+/// TPDO 1 with 2000h, a word.
+fn device_of_one_tpdo() -> BTreeMap<u16, Object> {
+    let text = "[1800]\nObjectType=9\n[1800sub0]\nDataType=5\nDefaultValue=2\n[1800sub1]\nDataType=7\nDefaultValue=$NODEID+0x180\n\
+        [1800sub2]\nDataType=5\nDefaultValue=255\n[1A00]\nObjectType=9\n[1A00sub0]\nDataType=5\nDefaultValue=1\n\
+        [1A00sub1]\nDataType=7\nDefaultValue=0x20000010\n[2000]\nParameterName=Pressure\nDataType=6\n";
+    format::read(SourceFile::from_text("pdo.eds", text), Format::Eds).into_device().objects
 }

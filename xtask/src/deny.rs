@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use serde_json::Value as Json;
@@ -11,14 +11,14 @@ use toml::{Table, Value};
 /// Reports every package that `deny.toml` does not allow, and every exception that is for none.
 pub(crate) fn run() -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let rules = table(root.join("deny.toml"))?;
-    let mut problems = of_lock_file(&table(root.join("Cargo.lock"))?, &rules);
+    let rules = table(&root.join("deny.toml"))?;
+    let mut problems = of_lock_file(&table(&root.join("Cargo.lock"))?, &rules);
     problems.extend(of_licences(&metadata(&root)?, &rules));
     if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
 }
 
-fn table(path: PathBuf) -> Result<Table, String> {
-    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+fn table(path: &Path) -> Result<Table, String> {
+    let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     text.parse().map_err(|error| format!("{}: {error}", path.display()))
 }
 

@@ -7,6 +7,7 @@ use clap::{Parser, ValueEnum};
 use super::{CanonicalArgs, ExpandArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
 use crate::format::XddVersion;
+use crate::source::Folder;
 
 /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
 ///
@@ -50,7 +51,7 @@ pub(in crate::cli) struct ConvertArgs {
     /// Write all values into a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
-    /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
+    /// Another folder that files named in the input may be read from, beside its own: of DOMAINs (`DownloadFile`), of nodes in a node list; repeatable
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
     /// Use no configuration; `convert` reads none, and takes the option like the other commands
@@ -79,6 +80,11 @@ pub(in crate::cli) struct DbcArgs {
 }
 
 impl ConvertArgs {
+    /// The folders that files named in `input` may be read from.
+    pub(in crate::cli) fn folder_of(&self, input: &Path) -> Folder {
+        self.allow_path.iter().fold(Folder::of(input), Folder::allow)
+    }
+
     /// The inputs and the output. Without `--output` the last of several files is the output, as in `cp`.
     pub(in crate::cli) fn paths(&self) -> (&[PathBuf], Option<&Path>) {
         match (&self.output, self.files.as_slice()) {

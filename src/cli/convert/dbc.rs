@@ -1,24 +1,31 @@
 //! Nodes to the DBC of their bus.
 
 use std::io::Write;
+use std::path::Path;
 
 use super::super::Failure;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, Input, name_of};
 use super::super::output::Output;
-use super::super::save::{Saved, is_stdout, save};
+use super::super::save::{Saved, is_stdout, keep, save};
 use super::Job;
 use super::losses::{self, LossReport};
+use crate::diagnostic::counted;
 use crate::document::dbc::{self, BusNode, DbcOptions, Omission};
+use crate::format::input::Reading;
 use crate::format::{Description, Loss, LossKind};
-use crate::model::{Device, Part};
+use crate::model::{Device, NodeList, Part};
 
 /// A node of the bus.
-struct Node<'a> {
-    job: &'a Job,
+struct Node {
+    /// Of the file that describes it.
+    job: Job,
     from: FileKind,
     device: Device,
-    node_id: u8,
+    /// That of the node list or the device; `None` if neither states one.
+    node_id: Option<u8>,
+    /// That of the node list.
+    name: Option<String>,
 }
 
 /// Writes the DBC of the nodes in all files.
@@ -30,7 +37,11 @@ pub(super) fn convert(
 ) -> Result<(), Failure> {
     let nodes = nodes(args, jobs)?;
     let name = args.name.as_deref().filter(|_| nodes.len() == 1);
-    let bus = nodes.iter().map(|node| BusNode { device: &node.device, node_id: node.node_id, name });
+    let bus = nodes.iter().map(|(node, node_id)| BusNode {
+        device: &node.device,
+        node_id: *node_id,
+        name: name.or(node.name.as_deref()),
+    });
     let options = DbcOptions { sdo: args.dbc.sdo, bits: args.dbc.bits };
     let written = dbc::write(&bus.collect::<Vec<_>>(), options);
     let [job, ..] = jobs else { return Ok(()) };
@@ -43,21 +54,21 @@ pub(super) fn convert(
             Saved::Unchanged => ", unchanged",
         };
         let what = match nodes.as_slice() {
-            [node] => format!("{} ({})", name_of(&job.input), node.from.name()),
+            [(node, _)] => format!("{} ({})", name_of(&node.job.input), node.from.name()),
             nodes => format!("{} nodes", nodes.len()),
         };
         let (output, size) = (job.output.display(), written.bytes.len());
         lines.push_str(&format!("{what} to {output} (DBC), {size} bytes{unchanged}\n"));
     }
-    for (position, node) in nodes.iter().enumerate() {
+    for (position, (node, node_id)) in nodes.iter().enumerate() {
         let omissions = written.omissions.iter().filter(|omission| omission.node == position);
         let losses: Vec<Loss> = omissions.map(|omission| loss(&node.device, omission)).collect();
         if nodes.len() > 1 {
             let (file, from) = (name_of(&node.job.input), node.from.name());
-            lines.push_str(&format!("{file} ({from}), node {}\n", node.node_id));
+            lines.push_str(&format!("{file} ({from}), node {node_id}\n"));
         }
         lines.push_str(&losses::text(&losses));
-        report.add(node.job, node.from, losses);
+        report.add(&node.job, node.from, losses);
     }
     if is_stdout(&job.output) {
         super::super::tell(&lines);
@@ -68,21 +79,25 @@ pub(super) fn convert(
 }
 
 /// The nodes in all files, each with its own node-ID.
-fn nodes<'a>(args: &ConvertArgs, jobs: &'a [Job]) -> Result<Vec<Node<'a>>, Failure> {
-    let mut devices = Vec::new();
+fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
+    let mut found = Vec::new();
     for job in jobs {
-        let (from, input) = args.input.read(&job.input)?;
-        let found = devices_in(args, job, input)?;
-        devices.extend(found.into_iter().map(|device| (job, from, args.expand.device(&device).into_owned())));
+        match args.input.read(&job.input)? {
+            (_, Input::NodeList(list)) => found.append(&mut nodes_of_list(args, job, &list)?),
+            (from, input) => {
+                let devices = devices_in(&args.input.reading(), job, input)?;
+                found.append(&mut nodes_in(args, job, from, devices));
+            }
+        }
     }
-    let is_one = devices.len() == 1;
-    let mut nodes: Vec<Node<'a>> = Vec::new();
-    for (job, from, device) in devices {
-        let file = name_of(&job.input);
+    let is_one = found.len() == 1;
+    let mut nodes: Vec<(Node, u8)> = Vec::new();
+    for node in found {
+        let file = name_of(&node.job.input);
         // for several nodes the argument is for those that state none
         let node_id = match is_one {
-            true => args.node_id.or(device.node_id()),
-            false => device.node_id().or(args.node_id),
+            true => args.node_id.or(node.node_id),
+            false => node.node_id.or(args.node_id),
         };
         let Some(node_id) = node_id else {
             let failure = Failure::new(format_args!(
@@ -90,22 +105,68 @@ fn nodes<'a>(args: &ConvertArgs, jobs: &'a [Job]) -> Result<Vec<Node<'a>>, Failu
             ));
             return Err(failure.help("set it with `--node-id`"));
         };
-        if let Some(other) = nodes.iter().find(|other| other.node_id == node_id) {
+        if let Some((other, _)) = nodes.iter().find(|(_, other)| *other == node_id) {
             let other = name_of(&other.job.input);
             let failure =
                 Failure::new(format_args!("`{other}` and `{file}` both have the node-ID {node_id}"));
             return Err(failure.help("make a DCF of one of them with another `--node-id`"));
         }
-        nodes.push(Node { job, from, device, node_id });
+        nodes.push((node, node_id));
     }
     Ok(nodes)
 }
 
+/// The nodes of a network that are present, from the files that the list names. The list says which nodes they are.
+fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<Node>, Failure> {
+    let file = name_of(&job.input);
+    let networks = list.networks.as_slice();
+    let network = match (args.input.device, networks) {
+        (None, [network]) => Some(network),
+        (None, _) => None,
+        (Some(number), _) => networks.get(number.get() - 1),
+    };
+    let Some(network) = network else {
+        let count = counted(networks.len(), "network", "networks");
+        let failure = Failure::new(format_args!("`{file}` has {count}, and a DBC is for one"));
+        return Err(failure.help("choose one by its number with `--device`, counted from 1"));
+    };
+    let folder = args.folder_of(&job.input);
+    let mut nodes = Vec::new();
+    for node in network.nodes.iter().filter(|node| node.present) {
+        let Some(dcf) = &node.dcf else {
+            let failure = Failure::new(format_args!("`{file}` names no file for node {}", node.id));
+            return Err(failure.help(format!("add `Node{}DCFName`", node.id)));
+        };
+        let bytes = folder.read(dcf).map_err(|error| {
+            let failure = Failure::new(format_args!("the file of node {}: {error}", node.id));
+            error.help().into_iter().fold(failure, Failure::help)
+        })?;
+        let input = job.input.parent().unwrap_or(Path::new("")).join(dcf.replace('\\', "/"));
+        keep(&input);
+        let own = Job { input, ..job.clone() };
+        let reading = Reading { from: None, device: None, ..args.input.reading() };
+        let (from, input) = reading.read(&name_of(&own.input), bytes)?;
+        for found in nodes_in(args, &own, from, devices_in(&reading, &own, input)?) {
+            nodes.push(Node { node_id: Some(node.id), name: node.name.clone(), ..found });
+        }
+    }
+    Ok(nodes)
+}
+
+/// The nodes that devices of a file are.
+fn nodes_in(args: &ConvertArgs, job: &Job, from: FileKind, devices: Vec<Device>) -> Vec<Node> {
+    let node = |device: Device| {
+        let device = args.expand.device(&device).into_owned();
+        Node { job: job.clone(), from, node_id: device.node_id(), device, name: None }
+    };
+    devices.into_iter().map(node).collect()
+}
+
 /// The devices of a file: the one that was asked for, or all.
-fn devices_in(args: &ConvertArgs, job: &Job, input: Input) -> Result<Vec<Device>, Failure> {
+fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>, Failure> {
     match input {
-        Input::Description(description) if args.input.device.is_some() => {
-            Ok(vec![args.input.selected(&job.input, *description)?.device().clone()])
+        Input::Description(description) if reading.device.is_some() => {
+            Ok(vec![reading.select(&name_of(&job.input), *description)?.into_device()])
         }
         Input::Description(description) => {
             let mut devices = Vec::new();
@@ -119,7 +180,7 @@ fn devices_in(args: &ConvertArgs, job: &Job, input: Input) -> Result<Vec<Device>
         Input::Device(device) => Ok(vec![*device]),
         Input::Concise(_) | Input::NodeList(_) => {
             let failure = Failure::new(format_args!("`{}` describes no node", name_of(&job.input)));
-            Err(failure.help("name an EDS, DCF, XDD, XDC or JSON"))
+            Err(failure.help("name an EDS, DCF, XDD, XDC, JSON or node list"))
         }
     }
 }

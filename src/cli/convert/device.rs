@@ -155,10 +155,7 @@ fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Conci
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
     tell_skipped(&plan);
-    let mut folder = Folder::of(&job.input);
-    for allowed in &args.allow_path {
-        folder = folder.allow(allowed);
-    }
+    let folder = args.folder_of(&job.input);
     plan.into_concise(|file| read_data(&folder, file))
 }
 

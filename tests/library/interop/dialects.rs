@@ -7,7 +7,7 @@ use std::process::Command;
 
 use objdict::format::{self, Description, Dialect, Format, WriteOptions};
 use objdict::model::{Access, Device, DeviceKind, Value};
-use objdict::source::SourceOptions;
+use objdict::source::{SourceFile, SourceOptions};
 use serde_json::{Value as Json, json};
 
 use super::{environment, node_modules};
@@ -30,8 +30,17 @@ fn all_devices() -> Vec<(String, Device)> {
         let kind = if number < own { "own" } else { "corpus" };
         Some((format!("{kind}-{number}-{stem}"), device))
     };
-    paths.iter().enumerate().filter_map(open).filter(|(_, device)| !device.objects.is_empty()).collect()
+    let opened = paths.iter().enumerate().filter_map(open).filter(|(_, device)| !device.objects.is_empty());
+    let minimal = fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let odd = minimal.replace("ProductNumber=", "ProductNumber=type ") + REFUSED;
+    let odd = format::read(SourceFile::from_text("odd.eds", odd), Format::Eds).into_device();
+    opened.chain([("own-odd".to_owned(), odd)]).collect()
 }
+
+/// What python-canopen refuses a file for: a VAR in compact storage, and texts where it reads numbers.
+const REFUSED: &str = "\r\n[2F00]\r\nParameterName=Channels\r\nObjectType=7\r\nDataType=5\r\nAccessType=rw\r\nDefaultValue=1\r\n\
+    CompactSubObj=2\r\n[2F01]\r\nParameterName=Limits\r\nObjectType=record\r\nSubNumber=2\r\n[2F01sub0]\r\nParameterName=n\r\n\
+    DataType=5\r\nAccessType=ro\r\nDefaultValue=1\r\n[2F01sub1]\r\nParameterName=a\r\nDataType=7\r\nAccessType=rw\r\nDefaultValue=7\r\n";
 
 /// Each entry with its type, access and value, as far as the description states them and CiA 301 knows the type.
 fn entries(device: &Device, node_id: u8) -> Vec<Json> {

@@ -3,7 +3,7 @@
 use super::decimal::Decimal;
 use super::signal::{Number, Scale, Signal};
 use super::station::{LANGUAGE, Station};
-use crate::model::{DataType, Entry, Meaning, ObjectType, TypeKind, Value};
+use crate::model::{DataType, Entry, Meaning, ObjectType, Scaling, TypeKind, Value};
 use crate::profile::{self, EntryFacts, ObjectFacts};
 
 /// The largest range of values that get their common name each.
@@ -25,6 +25,7 @@ struct Part<'a> {
     name: &'a str,
     is_signed: bool,
     values: Vec<(i128, &'a str)>,
+    scaling: Scaling<'a>,
 }
 
 impl<'a> Carried<'a> {
@@ -100,7 +101,7 @@ impl<'a> Carried<'a> {
     }
 
     /// The signal with scale, unit, limits and names, or the signals of its parts.
-    fn described(&self, entry: &Entry, mut signal: Signal, split: bool) -> Vec<Signal> {
+    fn described(&self, entry: &'a Entry, mut signal: Signal, split: bool) -> Vec<Signal> {
         let documents: Vec<_> =
             profile::of_object(self.station.device, self.index).map(|(_, facts)| facts).collect();
         let (scale, unit) = self.scale(entry, &documents);
@@ -141,6 +142,7 @@ impl<'a> Carried<'a> {
                 let mut signal = self.named(entry, &name, part.first, part.bits);
                 signal.number = if part.is_signed { Number::Signed } else { Number::Unsigned };
                 signal.suffix = part.first.to_string();
+                (signal.scale, signal.unit) = of_description(part.scaling);
                 signal.comment.push_str(&format!("; bits: {}", part.in_words()));
                 signals.push(signal.with_values(part.values.iter().copied()));
             }
@@ -154,7 +156,14 @@ impl<'a> Carried<'a> {
         match self.station.meanings.of(self.index, self.sub) {
             Some(Meaning::Enumeration(found)) => {
                 let values = found.values.iter().map(|value| (value.number, value.name)).collect();
-                vec![Part { first: 0, bits: 64, name: "", is_signed: false, values }]
+                vec![Part {
+                    first: 0,
+                    bits: 64,
+                    name: "",
+                    is_signed: false,
+                    values,
+                    scaling: Scaling::default(),
+                }]
             }
             Some(Meaning::BitStruct(word)) => word.fields.iter().map(Part::of_description).collect(),
             None => {
@@ -164,19 +173,13 @@ impl<'a> Carried<'a> {
     }
 
     /// How the value is scaled, and its unit.
-    fn scale(&self, entry: &Entry, documents: &[ObjectFacts<'_>]) -> (Scale, String) {
-        let scaling = entry.parameter.as_ref().map(|parameter| self.station.meanings.scaling(parameter));
-        let stated = scaling.filter(|of| of.unit.is_some() || of.multiplier.is_some() || of.offset.is_some());
-        let Some(scaling) = stated else {
-            let unit =
-                documents.iter().filter_map(|facts| facts.entry(self.sub)).find_map(|facts| facts.unit);
-            return of_document(unit.unwrap_or_default());
-        };
-        let number = |text: Option<&str>| text.and_then(Decimal::parse);
-        let factor = number(scaling.multiplier).filter(|factor| !factor.is_zero()).unwrap_or(Decimal::ONE);
-        let offset = number(scaling.offset).unwrap_or(Decimal::ZERO).times(factor);
-        let unit = scaling.unit.and_then(|unit| unit.labels.name_in(LANGUAGE)).unwrap_or_default();
-        (Scale { factor, offset: offset.unwrap_or(Decimal::ZERO) }, unit.trim().to_owned())
+    fn scale(&self, entry: &'a Entry, documents: &[ObjectFacts<'_>]) -> (Scale, String) {
+        let scaling = self.station.meanings.scaling_of(entry);
+        if !scaling.is_empty() {
+            return of_description(scaling);
+        }
+        let unit = documents.iter().filter_map(|facts| facts.entry(self.sub)).find_map(|facts| facts.unit);
+        of_document(unit.unwrap_or_default())
     }
 
     /// The limits of the description, else the values that a document allows.
@@ -231,6 +234,15 @@ const fn kind_bits(kind: Option<TypeKind>) -> u32 {
     }
 }
 
+/// The scale and the unit that a description states.
+fn of_description(scaling: Scaling<'_>) -> (Scale, String) {
+    let number = |text: Option<&str>| text.and_then(Decimal::parse);
+    let factor = number(scaling.multiplier).filter(|factor| !factor.is_zero()).unwrap_or(Decimal::ONE);
+    let offset = number(scaling.offset).unwrap_or(Decimal::ZERO).times(factor);
+    let unit = scaling.unit.and_then(|unit| unit.labels.name_in(LANGUAGE)).unwrap_or_default();
+    (Scale { factor, offset: offset.unwrap_or(Decimal::ZERO) }, unit.trim().to_owned())
+}
+
 /// A unit of a document, such as `0.1 % of the rated torque`.
 fn of_document(unit: &str) -> (Scale, String) {
     match unit.split_once(' ').and_then(|(number, unit)| Some((Decimal::parse(number)?, unit))) {
@@ -256,6 +268,7 @@ impl<'a> Part<'a> {
             name: field.name,
             is_signed: field.is_signed,
             values: values.map(|value| (value.number, value.name)).collect(),
+            scaling: field.scaling,
         }
     }
 
@@ -271,6 +284,7 @@ impl<'a> Part<'a> {
             name: field.name,
             is_signed: false,
             values: values.collect(),
+            scaling: Scaling::default(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Words that consist of bit fields.
 
-use super::{Enumeration, Meanings, enumeration::name_in, number};
+use super::{Enumeration, Meanings, Scaling, enumeration::name_in, number};
 use crate::model::{DataType, DataTypeRef, SimpleType, TypeDefinition, TypeShape, VarDeclaration};
 
 /// A word that a struct divides into bit fields.
@@ -29,6 +29,8 @@ pub struct BitField<'a> {
     pub is_signed: bool,
     /// The names of its values, if the description defines them.
     pub values: Option<Enumeration<'a>>,
+    /// How its engineering value is made of its bits.
+    pub scaling: Scaling<'a>,
 }
 
 impl BitField<'_> {
@@ -110,6 +112,7 @@ impl<'a> Meanings<'a> {
             bits,
             is_signed: form.is_signed,
             values: values.map(|values| values.within(bits)),
+            scaling: Scaling::of_variable(member),
         }
     }
 

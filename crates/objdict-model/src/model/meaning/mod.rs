@@ -39,7 +39,7 @@ pub struct Meanings<'a> {
 }
 
 /// How the engineering value of a parameter is made of its value: (value + offset) × multiplier, in a unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scaling<'a> {
     /// The unit.
     pub unit: Option<&'a Unit>,
@@ -49,11 +49,28 @@ pub struct Scaling<'a> {
     pub multiplier: Option<&'a str>,
 }
 
-/// The type and the allowed values of an item.
+impl<'a> Scaling<'a> {
+    fn new(unit: Option<&'a Unit>, offset: Option<&'a str>, multiplier: Option<&'a str>) -> Self {
+        let stated = |text: Option<&'a str>| text.map(str::trim).filter(|text| !text.is_empty());
+        Self { unit, offset: stated(offset), multiplier: stated(multiplier) }
+    }
+
+    fn of_variable(variable: &'a VarDeclaration) -> Self {
+        Self::new(variable.unit.as_ref(), variable.offset.as_deref(), variable.multiplier.as_deref())
+    }
+
+    /// Whether neither a unit nor a scale is stated.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// The type, the allowed values and the scaling of an item.
 #[derive(Clone, Copy, Debug, Default)]
 struct Described<'a> {
     data_type: Option<&'a DataTypeRef>,
     allowed: Option<&'a AllowedValues>,
+    scaling: Scaling<'a>,
 }
 
 impl Device {
@@ -155,21 +172,22 @@ impl<'a> Meanings<'a> {
         self.templates.get(parameter.template.as_deref()?).copied()
     }
 
+    /// The engineering value of an entry, as its parameter, the template of that, or what the entry refers to says.
+    pub fn scaling_of(&self, entry: &'a Entry) -> Scaling<'a> {
+        self.described(entry).scaling
+    }
+
     /// The engineering value of a parameter, as it or its template says.
     pub fn scaling<'p>(&self, parameter: &'p Parameter) -> Scaling<'p>
     where
         'a: 'p,
     {
-        let template = self.template_of(parameter);
-        let text = |field: fn(&Parameter) -> Option<&str>| {
-            let text = field(parameter).or_else(|| field(template?)).map(str::trim);
-            text.filter(|text| !text.is_empty())
-        };
-        Scaling {
-            unit: parameter.unit.as_ref().or(template.and_then(|template| template.unit.as_ref())),
-            offset: text(|of| of.offset.as_deref()),
-            multiplier: text(|of| of.multiplier.as_deref()),
-        }
+        let template = self.template_of(parameter).unwrap_or(parameter);
+        Scaling::new(
+            parameter.unit.as_ref().or(template.unit.as_ref()),
+            parameter.offset.as_deref().or(template.offset.as_deref()),
+            parameter.multiplier.as_deref().or(template.multiplier.as_deref()),
+        )
     }
 
     /// The definition behind a reference, with aliases resolved.
@@ -203,6 +221,7 @@ impl<'a> Meanings<'a> {
         Described {
             data_type: parameter.data_type.as_ref().or(template.data_type.as_ref()),
             allowed: parameter.allowed_values.as_ref().or(template.allowed_values.as_ref()),
+            scaling: self.scaling(parameter),
         }
     }
 
@@ -216,7 +235,11 @@ impl<'a> Meanings<'a> {
 
 impl<'a> Described<'a> {
     fn of_variable(variable: &'a VarDeclaration) -> Self {
-        Self { data_type: variable.data_type.as_ref(), allowed: variable.allowed_values.as_ref() }
+        Self {
+            data_type: variable.data_type.as_ref(),
+            allowed: variable.allowed_values.as_ref(),
+            scaling: Scaling::of_variable(variable),
+        }
     }
 }
 
