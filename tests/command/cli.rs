@@ -27,9 +27,10 @@ fn pages() {
         fs::write(&case, to_trycmd(&text)).unwrap();
         fs::create_dir(folder.path().join("page.out")).unwrap();
         let input = folder.path().join("page.in");
-        for fixtures in
-            ["eds", "dcf", "xdd", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles", "concise"]
-        {
+        for fixtures in [
+            "eds", "dcf", "xdd", "cnxml", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles",
+            "concise",
+        ] {
             copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
         }
         copy_folder(Path::new("examples"), &input.join("examples"));

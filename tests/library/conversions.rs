@@ -1,7 +1,8 @@
 //! What a conversion makes of what one format says and the other says otherwise, or not at all.
 
+use objdict::compare::differences;
 use objdict::format::{self, Description, Format, LossKind, WriteOptions, Written};
-use objdict::model::Device;
+use objdict::model::{Access, DataType, Device, Value};
 use objdict::source::SourceFile;
 
 use crate::support;
@@ -15,7 +16,7 @@ fn base(name: &str, changes: &[(&str, &str)]) -> Device {
     let text = std::fs::read_to_string(support::fixtures().join("bases").join(name)).unwrap();
     let changed = changes.iter().fold(text, |text, (old, new)| {
         assert!(text.contains(old), "{name} has no `{old}`");
-        text.replace(old, new)
+        text.replacen(old, new, 1)
     });
     let format = if name.ends_with(".xdd") { Format::Xdd } else { Format::Eds };
     read(&changed, format).into_device()
@@ -106,4 +107,71 @@ fn the_ids_of_version_1_0_are_invented() {
     let text = String::from_utf8(written.bytes).unwrap();
     let back = read(&text, Format::Xdd).into_device();
     assert_eq!(back.device_info.unwrap().vendor_number, None);
+}
+
+#[test]
+fn a_domain_is_rw_and_has_no_default_in_an_xdd() {
+    let device = base(
+        "small.eds",
+        &[(
+            "[ManufacturerObjects]",
+            "[2F00]\nParameterName=Program\nObjectType=0x2\nDefaultValue=01A1\n\n[ManufacturerObjects]",
+        )],
+    );
+    let program = &device.object(0x2F00).unwrap().main;
+    assert_eq!(
+        (program.implied_type(), program.implied_access()),
+        (Some(DataType::DOMAIN), Some(Access::Rw))
+    );
+    assert_eq!(program.default, Some(Value::Bytes([0x01, 0xA1].into())));
+    let (xdd, written) = convert(&device, Format::Xdd);
+    let line = xdd.lines().find(|line| line.contains(r#"index="2F00""#)).unwrap();
+    assert!(line.contains(r#"dataType="000F" accessType="rw""#) && !line.contains("defaultValue"), "{line}");
+    assert!(paths(&written, LossKind::Embedded).contains(&"/objects/0x2F00/default"));
+    assert_eq!(differences(&device, &read(&xdd, Format::Xdd).into_device()), []);
+}
+
+/// An XDD with two objects, of which the second has a parameter of this access and content.
+fn with_parameter(access: &str, content: &str) -> Device {
+    let objects = r#"<CANopenObject index="2F00" name="Level" objectType="7" dataType="0006" uniqueIDRef="UID_LEVEL"/></CANopenObjectList>"#;
+    let process = format!(
+        r#"<ApplicationProcess><parameterList><parameter uniqueID="UID_LEVEL" access="{access}"><label lang="en">Level</label><UINT/>{content}</parameter></parameterList></ApplicationProcess></ProfileBody>"#
+    );
+    base("lamp.xdd", &[("</CANopenObjectList>", objects), ("</ProfileBody>", &process)])
+}
+
+#[test]
+fn access_of_parameters_survives_an_eds() {
+    for (word, access) in [
+        ("noAccess", None),
+        ("const", Some("const")),
+        ("read", Some("ro")),
+        ("write", Some("wo")),
+        ("readWrite", Some("rw")),
+        ("readWriteInput", Some("rwr")),
+        ("readWriteOutput", Some("rww")),
+    ] {
+        let device = with_parameter(word, "");
+        let (eds, _) = convert(&device, Format::Eds);
+        let section = eds.split("[2F00]").nth(1).unwrap().split('[').next().unwrap();
+        let stated = section.lines().find_map(|line| line.strip_prefix("AccessType="));
+        assert_eq!(stated, access, "{word}");
+        let back = read(&eds, Format::Eds).into_device();
+        assert_eq!(differences(&device, &back), [], "{word}");
+        let (xdd, _) = convert(&back, Format::Xdd);
+        assert!(xdd.contains(&format!(r#"access="{word}""#)), "{word}: {xdd}");
+    }
+}
+
+#[test]
+fn steps_and_gaps_of_ranges_survive_an_eds() {
+    let ranges = r#"<allowedValues><range><minValue value="10"/><maxValue value="20"/><step value="5"/></range><range><minValue value="100"/><maxValue value="120"/></range></allowedValues>"#;
+    let device = with_parameter("readWrite", ranges);
+    let (eds, _) = convert(&device, Format::Eds);
+    assert!(eds.contains("LowLimit=10\r\nHighLimit=120\r\n"), "{eds}");
+    let back = read(&eds, Format::Eds).into_device();
+    assert_eq!(differences(&device, &back), []);
+    let (xdd, _) = convert(&back, Format::Xdd);
+    assert_eq!(differences(&device, &read(&xdd, Format::Xdd).into_device()), []);
+    assert!(xdd.contains(r#"<step value="5" />"#) && xdd.contains(r#"<minValue value="100" />"#), "{xdd}");
 }

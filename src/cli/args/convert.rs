@@ -36,6 +36,9 @@ pub(in crate::cli) struct ConvertArgs {
     /// Embed nothing in properties or comments of objdict: data without a place in the format are lost
     #[arg(long, alias = "no-carry")]
     pub no_embed: bool,
+    /// Write disabled objects (`CO_disabled`) of an XDD, XDC or JSON into an EDS or DCF too
+    #[arg(long)]
+    pub keep_disabled: bool,
     /// Version of CiA 311 of a new XDD or XDC
     #[arg(long, value_enum, value_name = "VERSION")]
     pub xdd_version: Option<Version>,

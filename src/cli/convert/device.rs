@@ -1,6 +1,10 @@
 //! What is made of a device.
 
+use std::collections::BTreeMap;
+use std::mem;
 use std::path::Path;
+
+use objdict_model::canopennode::is_disabled;
 
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
@@ -9,8 +13,8 @@ use super::super::node::{Wanted, commissioning};
 use super::super::{Failure, note};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
-use crate::format::{self, Description, Format, Loss, Syntax, concise, json};
-use crate::model::{Commissioning, Device, DeviceKind};
+use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json};
+use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::source::Folder;
 
 /// What a file became.
@@ -118,8 +122,35 @@ fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Resul
     options.embed = embed;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
+    let mut losses = Vec::new();
+    if format.syntax() == Syntax::Ini && !args.keep_disabled {
+        losses = remove_disabled(&mut device);
+    }
     let written = format::write(&device, format, &options).map_err(Failure::new)?;
-    Ok(Converted { bytes: written.bytes, losses: written.losses })
+    losses.extend(written.losses);
+    Ok(Converted { bytes: written.bytes, losses })
+}
+
+/// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for
+/// objects of the device.
+fn remove_disabled(device: &mut Device) -> Vec<Loss> {
+    let (disabled, objects): (BTreeMap<u16, Object>, _) =
+        mem::take(&mut device.objects).into_iter().partition(|(_, object)| is_disabled(object));
+    device.objects = objects;
+    let loss = |(index, object): (u16, Object)| Loss {
+        place: Place::object(index),
+        path: format!("/objects/0x{index:04X}"),
+        kind: LossKind::Lost,
+        value: serde_json::to_value(object).unwrap_or_default(),
+        becomes: None,
+        reason: Some("the object is disabled; `--keep-disabled` keeps it".to_owned()),
+    };
+    let losses: Vec<Loss> = disabled.into_iter().map(loss).collect();
+    let lists = &mut device.lists;
+    for list in [&mut lists.mandatory, &mut lists.optional, &mut lists.manufacturer].into_iter().flatten() {
+        list.retain(|index| device.objects.contains_key(index));
+    }
+    losses
 }
 
 fn base_name(path: &Path) -> String {

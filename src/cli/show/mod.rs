@@ -42,8 +42,9 @@ impl View<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (_, input) = args.input.read_one(&args.file)?;
+    let (kind, input) = args.input.read_one(&args.file)?;
     let (device, format) = match &input {
+        Input::Description(description) if description.is_project() => (description.device(), kind.name()),
         Input::Description(description) => (description.device(), description.format().name()),
         Input::Device(device) => (device.as_ref(), "JSON"),
         Input::NodeList(list) => return nodes::show(list, args, out).map(|()| Outcome::Clean),

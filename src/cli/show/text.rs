@@ -71,11 +71,11 @@ pub(super) fn entry(
         line("object", format!("{} ({})", object.name(), object.object_type()));
     }
     line("object type", entry.object_type.unwrap_or(ObjectType::Var).to_string());
-    if let Some(data_type) = entry.data_type {
+    if let Some(data_type) = entry.implied_type() {
         let bits = data_type.bit_length().map(|bits| format!(", {bits} bits")).unwrap_or_default();
         line("data type", format!("{data_type}{bits}"));
     }
-    if let Some(access) = entry.access {
+    if let Some(access) = entry.implied_access() {
         line("access", access.to_string());
     }
     line("PDO mapping", pdo_mapping(entry).to_owned());
@@ -174,14 +174,10 @@ fn row(index: String, sub: String, name: &str, object_type: String, cells: [Stri
 
 /// Type, access, PDO, default, value, low and high limit.
 fn entry_cells(reader: Reader, entry: &Entry) -> [String; 7] {
-    let data_type = match (entry.data_type, entry.object_type) {
-        (None, Some(ObjectType::Domain)) => String::new(),
-        (data_type, _) => data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
-    };
     let value = |field: &Field, value| reader.field(entry, field, value);
     [
-        data_type,
-        entry.access.map(|access| access.to_string()).unwrap_or_default(),
+        entry.implied_type().map(|data_type| data_type.to_string()).unwrap_or_default(),
+        entry.implied_access().map(|access| access.to_string()).unwrap_or_default(),
         if entry.is_mappable() { pdo_mapping(entry).to_owned() } else { String::new() },
         value(&Field::DefaultValue, entry.default.as_ref()),
         value(&Field::ParameterValue, entry.configured_value()),

@@ -112,6 +112,16 @@ pub struct SafetyMapping {
 }
 
 impl Entry {
+    /// The data type; of an object type DOMAIN that states none, DOMAIN (CiA 306-1 §4.6.3.2).
+    pub fn implied_type(&self) -> Option<DataType> {
+        self.data_type.or((self.object_type == Some(ObjectType::Domain)).then_some(DataType::DOMAIN))
+    }
+
+    /// The access type; of an object type DOMAIN that states none, `rw` (CiA 306-1 §4.6.3.2).
+    pub fn implied_access(&self) -> Option<Access> {
+        self.access.or((self.object_type == Some(ObjectType::Domain)).then_some(Access::Rw))
+    }
+
     /// Whether a PDO may carry the entry.
     pub fn is_mappable(&self) -> bool {
         self.pdo_mapping.is_some_and(PdoMapping::is_mappable)

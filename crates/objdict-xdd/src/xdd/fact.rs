@@ -348,11 +348,12 @@ fn pdo_mapping(word: &str) -> Option<PdoMapping> {
 }
 
 /// The part of a text that is the value: blanks at the ends are significant only in strings. `None` for an
-/// empty text.
+/// empty text, and for the `0` that editors for CANopenNode write for a DOMAIN, which has no value.
 pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     let text = if is_string { text } else { text.trim_ascii() };
-    Some(text).filter(|text| !text.is_empty())
+    let is_filler = data_type == Some(DataType::DOMAIN) && text == "0";
+    Some(text).filter(|text| !text.is_empty() && !is_filler)
 }
 
 /// The value of a text. Blanks between the bytes of an OCTET_STRING are no quirk: without them CANopenEditor reads

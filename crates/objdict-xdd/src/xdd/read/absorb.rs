@@ -1,6 +1,5 @@
 //! Moves the properties of an entry from its parameter to the entry; the rest stays in the parameter.
 
-use super::entry::value_type;
 use super::parameters::Definitions;
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
@@ -24,7 +23,7 @@ pub(crate) fn absorb(
     name(entry, &mut parameter.labels);
     let template = definitions.template(parameter);
     access(entry, parameter, template);
-    let data_type = value_type(entry);
+    let data_type = entry.implied_type();
     let mut values = Values { entry, data_type, place, findings };
     values.take(parameter, definitions);
     if let Some(template) = template {

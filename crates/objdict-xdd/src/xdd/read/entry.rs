@@ -1,7 +1,7 @@
 //! The attributes of objects and sub-objects.
 
 use crate::diagnostic::Findings;
-use crate::model::{DataType, Entry, ObjectType, StackOptions};
+use crate::model::{Entry, StackOptions};
 use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, hex};
 use crate::xdd::schema::{At, OBJECT};
@@ -101,7 +101,7 @@ impl<'a> EntryAttributes<'a> {
 
     /// Reads the values of an entry whose data type is known.
     pub(crate) fn read_values(&self, entry: &mut Entry, findings: &mut Findings) {
-        let data_type = value_type(entry);
+        let data_type = entry.implied_type();
         for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
             let (At::Value(place), Some(attribute)) = (known.at, attribute) else { continue };
             let text = Text::of(attribute);
@@ -111,13 +111,5 @@ impl<'a> EntryAttributes<'a> {
                 Err(reason) => entry.invalid_values.push(place.field(), &text.text, reason),
             }
         }
-    }
-}
-
-/// The data type of the values of an entry: for object type DOMAIN always DOMAIN.
-pub(crate) fn value_type(entry: &Entry) -> Option<DataType> {
-    match (entry.data_type, entry.object_type) {
-        (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
-        (data_type, _) => data_type,
     }
 }

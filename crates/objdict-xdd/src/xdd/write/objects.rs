@@ -94,9 +94,11 @@ fn unstated(entry: &Entry, text: &str) -> Option<String> {
     (entry.object_type == Some(ObjectType::Domain)).then(|| text.to_owned())
 }
 
-/// The text of a value, or the invalid text.
+/// The text of a value, or the invalid text. CiA 311 knows no default of a DOMAIN.
 pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
+    let is_domain = entry.implied_type() == Some(DataType::DOMAIN);
     match value {
+        _ if is_domain && *field == Field::DefaultValue => None,
         Some(value) => Some(print(index, entry.data_type, value)),
         None => entry.invalid_values.get(field).map(|invalid| invalid.text.to_string()),
     }
