@@ -49,6 +49,19 @@ fn xml_files() -> Vec<PathBuf> {
         .concat()
 }
 
+/// CiA 311 knows no default of a DOMAIN.
+fn without_defaults_of_domains(device: &Device) -> Device {
+    let mut device = device.clone();
+    for object in device.objects.values_mut() {
+        let entries = object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]);
+        for entry in entries.filter(|entry| entry.implied_type() == Some(DataType::DOMAIN)) {
+            entry.default = None;
+            entry.invalid_values.retain(|invalid| invalid.field != Field::DefaultValue);
+        }
+    }
+    device
+}
+
 #[test]
 fn what_was_read_is_written_and_read_again() {
     for path in xml_files() {
@@ -59,7 +72,7 @@ fn what_was_read_is_written_and_read_again() {
             assert!(again.tree().unwrap().is_complete(), "{}", path.display());
             // 1.0 has no place for what 1.1 added
             let added = ["/module_objects", "/manager/", "/application/"];
-            let lost = paths(first.device(), again.device());
+            let lost = paths(&without_defaults_of_domains(first.device()), again.device());
             let lost = lost.iter().filter(|path| {
                 version == XddVersion::V1_1 || !added.iter().any(|added| path.starts_with(added))
             });
@@ -94,7 +107,7 @@ const NO_FIELD: [&str; 6] = [
 #[test]
 fn an_eds_loses_nothing_that_cia_311_has_a_place_for() {
     for path in support::good_devices() {
-        let device = open(&path).into_device().expanded().into_owned();
+        let device = without_defaults_of_domains(&open(&path).into_device().expanded());
         let again = read(&write(&device, XddVersion::V1_1), format_of(&device));
         for path_of in paths(&device, again.device()) {
             let is_known = NO_PLACE.iter().any(|start| path_of.starts_with(start))
@@ -479,7 +492,7 @@ proptest! {
 
     #[test]
     fn objects_of_any_device_come_back(device in device(Texts::Ascii)) {
-        let device = device.expanded().into_owned();
+        let device = without_defaults_of_domains(&device.expanded());
         let again = read(&write(&device, XddVersion::V1_1), format_of(&device)).into_device();
         for (index, object) in &device.objects {
             let back = again.object(*index).unwrap();
