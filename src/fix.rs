@@ -265,6 +265,10 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
         let number = self.description.number();
         let description = format::read(source, self.description.format()).select(number)?;
+        // rules may be switched off
+        if !description.is_as_valid_as(self.description) {
+            return None;
+        }
         let findings = (self.check)(&description);
         Counts::of(&findings).is_better_than(&self.before, &fixed).then_some((description, findings))
     }

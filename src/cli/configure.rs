@@ -55,6 +55,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         let options = WriteOptions { embed: true, ..args.dialect.options() };
         configured.bytes =
             format::write(&configured.device, Format::Dcf, &options).map_err(Failure::new)?.bytes;
+        tell("note: the file is written anew for the dialect, without comments\n");
     } else if !configured.is_edited {
         tell(
             "note: the text has no place for these settings, so the file is written anew, without comments\n",

@@ -46,8 +46,8 @@ impl Description {
         if let Some(info) = &mut device.file_info {
             info.file_name = Some(file_name.to_owned());
         }
-        let edited =
-            self.with_values(&device).map(|description| description.to_node(file_name, settings.node));
+        let edited = self.with_values(&device).filter(|description| description.is_as_valid_as(self));
+        let edited = edited.map(|description| description.to_node(file_name, settings.node));
         if let Some(bytes) = edited.transpose()? {
             return Ok(ConfiguredFile { bytes, device, is_edited: true });
         }

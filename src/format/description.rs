@@ -1,6 +1,7 @@
 //! A description that was read: the device together with the text that it came from.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 #[cfg(all(feature = "json", feature = "xdd"))]
@@ -215,21 +216,25 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => {
                 // in a malformed text a reader may look for the node in another place
-                let edited = xdd::to_xdc(tree, file_name, node)
-                    .filter(|edited| edited.as_ref().map_or(true, |bytes| self.has_node(bytes, node)));
+                let edited = xdd::to_xdc(tree, file_name, node).filter(|edited| {
+                    edited.as_ref().map_or(true, |bytes| self.can_become(bytes, Some(node)))
+                });
                 edited.unwrap_or_else(|| self.anew(file_name, Some(node)))
             }
         }
     }
 
-    /// Whether a reader finds the node in an edited text.
+    /// Whether an edited text is as valid as this one, and a reader finds the node in it, or none.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    fn has_node(&self, bytes: &[u8], node: &Commissioning) -> bool {
+    fn can_become(&self, bytes: &[u8], node: Option<&Commissioning>) -> bool {
         let mut options = crate::source::SourceOptions::default();
         (options.encoding, options.max_size) = (Some(self.source().encoding()), u64::MAX);
         let source = SourceFile::from_bytes(self.source().name(), bytes.to_vec(), &options);
-        let read = source.map(|source| Self::read(source, Format::Xdc).into_device().commissioning);
-        read.is_ok_and(|read| read.is_some_and(|read| read.node_id == node.node_id))
+        let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
+        source.map(|source| Self::read(source, format)).is_ok_and(|read| {
+            let node_id = |node: Option<&Commissioning>| node.and_then(|node| node.node_id);
+            read.is_as_valid_as(self) && node_id(read.device.commissioning.as_ref()) == node_id(node)
+        })
     }
 
     /// The bytes of this text as the description of a device type, called `file_name`: without the node and the values
@@ -242,7 +247,11 @@ impl Description {
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
             #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) => xdd::to_xdd(tree, file_name).unwrap_or_else(|| self.anew(file_name, None)),
+            Text::Xml(tree, _) => {
+                let edited = xdd::to_xdd(tree, file_name)
+                    .filter(|edited| edited.as_ref().map_or(true, |bytes| self.can_become(bytes, None)));
+                edited.unwrap_or_else(|| self.anew(file_name, None))
+            }
         }
     }
 
@@ -345,6 +354,29 @@ impl Description {
             eds::portability::check(document, device, &mut findings);
         }
         findings
+    }
+
+    /// What validation with the schema of CiA 311 refuses in the text of an XDD or XDC.
+    pub fn violations(&self) -> Findings {
+        match &self.text {
+            Text::Ini(..) => Findings::new(),
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, _) => xdd::findings::violations(tree),
+        }
+    }
+
+    /// Whether validation refuses nothing in the text that it does not refuse in another one of this description.
+    pub(crate) fn is_as_valid_as(&self, other: &Self) -> bool {
+        let count = |description: &Self| {
+            let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
+            description.violations().iter().for_each(|found| *counts.entry(found.rule.id).or_default() += 1);
+            counts
+        };
+        let now = count(self);
+        now.is_empty() || {
+            let before = count(other);
+            now.iter().all(|(rule, now)| before.get(rule).is_some_and(|before| now <= before))
+        }
     }
 
     /// What the text shows beyond that, healthy or not: the lines of an INI file, the structure of XML. It is not looked

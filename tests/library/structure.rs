@@ -123,15 +123,76 @@ fn xmllint_accepts_what_is_written() {
                 files.push(file);
             }
         }
-        for files in files.chunks(200) {
-            let mut xmllint = Command::new("xmllint");
-            xmllint
-                .args(["--noout", "--huge", "--schema"])
-                .arg(schemas.join(format!("{}.xsd", version.name())));
-            let output = xmllint.args(files).output().unwrap();
-            let text = String::from_utf8_lossy(&output.stderr);
-            let errors: Vec<_> = text.lines().filter(|line| !line.ends_with(" validates")).take(20).collect();
-            assert!(output.status.success(), "{}", errors.join("\n"));
+        assert_valid(&schemas, version, &files);
+    }
+}
+
+fn assert_valid(schemas: &Path, version: XddVersion, files: &[PathBuf]) {
+    for files in files.chunks(200) {
+        let mut xmllint = Command::new("xmllint");
+        xmllint.args(["--noout", "--huge", "--schema"]).arg(schemas.join(format!("{}.xsd", version.name())));
+        let output = xmllint.args(files).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stderr);
+        let errors: Vec<_> = text.lines().filter(|line| !line.ends_with(" validates")).take(20).collect();
+        assert!(output.status.success(), "{}", errors.join("\n"));
+    }
+}
+
+/// A document with an element less, an element more, two in another order, or another value; each element is a line.
+fn changed(text: &str, number: usize) -> String {
+    const VALUES: [&str; 8] = ["", "x y", "1", "-1", "0x10", "true", "12:00:00", "1999-02-30"];
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let whole: Vec<usize> =
+        (0..lines.len()).filter(|&at| lines[at].ends_with("/>") || lines[at].contains("</")).collect();
+    // steps through all lines that are elements of their own
+    let at = whole[number * 7919 % whole.len()];
+    match number % 4 {
+        0 if lines[at].ends_with("/>") => _ = lines.remove(at),
+        1 if lines[at].ends_with("/>") => lines.insert(at, lines[at].clone()),
+        2 if lines[at].ends_with("/>") && lines[at + 1].ends_with("/>") => lines.swap(at, at + 1),
+        _ => {
+            let mut parts: Vec<&str> = lines[at].split('"').collect();
+            let values = parts.len() / 2;
+            if values > 0 {
+                parts[number / 4 % values * 2 + 1] = VALUES[number / 3 % VALUES.len()];
+            }
+            lines[at] = parts.join("\"");
         }
+    }
+    lines.join("\n")
+}
+
+/// What is edited is judged by the table alone, so the schema may not be stricter.
+#[test]
+fn xmllint_accepts_what_has_no_violation() {
+    const MUTANTS: usize = 150;
+    let Some(schemas) = schemas() else { return };
+    let devices: Vec<_> = ["press-402", "all-types"]
+        .map(|name| {
+            let path = support::fixtures().join(format!("xdd/{name}.xdd"));
+            format::open(&path, &SourceOptions::default()).unwrap().into_device()
+        })
+        .into();
+    for version in XddVersion::ALL {
+        let folder = schemas.join(format!("changed-{}", version.name()));
+        fs::remove_dir_all(&folder).ok();
+        fs::create_dir_all(&folder).unwrap();
+        let mut files = Vec::new();
+        for (number, device) in devices.iter().enumerate() {
+            let mut options = WriteOptions::default();
+            options.xdd_version = version;
+            let text =
+                String::from_utf8(format::write(device, Format::Xdd, &options).unwrap().bytes).unwrap();
+            for mutant in 0..MUTANTS {
+                let text = changed(&text, mutant);
+                let source = SourceFile::from_text("changed.xdd", text.as_str());
+                if format::read(source, Format::Xdd).violations().is_empty() {
+                    files.push(folder.join(format!("{number}-{mutant}.xdd")));
+                    fs::write(files.last().unwrap(), text).unwrap();
+                }
+            }
+        }
+        assert!((MUTANTS / 4..MUTANTS * 7 / 4).contains(&files.len()), "{} are valid", files.len());
+        assert_valid(&schemas, version, &files);
     }
 }

@@ -1,6 +1,7 @@
 //! What is fuzzed: every reader, writer and transformer takes any bytes without a panic and keeps its promise about them. The
 //! driver of this package and libFuzzer (`fuzz`) call the same functions.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, LazyLock};
 
 use objdict::compare::differences;
@@ -85,6 +86,8 @@ fn fix(format: Format, bytes: &[u8]) {
         let Some(description) = read(format, bytes) else { return };
         let once = objdict::fix(description, safety, objdict::check);
         assert!(!once.is_unfinished, "fixes come to an end");
+        let Some(before) = read(format, bytes) else { return };
+        assert!(is_as_valid(&before, &once.description), "fixes do not violate CiA 311");
         let once = once.bytes();
         let Some(description) = read(format, &once) else { return };
         let twice = objdict::fix(description, safety, objdict::check);
@@ -97,6 +100,14 @@ fn fix(format: Format, bytes: &[u8]) {
             "reports offer nothing"
         );
     }
+}
+
+/// Whether a text has no violation of a rule that another one does not have.
+fn is_as_valid(before: &Description, after: &Description) -> bool {
+    let rules = |description: &Description| -> BTreeSet<&str> {
+        description.violations().iter().map(|found| found.rule.id).collect()
+    };
+    rules(after).is_subset(&rules(before))
 }
 
 fn arrange(format: Format, bytes: &[u8]) {
@@ -139,8 +150,9 @@ fn configured(format: Format, bytes: &[u8]) {
         let parts = NodeSettings { node: &node, plugged: None, assignments: &assignments };
         let Ok(configured) = description.configured("node.dcf", &parts) else { continue };
         let to = if format == Format::Eds || format == Format::Dcf { Format::Dcf } else { Format::Xdc };
-        let read = read(to, &configured.bytes).map(Description::into_device);
-        assert_eq!(read.and_then(|device| device.node_id()), Some(5), "the file says what was configured");
+        let Some(read) = read(to, &configured.bytes) else { continue };
+        assert_eq!(read.device().node_id(), Some(5), "the file says what was configured");
+        assert!(is_as_valid(&description, &read), "values do not violate CiA 311");
     }
 }
 
