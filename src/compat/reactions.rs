@@ -117,6 +117,8 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/low-limit-above-high", NODE, Refused, "the file is refused")
         .when("of numbers", |_, finding| !finding.message.shown().contains("$NODEID")),
+    row("cia306/missing-header", PYTHON, Refused, "the file is refused"),
+    row("cia306/missing-header", NODE, Wrong, "the keys are read into the section above"),
     row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
         "`DataType` or `AccessType`, except in modules",

@@ -2,6 +2,7 @@
 
 use super::Subject;
 use crate::diagnostic::{At, Diagnostic, Reach, Severity};
+use crate::model::ObjectList;
 use crate::source::Span;
 
 /// The findings without those that others among them explain.
@@ -44,6 +45,11 @@ enum Extent {
 }
 
 impl Extent {
+    /// An object, and what names it.
+    fn named(index: u16) -> Self {
+        Self::Header(0, 0, Some(index), format!("{index:04X}h"))
+    }
+
     fn covers(&self, finding: &Diagnostic, span: Span, section: usize) -> bool {
         match self {
             Self::All => true,
@@ -67,6 +73,10 @@ struct Places<'a> {
     spans: Vec<Span>,
     /// Where the headers of sections start.
     headers: Vec<u32>,
+    /// The only object that is listed or has sub-indexes, and has no section of its own.
+    lost: Option<u16>,
+    /// The objects that are not listed.
+    unlisted: Vec<u16>,
     /// Where the last marks of merge conflicts start.
     conflict_ends: Vec<u32>,
 }
@@ -84,6 +94,8 @@ impl<'a> Places<'a> {
             has_no_objects: subject.description().is_some_and(|read| read.device().objects.is_empty()),
             spans: findings.iter().map(span).collect(),
             headers: starts("\n["),
+            lost: only(findings.iter().filter_map(lost_object)),
+            unlisted: of_rule(findings, "object-not-listed").filter_map(index_of).collect(),
             conflict_ends: starts("\n>>>>>>>"),
         }
     }
@@ -100,7 +112,18 @@ impl<'a> Places<'a> {
             Reach::NoObjects => self.has_no_objects.then_some(Extent::All),
             Reach::Around => Some(Extent::At(cause.start)),
             Reach::Section => Some(Extent::Section(self.section(cause))),
-            Reach::Object => index_of(finding).map(Extent::Object).or_else(|| self.object_of(cause)),
+            Reach::Object => match (index_of(finding), self.index_of_section(cause)) {
+                (Some(index), _) => Some(Extent::Object(index)),
+                (None, Some(index)) => Some(Extent::named(index)),
+                (None, None) => self.object_of(cause),
+            },
+            Reach::Lost => self.lost.map(Extent::named),
+            Reach::List => {
+                let name = self.header_above(cause)?;
+                let list = ObjectList::ALL.into_iter().find(|list| list.name().eq_ignore_ascii_case(name));
+                let unlisted = self.unlisted.iter().copied();
+                only(unlisted.filter(|&index| ObjectList::of(index) == list)).map(Extent::Object)
+            }
             Reach::Value => value_of(line()).map(Extent::Object),
             Reach::Conflict if line().starts_with("<<<<<<<") => {
                 let next = self.conflict_ends.partition_point(|&end| end < cause.start);
@@ -116,6 +139,16 @@ impl<'a> Places<'a> {
             }
             Reach::Conflict | Reach::Header => None,
         }
+    }
+
+    /// The name in the header above a place; `None` in an XDD.
+    fn header_above(&self, cause: Span) -> Option<&str> {
+        let header = *self.headers.get(self.section(cause).checked_sub(1)?)?;
+        line(self.text, header + 1).strip_prefix('[')?.split(']').next().map(str::trim)
+    }
+
+    fn index_of_section(&self, cause: Span) -> Option<u16> {
+        u16::from_str_radix(self.header_above(cause)?.get(..4)?, 16).ok()
     }
 
     fn object_of(&self, cause: Span) -> Option<Extent> {
@@ -135,6 +168,28 @@ fn value_of(line: &str) -> Option<u16> {
 /// The text of a line from an offset.
 fn line(text: &str, offset: u32) -> &str {
     text.get(offset as usize..).and_then(|rest| rest.lines().next()).unwrap_or_default()
+}
+
+fn of_rule<'a>(findings: &'a [Diagnostic], name: &'a str) -> impl Iterator<Item = &'a Diagnostic> {
+    findings.iter().filter(move |finding| finding.rule.name() == name)
+}
+
+/// The object whose section a finding misses.
+fn lost_object(finding: &Diagnostic) -> Option<u16> {
+    match finding.rule.id {
+        "cia306/sub-without-object" => index_of(finding),
+        "cia306/listed-object-missing" => {
+            let message = finding.message.shown();
+            u16::from_str_radix(message.get(..4)?, 16).ok()
+        }
+        _ => None,
+    }
+}
+
+/// What all items are; `None` where they differ, or are none.
+fn only(mut items: impl Iterator<Item = u16>) -> Option<u16> {
+    let first = items.next()?;
+    items.all(|item| item == first).then_some(first)
 }
 
 fn index_of(finding: &Diagnostic) -> Option<u16> {
@@ -181,6 +236,10 @@ mod tests {
             (eds.replacen("[FileInfo]", "50[FileInfo]", 1), "cia306/junk-line"),
             (eds.replacen("[1003sub2]", "1003sub2]", 1), "cia306/junk-line"),
             (eds.replacen("[1008]", "50[1008]", 1), "cia306/junk-line"),
+            (eds.replacen("[1003sub2]\n", "", 1), "cia306/missing-header"),
+            (eds.replacen("[1008]\n", "", 1), "cia306/missing-header"),
+            (eds.replacen("\n2=0x1001\n", "\n", 1), "cia306/list-numbering"),
+            (eds.replacen("\n3=0x1018\n", "\n", 1), "cia306/wrong-count"),
             (eds.replacen("ObjectType=0x7\n", "ObjectType 0x7\n", 1), "cia306/junk-line"),
             (eds.replacen("AccessType=ro\n", "AccessType ro\n", 1), "cia306/junk-line"),
             (eds.replacen("\n5=0x1010\n", "\n5 0x1010\n", 1), "cia306/junk-line"),

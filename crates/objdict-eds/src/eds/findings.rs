@@ -10,14 +10,15 @@ use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub(super) use raise::{
     DuplicateKind, date_spelling, duplicate_key, duplicate_section, invalid_list_entry, list_numbering,
-    misspelt_key, misspelt_section, quoted_name, repeated_number, section_spelling, stray_compact_entry,
-    stray_compact_section, unknown_key, unknown_section, wrong_count,
+    missing_header, misspelt_key, misspelt_section, quoted_name, repeated_number, section_spelling,
+    stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
 };
 
 /// Every rule of this module.
 pub static RULES: &[&RuleInfo] = &[
     &DUPLICATE_SECTION,
     &DUPLICATE_KEY,
+    &MISSING_HEADER,
     &UNKNOWN_SECTION,
     &UNKNOWN_KEY,
     &MISSPELT_SECTION,
@@ -56,6 +57,28 @@ text_rule! {
     why: "Some tools read the first value, some the last one, some refuse the file.",
     example: "`DefaultValue=4` and later `DefaultValue=5`",
     remedy: "Keep one of them.",
+    source: "CiA 306-1 §4.2",
+}
+
+text_rule! {
+    // the keys belong to another sub-index of the same object, or to an object that is listed or has sub-indexes
+    MISSING_HEADER = "cia306/missing-header", Error,
+        explains Section ["unknown-key", "unsupported-key", "invalid-value", "value-outside-limits"],
+        explains File ["wrong-pdo-count"],
+        explains Object [
+            "sub-number-mismatch", "missing-sub-0", "missing-sub-index", "wrong-highest-sub-index", "gap-in-mapping",
+            "gap-in-array", "wrong-mapping-count", "incomplete-pdo-parameter", "incomplete-sdo-parameter",
+            "mapped-object-missing", "missing-vendor-id", "lss-without-identity"
+        ],
+        explains Lost [
+            "listed-object-missing", "sub-without-object", "mapped-object-missing", "link-to-missing-object",
+            "stray-compact-section", "missing-mandatory-object", "missing-object", "pdo-without-mapping"
+        ];
+    summary: "the header of a section is missing",
+    checks: "Whether the keys of an object or sub-index begin anew inside a section: `ParameterName`, or a key below an empty line, is defined again, and so is one of the next three. The keys are reported once, not each as defined twice.",
+    why: "The object or sub-index does not exist for readers, and its keys are read into the section above, or the file is refused.",
+    example: "`[1000]` with its keys, an empty line, and the keys of `[1001]` without this header",
+    remedy: "Write the header above the first repeated key.",
     source: "CiA 306-1 §4.2",
 }
 
@@ -130,7 +153,7 @@ text_rule! {
 }
 
 text_rule! {
-    WRONG_COUNT = "cia306/wrong-count", Error, fix Safe;
+    WRONG_COUNT = "cia306/wrong-count", Error, fix Safe, explains List ["object-not-listed"];
     summary: "a count does not match the number of entries",
     checks: "Whether `SupportedObjects`, `NrOfEntries`, `Lines`, `ObjectLinks`, `NrOfSeg` and `Items` equal the number of numbered keys that follow. All keys are read, regardless of the count. An empty section `[DynamicChannels]` of a device without dynamic channels is a note.",
     why: "Tools that rely on the count do not see the entries above it.",
@@ -141,7 +164,8 @@ text_rule! {
 
 text_rule! {
     // a number is missing, and so is the entry
-    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe, explains Section ["wrong-count"];
+    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe,
+        explains Section ["wrong-count"], explains List ["object-not-listed"];
     summary: "the keys of a list are not consecutive",
     checks: "Whether the keys of a list are decimal numbers from 1 without gaps, and those of comments `Line1` and so on; the latter is a warning.",
     why: "Tools that count from 1 stop at the gap.",

@@ -79,7 +79,7 @@ text_rule! {
     JUNK_LINE = "cia306/junk-line", Error, fix Mixed,
         explains Conflict ["duplicate-key"],
         explains Header [
-            "key-before-section", "duplicate-key", "unknown-key", "unsupported-key", "missing-section",
+            "key-before-section", "duplicate-key", "missing-header", "unknown-key", "unsupported-key", "missing-section",
             "listed-object-missing", "sub-without-object", "sub-number-mismatch", "missing-sub-0",
             "missing-sub-index", "wrong-highest-sub-index", "mapped-object-missing", "gap-in-mapping", "gap-in-array",
             "wrong-mapping-count", "incomplete-pdo-parameter", "incomplete-sdo-parameter"

@@ -50,8 +50,12 @@ pub enum Reach {
     Around,
     /// In the section of an EDS or DCF that the cause is in.
     Section,
-    /// At the object of the cause; of a cause that only the text shows, in the element of an XDD or XDC that it is in.
+    /// At the object of the cause; of a cause that only the text shows, at that of its section, or in that element of an XDD or XDC.
     Object,
+    /// At the only object that is listed or has sub-indexes, and has no section of its own.
+    Lost,
+    /// At the only object that belongs in the object list of the cause and is not listed.
+    List,
     /// At the object that the line of the cause names as its value.
     Value,
     /// Between the marks of a merge conflict, the first of which is the cause.

@@ -2,8 +2,8 @@
 
 use super::{
     COMMISSIONING_SPELLING, DATE_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY,
-    LIST_NUMBERING, MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING, STRAY_COMPACT_SECTION, UNKNOWN_KEY,
-    UNKNOWN_SECTION, WRONG_COUNT,
+    LIST_NUMBERING, MISSING_HEADER, MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING, STRAY_COMPACT_SECTION,
+    UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::keys::Key;
@@ -30,6 +30,18 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
         .label(first.name_at, "first here")
         .help("remove one of the two lines")
         .fix(remove_line(item, same))
+}
+
+/// The keys of another section begin with `item`, which repeats `first`, in the section `name`.
+pub(in crate::eds) fn missing_header(name: &str, item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
+    let message = say!(
+        "`{}` begins another section inside `[{}]`: the header is missing above this line",
+        item.name,
+        name
+    );
+    Diagnostic::new(&MISSING_HEADER, item.name_at, message)
+        .label(first.name_at, "the key of this section")
+        .help("write the header above this line")
 }
 
 /// `item` of a list has the number of `other`, and only `number` is left for it.

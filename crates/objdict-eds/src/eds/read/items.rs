@@ -103,6 +103,7 @@ impl<'a> Items<'a> {
     pub(crate) fn each_with(&mut self, renumbered: Option<Span>, mut take: impl FnMut(&mut Self, &Item<'a>)) {
         let mut seen = KeySet::default();
         let mut others = Others::default();
+        let mut is_other_section = false;
         for (position, entry) in self.section.entries.iter().enumerate() {
             let mut item = self.item_of(entry);
             if renumbered == Some(item.name_at) {
@@ -119,8 +120,9 @@ impl<'a> Items<'a> {
             };
             if is_new {
                 take(self, &item);
-            } else {
-                self.duplicate(position, &item);
+            } else if !is_other_section {
+                is_other_section = self.begins_section(position, &item, &seen);
+                self.duplicate(position, &item, is_other_section);
             }
         }
     }
@@ -141,7 +143,20 @@ impl<'a> Items<'a> {
         misspelt::key(part, item.name).filter(|&meant| !keys.contains(meant))
     }
 
-    fn duplicate(&mut self, position: usize, item: &Item<'a>) {
+    /// Whether the keys of another object or sub-index begin at a repeated key, because its header is missing.
+    fn begins_section(&self, position: usize, item: &Item<'a>, seen: &KeySet) -> bool {
+        let mut next = self.section.entries.iter().skip(position + 1).take(3);
+        let repeats =
+            next.any(|entry| Key::find(entry.key.of(self.text)).is_some_and(|key| seen.contains(key)));
+        let before = &self.text[..item.name_at.start as usize];
+        let line = before.trim_end_matches([' ', '\t']);
+        let is_below_empty_line = ["\n\n", "\r\n\r\n", "\r\r"].iter().any(|end| line.ends_with(end));
+        (is_below_empty_line || item.field() == Some(&Field::ParameterName))
+            && repeats
+            && matches!(SectionName::parse(self.section_name()).part, Part::Object(_) | Part::Entry(..))
+    }
+
+    fn duplicate(&mut self, position: usize, item: &Item<'a>, is_other_section: bool) {
         // the search for the first one would take quadratic time in a file of duplicates
         if self.findings.is_full(&findings::DUPLICATE_KEY) {
             return;
@@ -149,7 +164,10 @@ impl<'a> Items<'a> {
         let first =
             (0..position).map(|at| self.item(at)).find(|first| first.name.eq_ignore_ascii_case(item.name));
         if let Some(first) = first {
-            self.findings.push(findings::duplicate_key(item, &first));
+            self.findings.push(match is_other_section {
+                true => findings::missing_header(self.section_name(), item, &first),
+                false => findings::duplicate_key(item, &first),
+            });
         }
     }
 

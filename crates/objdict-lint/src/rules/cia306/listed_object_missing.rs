@@ -3,7 +3,7 @@ use crate::model::{Device, Field, ObjectList, Part, Place};
 use crate::{ListFixes, rule};
 
 rule! {
-    "cia306/listed-object-missing", Error, Device(check), fix Mixed;
+    "cia306/listed-object-missing", Error, Device(check), fix Mixed, explains Section ["unknown-key"];
     summary: "a list contains an object that is not described",
     checks: "Whether each index of the three lists has its section. `CompactPDO` makes no exception: implied PDOs are not listed.",
     why: "Most readers stop at such a list entry, or show an object without name and type.",

@@ -4,7 +4,10 @@ use crate::{rule, stated};
 
 rule! {
     "cia306/sub-number-mismatch", Error, Object(check), fix Mixed,
-        explains Object ["wrong-highest-sub-index"];
+        explains Object [
+            "wrong-highest-sub-index", "gap-in-mapping", "gap-in-array", "missing-sub-index", "wrong-mapping-count",
+            "incomplete-pdo-parameter", "incomplete-sdo-parameter"
+        ];
     summary: "`SubNumber` does not match the described sub-indexes",
     checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT equals the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
     why: "Readers that count do not see the last sub-indexes, or look for missing ones.",

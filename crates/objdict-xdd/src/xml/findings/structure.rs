@@ -9,7 +9,9 @@ text_rules! {
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
         "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
         "missing-sub-index", "mapped-object-missing", "pdo-without-mapping", "wrong-mapping-count",
-        "incomplete-pdo-parameter", "device-type-without-channels"
+        "incomplete-pdo-parameter", "device-type-without-channels", "wrong-object-count", "dangling-parameter-ref",
+        "dangling-function-ref", "duplicate-label", "wrong-order", "emergency-without-cob-id",
+        "controlword-not-mapped", "unbound-prefix"
     ];
     summary: "an element has no end tag",
     checks: "Whether each start tag has its end tag before the parent element or the file ends.",
@@ -24,7 +26,9 @@ text_rules! {
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
         "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
         "missing-sub-index", "mapped-object-missing", "pdo-without-mapping", "wrong-mapping-count",
-        "incomplete-pdo-parameter", "device-type-without-channels"
+        "incomplete-pdo-parameter", "device-type-without-channels", "wrong-object-count", "dangling-parameter-ref",
+        "dangling-function-ref", "duplicate-label", "wrong-order", "emergency-without-cob-id",
+        "controlword-not-mapped", "unbound-prefix"
     ];
     summary: "an end tag does not match a start tag",
     checks: "Whether each end tag has the name of the element that it closes. A name that differs only in case or prefix closes the open element; other end tags without a matching start tag are ignored.",
