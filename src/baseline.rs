@@ -1,11 +1,18 @@
 //! Findings that are known: a check with a baseline reports what came since (docs/config.md).
 
 use std::collections::{BTreeMap, BTreeSet};
+#[cfg(feature = "lint")]
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+#[cfg(feature = "lint")]
+use crate::config::absolute;
 use crate::diagnostic::Findings;
 use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
+
+/// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
+pub(crate) const MAX_SIZE: u64 = 16 << 20;
 
 /// The version of the file.
 const VERSION: u32 = 1;
@@ -134,6 +141,33 @@ impl Baseline {
     }
 }
 
+/// The folder that the names in a baseline start from.
+#[cfg(feature = "lint")]
+pub(crate) fn folder_of(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    path.parent().unwrap_or(&path).to_owned()
+}
+
+/// What a file is called from the folder of a baseline, with `/` between folders.
+#[cfg(feature = "lint")]
+pub(crate) fn name_in(baseline: &Path, file: &str) -> String {
+    if file.starts_with('<') {
+        // the standard input
+        return file.to_owned();
+    }
+    let (folder, path) = (folder_of(baseline), absolute(Path::new(file)));
+    let mut up = String::new();
+    for ancestor in folder.ancestors() {
+        if let Ok(below) = path.strip_prefix(ancestor) {
+            let names: Vec<_> = below.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+            return up + &names.join("/");
+        }
+        up.push_str("../");
+    }
+    // on another drive
+    path.display().to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,5 +226,15 @@ mod tests {
         }
         let text = baseline(BROKEN).write().replacen("\"fingerprint\":\"", "\"fingerprint\":\"z", 1);
         assert!(Baseline::read(&text).is_err());
+    }
+
+    #[cfg(feature = "lint")]
+    #[test]
+    fn files_are_called_from_the_folder_of_the_baseline() {
+        let name = |baseline: &str, file: &str| name_in(Path::new(baseline), file);
+        assert_eq!(name("/a/ci/known.json", "/a/ci/x/b.eds"), "x/b.eds");
+        assert_eq!(name("/a/ci/known.json", "/a/b.eds"), "../b.eds");
+        assert_eq!(name("known.json", "x/../b.eds"), "b.eds");
+        assert_eq!(name("known.json", "<stdin>"), "<stdin>");
     }
 }

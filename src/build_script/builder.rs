@@ -55,7 +55,7 @@ impl Builder {
         self
     }
 
-    /// Whether to generate even if the description has errors. They become warnings of the build.
+    /// Whether to generate even where errors in the description make the tables wrong. They become warnings of the build.
     pub fn force(mut self, force: bool) -> Self {
         self.request.force = force;
         self
@@ -152,9 +152,18 @@ impl Builder {
         self.severity(rules, Level::Off)
     }
 
-    /// The lowest severity of a finding that stops the generation; without it, errors do.
+    /// The lowest severity of a finding that stops the generation. Without it, only errors do that make a table wrong: type,
+    /// access or value of an entry is unknown, or it is described twice.
     pub fn deny(mut self, severity: Severity) -> Self {
         self.request.deny = Some(severity);
+        self
+    }
+
+    /// A file of findings that are known, as `objdict check --write-baseline` writes it: they neither stop the generation nor
+    /// become warnings.
+    #[cfg(all(feature = "json", feature = "lint"))]
+    pub fn baseline(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.baseline = Some(file.as_ref().to_owned());
         self
     }
 
@@ -174,6 +183,7 @@ impl Builder {
     }
 
     /// The number of warnings of the check, and of notes of each target, that Cargo shows; the rest is counted. Without it, 20.
+    /// Errors of the check are all shown.
     pub fn max_warnings(mut self, most: usize) -> Self {
         self.max_warnings = most;
         self
@@ -224,11 +234,15 @@ impl Builder {
         cargo: &mut Cargo<impl Write>,
     ) -> io::Result<()> {
         let file = self.request.file.display();
-        let of_file = judged.findings.iter().filter(|finding| finding.severity >= Severity::Warning);
-        let of_file = of_file.map(|finding| {
-            with_advice(judged.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
-        });
-        cargo.warn(self.max_warnings, judged.of_config.iter().cloned().chain(of_file), |count| {
+        let of_file = |severity| {
+            let of_severity = judged.findings.iter().filter(move |finding| finding.severity == severity);
+            of_severity.map(|finding| {
+                with_advice(judged.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
+            })
+        };
+        cargo.warn(usize::MAX, of_file(Severity::Error), |_| String::new())?;
+        let warnings = judged.of_config.iter().cloned().chain(of_file(Severity::Warning));
+        cargo.warn(self.max_warnings, warnings, |count| {
             let warnings = counted(count, "more warning", "more warnings");
             format!("{file}: {warnings}; run `objdict check`")
         })?;

@@ -7,14 +7,10 @@ use clap::Args;
 
 use super::save::{keep, save};
 use super::{Failure, note};
-use crate::baseline::Baseline;
-use crate::config::absolute;
+use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
 use crate::diagnostic::{Findings, counted};
 use crate::report::{Subject, plural};
 use crate::source::read_text;
-
-/// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
-const MAX_SIZE: u64 = 16 << 20;
 
 /// Findings that are known.
 #[derive(Debug, Args)]
@@ -108,49 +104,8 @@ impl Known {
 
 fn read(path: &Path) -> Result<Baseline, Failure> {
     keep(path);
-    let text = read_text(path, MAX_SIZE).map_err(|error| {
-        Failure::new(error).help(format!("`--write-baseline {}` writes it", path.display()))
-    })?;
-    Baseline::read(&text).map_err(|error| {
-        let failure = Failure::new(format_args!("`{}` {error}", path.display()));
-        failure.help(format!("`--write-baseline {}` writes it anew", path.display()))
-    })
-}
-
-fn folder_of(path: &Path) -> PathBuf {
-    let path = absolute(path);
-    path.parent().unwrap_or(&path).to_owned()
-}
-
-/// What a file is called from the folder of a baseline, with `/` between folders.
-fn name_in(baseline: &Path, file: &str) -> String {
-    if file.starts_with('<') {
-        // the standard input
-        return file.to_owned();
-    }
-    let (folder, path) = (folder_of(baseline), absolute(Path::new(file)));
-    let mut up = String::new();
-    for ancestor in folder.ancestors() {
-        if let Ok(below) = path.strip_prefix(ancestor) {
-            let names: Vec<_> = below.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-            return up + &names.join("/");
-        }
-        up.push_str("../");
-    }
-    // on another drive
-    path.display().to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn files_are_called_from_the_folder_of_the_baseline() {
-        let name = |baseline: &str, file: &str| name_in(Path::new(baseline), file);
-        assert_eq!(name("/a/ci/known.json", "/a/ci/x/b.eds"), "x/b.eds");
-        assert_eq!(name("/a/ci/known.json", "/a/b.eds"), "../b.eds");
-        assert_eq!(name("known.json", "x/../b.eds"), "b.eds");
-        assert_eq!(name("known.json", "<stdin>"), "<stdin>");
-    }
+    let help = || format!("`--write-baseline {}` writes it", path.display());
+    let text = read_text(path, MAX_SIZE).map_err(|error| Failure::new(error).help(help()))?;
+    let invalid = |error| Failure::new(format_args!("`{}` {error}", path.display())).help(help() + " anew");
+    Baseline::read(&text).map_err(invalid)
 }

@@ -17,7 +17,7 @@ use crate::download::ConciseDcf;
 use crate::format::ReadError;
 use crate::generate::Target;
 use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
-use crate::report::Tally;
+use crate::report::{Tally, plural};
 use crate::source::{self, DEFAULT_MAX_SIZE};
 
 /// The mark of objdict is in so many bytes at the start of a file.
@@ -147,6 +147,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         reading: args.input.reading(),
         judging: args.config.judging(&args.profiles),
         deny: args.deny.map(Severity::from),
+        baseline: args.baseline.clone(),
         implicit_pdos: args.expand.implicit_pdos,
         force: args.force,
         targets: targets.map_err(Failure::new)?,
@@ -184,10 +185,14 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
 fn facts(judged: &Judged, generation: &Generation) -> String {
     let mut tally = Tally::default();
     tally.add(&judged.findings);
-    let found = match (tally.errors, tally.warnings + judged.of_config.len()) {
+    let warnings = tally.warnings + judged.of_config.len();
+    let found = match (tally.errors, warnings) {
         (0, 0) => "no errors".to_owned(),
-        (0, warnings) => format!("no errors, {warnings} warnings (run `objdict check`)"),
-        (errors, _) => format!("{errors} errors, generated anyway"),
+        (0, _) => format!("no errors, {} (run `objdict check`)", plural(warnings, "warning")),
+        (errors, _) => {
+            let (errors, warnings) = (plural(errors, "error"), plural(warnings, "warning"));
+            format!("{errors} and {warnings} in the description (run `objdict check`)")
+        }
     };
     format!("{} objects, {} entries, {found}", generation.objects, generation.entries)
 }

@@ -4,7 +4,9 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::PathBuf;
 
-use crate::diagnostic::one_line;
+#[cfg(all(feature = "json", feature = "lint"))]
+use crate::baseline::BaselineError;
+use crate::diagnostic::{Findings, one_line};
 use crate::format::ReadError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
@@ -30,13 +32,22 @@ pub enum Error {
     #[cfg(feature = "lint")]
     #[error(transparent)]
     Profile(#[from] OpenError),
-    /// There are errors in the description or in the configuration.
-    #[error("`{file}` has {}, so nothing was generated", plural(*count, noun))]
+    /// A baseline cannot be used.
+    #[cfg(all(feature = "json", feature = "lint"))]
+    #[error("`{}` {error}", path.display())]
+    Baseline {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: BaselineError,
+    },
+    /// Errors in the description make a table wrong, or the configuration has errors.
+    #[error("`{file}` has {}, so nothing was generated", plural(findings.len(), noun))]
     Findings {
-        /// The file that the errors are in.
+        /// The file that they are in.
         file: String,
-        /// How many errors there are.
-        count: usize,
+        /// What stops the generation, errors first.
+        findings: Findings,
         /// `error`, or `finding` if a lower severity stops the generation.
         noun: &'static str,
         /// The errors with their places: excerpts, or a line each where the crate is built without the feature `cli`.
@@ -127,6 +138,10 @@ impl Error {
                 "fix them, lower the severity of a rule with `severity`, or generate anyway with `force`"
                     .to_owned(),
             ),
+            #[cfg(all(feature = "json", feature = "lint"))]
+            Self::Baseline { path, .. } => {
+                Some(format!("`objdict check --write-baseline {}` writes it anew", path.display()))
+            }
             Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => "`objdict rules` lists all".to_owned(),

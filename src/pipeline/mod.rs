@@ -7,6 +7,7 @@ mod error;
 mod save;
 
 use std::borrow::Cow;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,6 +21,8 @@ pub(crate) use self::error::report_lines;
 pub(crate) use self::save::save;
 #[cfg(feature = "cli")]
 pub(crate) use self::save::{Saved, abandon};
+#[cfg(all(feature = "json", feature = "lint"))]
+use crate::baseline::{self, Baseline};
 #[cfg(feature = "lint")]
 use crate::config::{Config, Project};
 use crate::diagnostic::one_line;
@@ -36,9 +39,6 @@ use crate::source::hash;
 #[cfg(feature = "lint")]
 use crate::source::{MAX_TOML_SIZE, read_text};
 
-/// So many errors are shown of a file; the rest is counted.
-const MAX_SHOWN: usize = 50;
-
 /// What is to be made of a description.
 #[derive(Debug, Default)]
 pub(crate) struct Request {
@@ -50,10 +50,13 @@ pub(crate) struct Request {
     pub(crate) judging: Judging,
     /// Whether the PDOs are described that `CompactPDO` implies.
     pub(crate) implicit_pdos: bool,
-    /// Whether to generate although there are errors.
+    /// Whether to generate although tables will be wrong.
     pub(crate) force: bool,
-    /// The lowest severity of a finding that stops it; without it, errors.
+    /// The lowest severity of a finding that stops it, beside those that make a table wrong.
     pub(crate) deny: Option<Severity>,
+    /// A file of findings that are known and neither stop nor count.
+    #[cfg(all(feature = "json", feature = "lint"))]
+    pub(crate) baseline: Option<PathBuf>,
     /// What to generate; what is there twice counts once.
     pub(crate) targets: Vec<Target>,
     /// The options; the names of files, those in the file of names, and the hash are found out.
@@ -152,11 +155,35 @@ impl Request {
         let (mut options, of_config) = (lint::Options::default(), Vec::new());
         options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
         let findings = match &described {
-            Described::Text(description) => grouped(&**description, crate::check_with(description, &options)),
+            Described::Text(description) => {
+                let findings = crate::check_with(description, &options);
+                #[cfg(all(feature = "json", feature = "lint"))]
+                let findings = self.unknown(name, description, findings, files)?;
+                grouped(&**description, findings)
+            }
             #[cfg(feature = "json")]
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
         Ok(Judged { name: name.to_owned(), described, findings, of_config })
+    }
+
+    /// The findings that are not in the baseline.
+    #[cfg(all(feature = "json", feature = "lint"))]
+    fn unknown(
+        &self,
+        name: &str,
+        description: &Description,
+        mut findings: Findings,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<Findings, Error> {
+        if let Some(path) = &self.baseline {
+            files.push(path.clone());
+            let text = read_text(path, baseline::MAX_SIZE)?;
+            let baseline =
+                Baseline::read(&text).map_err(|error| Error::Baseline { path: path.clone(), error })?;
+            baseline.suppress(&baseline::name_in(path, name), description, &mut findings);
+        }
+        Ok(findings)
     }
 
     /// The options of the check, and the problems of the configuration that they come from.
@@ -217,10 +244,10 @@ impl Request {
     /// Everything that is to be written, before anything is.
     ///
     /// # Errors
-    /// When there are errors in the description and `force` is not set, or a target cannot express the device.
+    /// When errors in the description make a table wrong and `force` is not set, or a target cannot express the device.
     pub(crate) fn produce(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Generation, Error> {
         if !self.force {
-            judged.refuse(self.deny.unwrap_or(Severity::Error))?;
+            judged.refuse(|finding| self.is_stopped_by(finding))?;
         }
         let device = judged.device();
         let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
@@ -253,6 +280,11 @@ impl Request {
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
         Ok(Generation { objects: device.objects.len(), entries, outputs, sizes })
+    }
+
+    fn is_stopped_by(&self, finding: &Diagnostic) -> bool {
+        let is_denied = self.deny.is_some_and(|deny| finding.severity >= deny);
+        is_denied || self.targets.iter().any(|target| finding.stops(target.name()))
     }
 
     fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
@@ -319,9 +351,9 @@ impl Judged {
         }
     }
 
-    /// The findings of `deny` or above as a reason to stop.
-    fn refuse(&self, deny: Severity) -> Result<(), Error> {
-        refusal(&self.name, &self.findings, deny, |errors| match &self.described {
+    /// The findings that stop as an error, if there are any.
+    fn refuse(&self, stops: impl Fn(&Diagnostic) -> bool) -> Result<(), Error> {
+        refusal(&self.name, &self.findings, stops, |errors| match &self.described {
             Described::Text(description) => text_of((&**description).into(), errors),
             #[cfg(feature = "json")]
             Described::Model(_) => {
@@ -346,31 +378,28 @@ impl Judged {
 fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
     let findings = options.severities.apply(project.findings.clone());
     let subject = Subject::Text(project.config.source());
-    refusal(subject.source().name(), &findings, Severity::Error, |errors| text_of(subject, errors))?;
+    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+    refusal(subject.source().name(), &findings, is_error, |errors| text_of(subject, errors))?;
     let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
     Ok(warnings.map(|finding| line(subject, finding)).collect())
 }
 
-/// The error that findings of `deny` or above are.
+/// The findings that stop as an error, the worst first.
 fn refusal(
     file: &str,
     findings: &Findings,
-    deny: Severity,
+    stops: impl Fn(&Diagnostic) -> bool,
     shown: impl FnOnce(&Findings) -> String,
 ) -> Result<(), Error> {
-    if findings.worst() < Some(deny) {
+    let mut findings = findings.clone().filter_map(|finding| stops(&finding).then_some(finding));
+    if findings.is_empty() {
         return Ok(());
     }
-    let errors = || findings.iter().filter(|finding| finding.severity >= deny);
-    let mut first = Findings::new();
-    errors().take(MAX_SHOWN).for_each(|error| first.push(error.clone()));
-    let mut report = shown(&first);
-    let count = errors().count();
-    if count > MAX_SHOWN {
-        report.push_str(&format!("{} more findings are not shown\n", count - MAX_SHOWN));
-    }
-    let noun = if deny == Severity::Error { "error" } else { "finding" };
-    Err(Error::Findings { file: file.to_owned(), count, noun, report })
+    findings.sort_by_key(|finding| Reverse(finding.severity));
+    let is_error = findings.iter().all(|finding| finding.severity == Severity::Error);
+    let noun = if is_error { "error" } else { "finding" };
+    let report = shown(&findings);
+    Err(Error::Findings { file: file.to_owned(), findings, noun, report })
 }
 
 fn text_of(subject: Subject<'_>, findings: &Findings) -> String {

@@ -106,7 +106,7 @@ fn an_error_in_the_description_fails_the_build() {
     let (built, cargo) = run(Builder::new(&eds).out_dir(out.path()));
     let error = built.unwrap_err();
     assert_eq!(told(&cargo, "rerun-if-changed"), [eds.display().to_string()]);
-    assert!(matches!(&error, Error::Findings { count: 1, .. }));
+    assert!(matches!(&error, Error::Findings { findings, .. } if findings.len() == 1));
     assert_eq!(error.to_string(), format!("`{}` has 1 error, so nothing was generated", eds.display()));
     let shown = format!("Error: {error:?}\n");
     insta::assert_snapshot!("error", shown);
@@ -139,6 +139,34 @@ fn an_error_can_be_made_milder_or_passed_over() {
         format!("{error:?}"),
         "there is no rule or group `cia306/invalid-valu`\n  help: did you mean `cia306/invalid-value`?"
     );
+}
+
+/// Errors that concern no entry become warnings of the build, before those of the check.
+#[test]
+fn an_error_that_concerns_no_table_is_shown() {
+    let out = TempDir::new().unwrap();
+    let eds = fixture("broken/octal.eds");
+    let builder = || Builder::new(&eds).out_dir(out.path()).no_config().max_warnings(0);
+    let (built, cargo) = run(builder());
+    assert_eq!(names(&built.unwrap()), ["od.rs"]);
+    let shown = told(&cargo, "warning");
+    assert!(shown[0].contains(" error cia306/invalid-value: "), "{cargo}");
+    let error = run(builder().deny(Severity::Error)).0.unwrap_err();
+    assert!(
+        matches!(&error, Error::Findings { findings, .. } if findings.iter().all(|finding| finding.rule.id == "cia306/invalid-value"))
+    );
+    let known = out.path().join("known.json");
+    let description = objdict::format::open(&eds, &Default::default()).unwrap();
+    let mut baseline = objdict::baseline::Baseline::default();
+    let name = std::path::absolute(&eds).unwrap();
+    let up = "../".repeat(out.path().components().count() - 1);
+    let name = up + name.strip_prefix("/").unwrap().to_str().unwrap();
+    baseline.add(&name, &description, &objdict::check(&description));
+    fs::write(&known, baseline.write()).unwrap();
+    let (built, cargo) = run(builder().deny(Severity::Error).baseline(&known));
+    built.unwrap();
+    assert!(!cargo.contains("invalid-value"), "{cargo}");
+    assert!(told(&cargo, "rerun-if-changed").contains(&known.to_str().unwrap()), "{cargo}");
 }
 
 /// A warning is a line, whatever it quotes, and there is an end to them.

@@ -76,7 +76,7 @@ pub use renames::ChoiceError;
 pub use renames::renames;
 pub use size::{ObjectSize, Size, SizeReport, Sizes};
 
-use objdict_model::{diagnostic, model};
+use objdict_model::{diagnostic, literal, model};
 
 use crate::diagnostic::Severity;
 use crate::model::{Device, Place};

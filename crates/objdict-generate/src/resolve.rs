@@ -1,8 +1,10 @@
 //! A resolved entry: the data that tables need, as numbers and bytes.
 
 use super::{LONGEST_VALUE, Note, Options};
+use crate::literal::Intended;
 use crate::model::{
-    Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, Place, TypeKind, Value,
+    Access, DataType, Device, Entry, Field, InvalidValue, Object, ObjectType, PdoMapping, Place, TypeKind,
+    Value,
 };
 
 /// The representation of an entry's values.
@@ -77,7 +79,7 @@ impl<'a> Resolver<'a> {
             self.notes.push(Note::new(place, "an object of type NULL has no data and is omitted"));
             return None;
         }
-        let data_type = self.data_type(object, &place, sub, entry)?;
+        let data_type = self.data_type(object, (index, sub), entry)?;
         self.invalid_values(&place, entry, data_type);
         let access = self.access(object, &place, entry);
         let kind = data_type.kind();
@@ -98,7 +100,9 @@ impl<'a> Resolver<'a> {
                 (Shape::Block(length), Datum::Bytes(self.block(&place, entry, usize::from(length))))
             }
             _ => {
-                let default = self.word(place.clone().field(value_field(entry)), entry.value(), data_type);
+                let intended = intended(entry, &Field::DefaultValue, data_type);
+                let value = entry.value().or(intended.as_ref());
+                let default = self.word(place.clone().field(value_field(entry)), value, data_type);
                 (Shape::Word(data_type), default.unwrap_or(Datum::Word(0)))
             }
         };
@@ -109,17 +113,19 @@ impl<'a> Resolver<'a> {
     }
 
     /// The data type of an entry, stated or implied by its object.
-    fn data_type(&mut self, object: &Object, place: &Place, sub: u8, entry: &Entry) -> Option<DataType> {
+    fn data_type(&mut self, object: &Object, (index, sub): (u16, u8), entry: &Entry) -> Option<DataType> {
         let implied = match (entry.object_type, object.object_type(), sub) {
             (Some(ObjectType::Domain), _, _) => Some(DataType::DOMAIN),
             (_, ObjectType::DefType, 0) => Some(DataType::UNSIGNED32), // its length in bits
             (_, ObjectType::DefStruct, 0) => Some(DataType::UNSIGNED8), // its highest sub-index
             (_, ObjectType::DefStruct, _) => Some(DataType::UNSIGNED16), // the type of a member
+            // the type of the count is always the same, except in the numbers of PDOs (CiA 301 §7.4.7.2)
+            (_, ObjectType::Array | ObjectType::Record, 0) if index != 0x1004 => Some(DataType::UNSIGNED8),
             _ => None,
         };
         let data_type = entry.data_type.or(implied);
         if data_type.is_none() {
-            let place = place.clone().field(Field::DataType);
+            let place = Place::entry(index, sub).field(Field::DataType);
             self.notes.push(match entry.invalid_values.get(&Field::DataType) {
                 Some(invalid) => {
                     Note::new(place, format!("`{}` is not a data type; the entry is omitted", invalid.text))
@@ -141,7 +147,11 @@ impl<'a> Resolver<'a> {
             return Access::Const;
         }
         let place = place.clone().field(Field::AccessType);
-        self.notes.push(match entry.invalid_values.get(&Field::AccessType) {
+        let invalid = entry.invalid_values.get(&Field::AccessType);
+        if let Some(access) = invalid.and_then(InvalidValue::intended_access) {
+            return access;
+        }
+        self.notes.push(match invalid {
             Some(invalid) => {
                 Note::new(place, format!("`{}` is not an access type; `ro` is assumed", invalid.text))
             }
@@ -159,10 +169,14 @@ impl<'a> Resolver<'a> {
             (Field::HighLimit, "the limit is not enforced"),
         ] {
             let ignored = field == Field::DefaultValue && entry.configured_value().is_some();
-            if let (Some(invalid), false) = (entry.invalid_values.get(&field), ignored) {
-                let text = format!("`{}` is not a valid {data_type}; {instead}", invalid.text);
-                self.notes.push(Note::new(place.clone().field(field), text));
-            }
+            let Some(invalid) = entry.invalid_values.get(&field).filter(|_| !ignored) else { continue };
+            let instead = match invalid.intended(data_type).filter(|_| field != Field::ParameterValue) {
+                Some(Intended::Value(value)) => format!("it is read as {value}"),
+                Some(Intended::Nothing) => "it is read as no value".to_owned(),
+                None => instead.to_owned(),
+            };
+            let text = format!("`{}` is not a valid {data_type}; {instead}", invalid.text);
+            self.notes.push(Note::new(place.clone().field(field), text));
         }
     }
 
@@ -275,9 +289,38 @@ impl<'a> Resolver<'a> {
             }
             self.word(place, Some(value), data_type)
         };
-        let low = limit(Field::LowLimit, entry.low_limit.as_ref());
-        let high = limit(Field::HighLimit, entry.high_limit.as_ref());
+        let [low, high] = [(Field::LowLimit, &entry.low_limit), (Field::HighLimit, &entry.high_limit)].map(
+            |(field, stated)| {
+                let intended = intended(entry, &field, data_type);
+                limit(field, stated.as_ref().or(intended.as_ref()))
+            },
+        );
+        if let (Some(Datum::Word(lowest)), Some(Datum::Word(highest))) = (&low, &high)
+            && is_above(*lowest, *highest, data_type)
+        {
+            let text = "the low limit is above the high one, so neither is enforced";
+            self.notes.push(Note::new(place.clone().field(Field::LowLimit), text).warning());
+            return (None, None);
+        }
         (low, high)
+    }
+}
+
+/// Whether a number is above another one of its type.
+fn is_above(left: u64, right: u64, data_type: DataType) -> bool {
+    match data_type.kind() {
+        TypeKind::Signed(_) => left.cast_signed() > right.cast_signed(),
+        TypeKind::Real32 => f32::from_bits(left as u32) > f32::from_bits(right as u32), // their bits
+        TypeKind::Real64 => f64::from_bits(left) > f64::from_bits(right),
+        _ => left > right,
+    }
+}
+
+/// The value that an invalid text of a field means beyond doubt.
+fn intended(entry: &Entry, field: &Field, data_type: DataType) -> Option<Value> {
+    match entry.invalid_values.get(field)?.intended(data_type)? {
+        Intended::Value(value) => Some(value),
+        Intended::Nothing => None,
     }
 }
 

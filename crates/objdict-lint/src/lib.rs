@@ -19,7 +19,7 @@ mod stack;
 mod stated;
 mod supply;
 
-use objdict_model::{canopennode, diagnostic, model};
+use objdict_model::{canopennode, diagnostic, literal, model};
 use objdict_profile as profile;
 
 use crate::diagnostic::Findings;
@@ -29,7 +29,7 @@ pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
 pub use options::Options;
-pub(crate) use respell::{nearest_access, respell};
+pub(crate) use respell::respell;
 pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
 pub use rules::{rules, without_disabled};

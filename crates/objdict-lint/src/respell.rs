@@ -1,7 +1,8 @@
 //! Texts that are not valid values of their field, but whose intended value is clear.
 
 use crate::diagnostic::{Fix, say};
-use crate::model::{Access, DataType, Field, InvalidValue, ObjectType, Place, Reason};
+use crate::literal::{Intended, Spelling, print};
+use crate::model::{DataType, Field, InvalidValue, ObjectType, Place, Reason};
 
 /// The fix of an invalid value at `place`, if the intended value is clear.
 pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place: Place) -> Option<Fix> {
@@ -9,33 +10,19 @@ pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place
     let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
     let risky = |value: String| (Fix::risky(say!("write `{}`", value)), value);
     let (fix, value) = match (&invalid.field, &invalid.reason) {
-        (Field::AccessType, _) => {
-            let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
-            match Access::from_name(&letters) {
-                Some(access) => safe(access.name().to_owned()),
-                None => risky(nearest_access(text)?.name().to_owned()),
-            }
-        }
+        (Field::AccessType, _) => safe(invalid.intended_access()?.name().to_owned()),
+        (Field::CompactSubObj, _) if text == "255" => safe("254".to_owned()),
         (Field::ObjectType, _) => safe(format!("0x{:X}", object_type(text)?.code())),
         (Field::PdoMapping, _) => safe(flag(text)?.to_owned()),
         // a number with a digit 8 or 9 cannot be octal, so it is decimal
         (_, Reason::NotOctal) => safe(without_zeros(text)?),
         (_, Reason::NotANumber) if is_hex(text) && data_type.is_none() => risky(format!("0x{text}")),
-        _ => return None,
+        (field, _) => match invalid.intended(data_type?)? {
+            Intended::Value(value) => safe(print(&value, Spelling::default())),
+            Intended::Nothing => return Some(Fix::safe(say!("remove `{}`", field)).remove(place)),
+        },
     };
     Some(fix.set(place, value))
-}
-
-/// The probable access type of a text that is not a valid one.
-pub(crate) fn nearest_access(text: &str) -> Option<Access> {
-    let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
-    Access::from_name(&letters).or(match letters.to_ascii_lowercase().as_str() {
-        "r" | "read" | "readonly" => Some(Access::Ro),
-        "w" | "write" | "writeonly" => Some(Access::Wo),
-        "readwrite" | "wr" => Some(Access::Rw),
-        "c" | "cons" | "constant" => Some(Access::Const),
-        _ => None,
-    })
 }
 
 fn object_type(text: &str) -> Option<ObjectType> {

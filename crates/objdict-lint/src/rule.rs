@@ -126,12 +126,15 @@ pub(crate) fn with_others<T: Into<Text>>(
 macro_rules! one {
     (
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
-            $(, explains $reach:ident [$($rule:literal),+])*;
+            $(, explains $reach:ident [$($rule:literal),+])*
+            $(, stops $target:literal $(at [$($field:ident),+])?)*;
         $($part:ident: $text:literal,)+
     ) => {
         $crate::Rule {
             info: objdict_model::rule_info! {
-                $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*; $($part: $text,)+
+                $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
+                    $(, stops $target $(at [$($field),+])?)*;
+                $($part: $text,)+
             },
             check: $crate::Check::$kind($check),
         }

@@ -14,8 +14,8 @@ use crate::model::Address;
 
 /// Generate code and configuration from a description
 ///
-/// Checks the description first and generates nothing if it has errors. Files are written only if they change, and
-/// atomically.
+/// Checks the description first and generates nothing if an error would make the tables wrong: type, access or value of an
+/// entry is unknown, or it is described twice. Files are written only if they change, and atomically.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct GenerateArgs {
     /// The description; `-` is the standard input
@@ -35,7 +35,7 @@ pub(in crate::cli) struct GenerateArgs {
     /// Write the inputs of the stamp as a rule of make
     #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
     pub depfile: Option<PathBuf>,
-    /// Generate even if the description has errors
+    /// Generate even if errors make the tables wrong
     #[arg(long, help_heading = "Output")]
     pub force: bool,
     #[command(flatten)]
@@ -68,9 +68,12 @@ pub(in crate::cli) struct GenerateArgs {
     pub config: ConfigArgs,
     #[command(flatten)]
     pub profiles: ProfileArgs,
-    /// Lowest severity that stops the generation: note, warning or error [default: error]
+    /// Lowest severity that stops the generation: note, warning or error [default: errors that make a table wrong]
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
     pub deny: Option<Deny>,
+    /// Ignore findings that are in this file, which `check --write-baseline` makes
+    #[arg(long, value_name = "FILE", help_heading = "Settings")]
+    pub baseline: Option<PathBuf>,
 }
 
 macro_rules! arguments {

@@ -89,7 +89,8 @@ text_rule! {
             "missing-module-info", "eds-version", "single-limit", "pdo-parameter-without-value",
             "wrong-highest-sub-index", "wrong-count", "list-numbering"
         ],
-        explains Value ["object-not-listed"];
+        explains Value ["object-not-listed"],
+        stops "*";
     summary: "a line is not a section, key or comment",
     checks: "Whether each non-empty line is `[section]`, `key=value` or a comment.",
     why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions.",

@@ -22,7 +22,7 @@ pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, FixSafety, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
-pub use rule::{Explained, HOME, Reach, RuleInfo};
+pub use rule::{Explained, HOME, Reach, RuleInfo, Stop};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;
@@ -119,6 +119,24 @@ impl Diagnostic {
             fix: None,
             also: Vec::new(),
         }
+    }
+
+    /// Whether the table of this target would be wrong: the rule says so of the fields that the finding is about, it is an
+    /// error, and no safe fix says what is meant.
+    pub fn stops(&self, target: &str) -> bool {
+        let is_clear = self.fix.as_ref().is_some_and(|fix| fix.safety == Applicability::Safe);
+        let fields = || {
+            self.labels.iter().filter_map(|label| match &label.at {
+                At::Place(place) => place.field.as_ref(),
+                _ => None,
+            })
+        };
+        let applies = |stop: &Stop| matches!(stop.target, "*") || stop.target == target;
+        let is_about =
+            |stop: &Stop| stop.fields.is_empty() || fields().any(|field| stop.fields.contains(field));
+        let is_error = self.severity == Severity::Error && !is_clear;
+        is_error && self.rule.stops.iter().any(|stop| applies(stop) && is_about(stop))
+            || self.also.iter().any(|other| other.stops(target))
     }
 
     /// Overrides the severity of the rule.

@@ -1,6 +1,9 @@
 //! Rules: name, severity and page.
 
+use std::fmt;
+
 use super::{FixSafety, Severity};
+use crate::model::Field;
 
 /// The page of objdict, the only absolute address that needs no repository.
 pub const HOME: &str = "https://docs.rs/objdict";
@@ -28,6 +31,33 @@ pub struct RuleInfo {
     pub source: &'static str,
     /// What a finding of the rule explains.
     pub explains: &'static [Explained],
+    /// The generated tables that a finding of the rule makes wrong.
+    pub stops: &'static [Stop],
+}
+
+/// Generated tables that are wrong where a finding is an error and no safe fix says what is meant.
+#[derive(Clone, Copy, Debug)]
+pub struct Stop {
+    /// The name of the target, or `*` for all.
+    pub target: &'static str,
+    /// The fields that the finding has to be about; empty for any.
+    pub fields: &'static [Field],
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.target {
+            "*" => write!(f, "No table is generated")?,
+            target => write!(f, "No table for the target `{target}` is generated")?,
+        }
+        f.write_str(" from a description with such an error")?;
+        if let Some((last, others)) = self.fields.split_last() {
+            let others: Vec<String> = others.iter().map(|field| format!("`{}`", field.name())).collect();
+            let others = if others.is_empty() { String::new() } else { others.join(", ") + " or " };
+            write!(f, " in {others}`{}`", last.name())?;
+        }
+        f.write_str(", unless a safe fix says what is meant.")
+    }
 }
 
 /// Rules whose findings are consequences of another finding, which reports say alone.
@@ -68,7 +98,19 @@ impl RuleInfo {
     /// A rule without fixes and page, for findings of callers.
     pub const fn bare(id: &'static str, severity: Severity) -> Self {
         let [summary, checks, why, example, remedy, source] = [""; 6];
-        Self { id, severity, fix: None, summary, checks, why, example, remedy, source, explains: &[] }
+        Self {
+            id,
+            severity,
+            fix: None,
+            summary,
+            checks,
+            why,
+            example,
+            remedy,
+            source,
+            explains: &[],
+            stops: &[],
+        }
     }
 
     /// The group: `cia306` of `cia306/duplicate-section`.
@@ -96,16 +138,23 @@ impl RuleInfo {
             ("Source", self.source),
         ];
         let page = format!("{}\n", self.summary);
-        parts.iter().fold(page, |page, (heading, text)| page + &format!("\n## {heading}\n{text}\n"))
+        let page =
+            parts.iter().fold(page, |page, (heading, text)| page + &format!("\n## {heading}\n{text}\n"));
+        match &*self.stops.iter().map(Stop::to_string).collect::<Vec<_>>().join(" ") {
+            "" => page,
+            stops => page + &format!("\n## Effect on `objdict generate`\n{stops}\n"),
+        }
     }
 }
 
 /// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
-/// page; a rule without fixes omits the part `fix`. What its findings explain follows: `, explains File ["name", …]`.
+/// page; a rule without fixes omits the part `fix`. What its findings explain follows, `, explains File ["name", …]`, and
+/// which tables they stop: `, stops "canopennode" at [DataType]`, or `, stops "*"` for all.
 #[macro_export]
 macro_rules! rule_info {
     (
-        $id:literal, $severity:ident $(, fix $safety:ident)? $(, explains $reach:ident [$($rule:literal),+])*;
+        $id:literal, $severity:ident $(, fix $safety:ident)? $(, explains $reach:ident [$($rule:literal),+])*
+            $(, stops $target:literal $(at [$($field:ident),+])?)*;
         $($part:ident: $text:literal,)+
     ) => {
         $crate::diagnostic::RuleInfo {
@@ -115,6 +164,9 @@ macro_rules! rule_info {
             $($part: $text,)+
             explains: &[$(
                 $crate::diagnostic::Explained { reach: $crate::diagnostic::Reach::$reach, rules: &[$($rule),+] },
+            )*],
+            stops: &[$(
+                $crate::diagnostic::Stop { target: $target, fields: &[$($($crate::model::Field::$field),+)?] },
             )*],
         }
     };
@@ -134,7 +186,7 @@ macro_rules! text_rule {
 macro_rules! text_rules {
     ($(
         $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?
-            $(, explains $reach:ident [$($rule:literal),+])*;
+            $(, explains $reach:ident [$($rule:literal),+])* $(, stops $target:literal $(at [$($field:ident),+])?)*;
         summary: $summary:literal,
         checks: $checks:literal,
         why: $why:literal,
@@ -146,7 +198,8 @@ macro_rules! text_rules {
         pub(crate) static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
         $($crate::text_rule! {
-            $NAME = $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*;
+            $NAME = $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
+                $(, stops $target $(at [$($field),+])?)*;
             summary: $summary,
             checks: $checks,
             why: $why,

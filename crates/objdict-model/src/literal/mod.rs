@@ -1,12 +1,14 @@
 //! The spelling of values in description files: CiA 306-1 §4.3 and the practice of real files.
 
 mod calendar;
+mod intended;
 mod parse;
 mod print;
 mod respell;
 mod spelling;
 
 pub use calendar::{clock_time, date};
+pub use intended::Intended;
 pub use parse::{Quirk, Quirks, integer, plain_value, small_number, strip_comment, value};
 pub use print::{RealSpelling, Spelling, print};
 pub use respell::{respell, trailing_comment};

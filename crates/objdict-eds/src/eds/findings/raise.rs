@@ -29,7 +29,7 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
         .severity(if same { Severity::Warning } else { Severity::Error })
         .label(first.name_at, "first here")
         .help("remove one of the two lines")
-        .fix(remove_line(item, same))
+        .fix(remove_line(item, same || item.value.is_empty()))
 }
 
 /// The keys of another section begin with `item`, which repeats `first`, in the section `name`.
@@ -60,10 +60,10 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
         .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
 }
 
-/// Removes a line that is not read; safe only if both lines are equal.
-fn remove_line(item: &Item<'_>, same: bool) -> Fix {
+/// Removes a line that is not read; safe only if it says nothing else.
+fn remove_line(item: &Item<'_>, is_idle: bool) -> Fix {
     let title = "remove the second, unread line";
-    let fix = if same { Fix::safe(title) } else { Fix::risky(title) };
+    let fix = if is_idle { Fix::safe(title) } else { Fix::risky(title) };
     fix.with(Change::RemoveLine(item.name_at))
 }
 

@@ -177,13 +177,15 @@ fn object_type<'a>(
     object_type
 }
 
-/// 1 to 254; 0 means that the object is not stored compactly.
+/// 1 to 254; 0 means that the object is not stored compactly. 255 is invalid, because FFh is no element (CiA 301 §7.4.7.1), and
+/// plainly means all of them.
 fn compact_count<'a>(
     items: &mut Items<'a>,
     item: &Item<'a>,
     invalid_values: &mut InvalidValues,
 ) -> Option<u8> {
-    items.integer(item, (0, 254), invalid_values).filter(|&count| count > 0)
+    let all = || literal::integer(item.value, 255, 255, &mut Quirks::default()).is_ok().then_some(254);
+    items.integer(item, (0, 254), invalid_values).or_else(all).filter(|&count| count > 0)
 }
 
 /// `n`, or `0;b`.

@@ -1,9 +1,10 @@
 use crate::diagnostic::{Argument, Diagnostic, Findings, Severity, Text, joined, say};
 use crate::model::{Access, DataType, Device, Field, InvalidValue, Place, Reason};
-use crate::{nearest_access, respell, rule};
+use crate::{respell, rule};
 
 rule! {
-    "cia306/invalid-value", Error, Device(check), fix Mixed;
+    "cia306/invalid-value", Error, Device(check), fix Mixed,
+        stops "*" at [ObjectType, DataType, AccessType, DefaultValue, ParameterValue, CompactSubObj];
     summary: "a value is not valid for its key",
     checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings; those that are only spelled otherwise have the rule `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN: tools read each of them differently.",
     why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
@@ -61,7 +62,7 @@ fn message(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
 
 fn help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
     match (&invalid.field, &invalid.reason) {
-        (Field::AccessType, _) => match nearest_access(&invalid.text) {
+        (Field::AccessType, _) => match invalid.intended_access() {
             Some(access) => say!("did you mean `{}`? write one of {}", access, access_names()),
             None => say!("write one of the access types {}", access_names()),
         },

@@ -4,7 +4,7 @@ use crate::profile;
 use crate::{EntryAt, rule, stated};
 
 rule! {
-    "cia306/missing-key", Error, Entry(check), fix Mixed;
+    "cia306/missing-key", Error, Entry(check), fix Mixed, stops "*" at [DataType, AccessType];
     summary: "a key required by the object type is missing",
     checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
     why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",

@@ -3,7 +3,7 @@ use crate::model::{DataType, Device, Field, ObjectType, Part, TypeKind};
 use crate::{EntryAt, rule};
 
 rule! {
-    "cia306/undefined-data-type", Error, Entry(check);
+    "cia306/undefined-data-type", Error, Entry(check), stops "*";
     summary: "a data type is not defined",
     checks: "Whether `DataType` is a type of CiA 301, or, from 0040h to 025Fh, a DEFTYPE or DEFSTRUCT of the file.",
     why: "Length and meaning of the value are unknown; the value can be neither read nor written.",

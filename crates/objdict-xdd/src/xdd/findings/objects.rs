@@ -11,7 +11,7 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    DUPLICATE_OBJECT = "cia311/duplicate-object", Error;
+    DUPLICATE_OBJECT = "cia311/duplicate-object", Error, stops "*";
     summary: "an object is defined twice",
     checks: "Whether each index occurs once in `CANopenObjectList`. The first object is used.",
     why: "Some tools use the first one, some the last one, some reject the file: the object dictionary is ambiguous.",
@@ -19,7 +19,7 @@ text_rules! {
     remedy: "Keep one of them.",
     source: "CiA 311 annex A",
 
-    DUPLICATE_SUB_OBJECT = "cia311/duplicate-sub-object", Error;
+    DUPLICATE_SUB_OBJECT = "cia311/duplicate-sub-object", Error, stops "*";
     summary: "a sub-object is defined twice",
     checks: "Whether each sub-index occurs once in its object. The first sub-object is used.",
     why: "Some tools use the first one, some the last one, some reject the file.",
@@ -27,7 +27,7 @@ text_rules! {
     remedy: "Keep one of them, or change the sub-index of the other.",
     source: "CiA 311 annex A",
 
-    CONTRADICTING_DATA_TYPE = "cia311/contradicting-data-type", Error;
+    CONTRADICTING_DATA_TYPE = "cia311/contradicting-data-type", Error, stops "*";
     summary: "an object and its parameter have different data types",
     checks: "Whether `dataType` of an object matches the simple type of the parameter that it refers to, if there is a simple type for it. Types of 24, 40, 48 and 56 bits, times, DOMAIN and OCTET_STRING have none, so any type is accepted.",
     why: "Some tools use the data type of the object, some that of the parameter: they read a different number of bytes from the device.",

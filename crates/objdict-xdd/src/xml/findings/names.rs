@@ -51,7 +51,7 @@ text_rules! {
     remedy: "Remove the declaration, or write its namespace.",
     source: "Namespaces in XML 1.0 §3, §5",
 
-    DUPLICATE_ATTRIBUTE = "xml/duplicate-attribute", Error;
+    DUPLICATE_ATTRIBUTE = "xml/duplicate-attribute", Error, stops "*";
     summary: "an element has an attribute twice",
     checks: "Whether all attributes of an element have different names, also after prefixes are replaced by their namespaces. The first one is used.",
     why: "XML parsers reject the file.",
@@ -83,7 +83,7 @@ text_rules! {
     remedy: "Put quotes around the value.",
     source: "XML 1.0 §3.1",
 
-    UNCLOSED_VALUE = "xml/unclosed-value", Error;
+    UNCLOSED_VALUE = "xml/unclosed-value", Error, stops "*";
     summary: "an attribute value has no closing quote",
     checks: "Whether a value ends with its opening quote character. A value without one ends at the end of the tag or at the next attribute.",
     why: "XML parsers reject the file, and report the error at the next quote, far from the cause.",

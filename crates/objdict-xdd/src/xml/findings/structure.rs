@@ -12,7 +12,7 @@ text_rules! {
         "incomplete-pdo-parameter", "device-type-without-channels", "wrong-object-count", "dangling-parameter-ref",
         "dangling-function-ref", "duplicate-label", "wrong-order", "emergency-without-cob-id",
         "controlword-not-mapped", "unbound-prefix"
-    ];
+    ], stops "*";
     summary: "an element has no end tag",
     checks: "Whether each start tag has its end tag before the parent element or the file ends.",
     why: "XML parsers reject the whole file. A truncated file shows this error.",
@@ -45,7 +45,7 @@ text_rules! {
     remedy: "Use an XDD or XDC file.",
     source: "XML 1.0 §2.1",
 
-    SECOND_ROOT = "xml/second-root", Error;
+    SECOND_ROOT = "xml/second-root", Error, stops "*";
     summary: "a second element follows the root",
     checks: "Whether only comments and processing instructions follow the root element. Elements after it are not read.",
     why: "XML parsers reject the file. Often two files were concatenated, or an end tag is too early.",
@@ -61,7 +61,7 @@ text_rules! {
     remedy: "Remove the text.",
     source: "XML 1.0 §2.1",
 
-    UNCLOSED_TAG = "xml/unclosed-tag", Error;
+    UNCLOSED_TAG = "xml/unclosed-tag", Error, stops "*";
     summary: "a tag has no `>`",
     checks: "Whether each tag has its `>` before the next `<`.",
     why: "XML parsers reject the file or read the following text as part of the tag.",
@@ -69,7 +69,7 @@ text_rules! {
     remedy: "Add the `>`.",
     source: "XML 1.0 §3.1",
 
-    UNCLOSED_MARKUP = "xml/unclosed-markup", Error;
+    UNCLOSED_MARKUP = "xml/unclosed-markup", Error, stops "*";
     summary: "a comment, a CDATA section or a processing instruction has no end",
     checks: "Whether each `<!--` has its `-->`, each `<![CDATA[` its `]]>`, each `<?` its `?>`. The text up to the next `<` is skipped.",
     why: "XML parsers reject the file. A comment without an end hides the rest of the device.",
@@ -149,7 +149,7 @@ text_rules! {
     remedy: "Declare the actual encoding, preferably UTF-8.",
     source: "XML 1.0 §4.3.3",
 
-    LIMIT = "xml/limit", Error;
+    LIMIT = "xml/limit", Error, stops "*";
     summary: "the file exceeds a limit of the reader",
     checks: "Whether elements are nested at most 256 deep, an element has at most 256 attributes, a name at most 32,000 bytes, the file at most 4 million elements and 1 MiB of text from its own entities. Anything beyond a limit is not read.",
     why: "No device needs as much; a file that does is designed to exhaust memory.",
