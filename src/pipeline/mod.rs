@@ -267,7 +267,8 @@ impl Request {
                 sizes.push((target, size));
             }
             for file in &generated.files {
-                if let Some(first) = paths.insert(file.path.clone(), target.name()) {
+                // `od.h` and `OD.h` are one file on many systems
+                if let Some(first) = paths.insert(file.path.to_ascii_lowercase(), target.name()) {
                     let (second, path) = (target.name(), file.path.clone());
                     return Err(Error::SameFile { first, second, path });
                 }

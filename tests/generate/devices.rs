@@ -30,6 +30,7 @@ pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
     devices.push(("odd".to_owned(), odd::device()));
     devices.push(("constant".to_owned(), odd::constant()));
+    devices.push(("words".to_owned(), odd::words()));
     if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
         further(Path::new(&folder), &mut devices);
     }

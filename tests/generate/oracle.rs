@@ -130,6 +130,14 @@ impl Facts {
             _ => Access::Ro,
         });
         let own = matches!(data_type.kind(), TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved);
+        let is_crossed = match (&entry.low_limit, &entry.high_limit) {
+            (Some(low), Some(high)) => match (low.as_integer(), high.as_integer()) {
+                (Some(low), Some(high)) => low > high,
+                _ => low.as_real() > high.as_real(),
+            },
+            _ => false,
+        };
+        let limit = |limit: &Option<Value>| limit.clone().filter(|_| data_type.is_numeric() && !is_crossed);
         let mut facts = Self {
             data_type,
             kind: (!own).then_some(data_type.kind()),
@@ -137,8 +145,8 @@ impl Facts {
             mapping: entry.pdo_mapping.unwrap_or_default(),
             size: 0,
             value: entry.value().cloned(),
-            low: entry.low_limit.clone().filter(|_| data_type.is_numeric()),
-            high: entry.high_limit.clone().filter(|_| data_type.is_numeric()),
+            low: limit(&entry.low_limit),
+            high: limit(&entry.high_limit),
         };
         facts.size = match data_type.byte_length() {
             Some(length) => usize::from(length),

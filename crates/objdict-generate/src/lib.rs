@@ -276,6 +276,14 @@ pub enum GenerateError {
         /// The text.
         text: String,
     },
+    /// A prefix or module has the name of a standard module, file or header.
+    #[error("`{word}` for `{option}` hides a standard module or header: choose another name")]
+    Hides {
+        /// The option name after `--` on the command line.
+        option: &'static str,
+        /// The name.
+        word: String,
+    },
     /// The device has no entry that can be generated.
     #[error("the device has no entries")]
     NoEntries {

@@ -16,11 +16,11 @@ pub(crate) const LONGEST: usize = 63;
 /// Maximum length of an identifier from one name, before names are joined.
 const LONGEST_PART: usize = 48;
 
-/// Keywords of Rust 2015 to 2024, primitive types and standard crates.
+/// Keywords of Rust 2015 to 2024, primitive types, standard crates, and the tools that attributes name.
 const RUST: &str = "
-    abstract alloc as async await become bool box break char const continue core crate do dyn else enum
+    abstract alloc as async await become bool box break char clippy const continue core crate do dyn else enum
     extern f128 f16 f32 f64 false final fn for gen i128 i16 i32 i64 i8 if impl in isize let loop macro
-    match mod move mut override priv proc_macro pub raw ref return safe self static std str struct super
+    match mod move mut override priv proc_macro pub raw ref return rustfmt safe self static std str struct super
     trait true try type typeof u128 u16 u32 u64 u8 union unsafe unsized use usize virtual where while
     yield
 ";

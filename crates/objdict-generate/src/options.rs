@@ -379,11 +379,19 @@ impl Options {
 /// Maximum length of a prefix; leaves room for a name of 48 letters in an identifier.
 const LONGEST_PREFIX: usize = 16;
 
+/// Modules and files of Rust packages and headers of C, which a module or file of the same name would hide.
+const FILES: &str = "
+    self super crate build lib main mod core std alloc complex ctype fenv inttypes iso646 limits locale math setjmp signal stdalign
+    stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+";
+
 fn identifier(choice: Choice, text: &str) -> Result<String, GenerateError> {
     let is_word = text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     let starts = text.starts_with(|c: char| c.is_ascii_alphabetic());
     if is_word && starts && text.len() <= LONGEST_PREFIX && !text.contains("__") && !text.ends_with('_') {
-        return Ok(text.to_ascii_lowercase());
+        let word = text.to_ascii_lowercase();
+        let hides = FILES.split_ascii_whitespace().any(|file| file == word);
+        return if hides { Err(GenerateError::Hides { option: choice.name(), word }) } else { Ok(word) };
     }
     Err(GenerateError::Identifier { option: choice.name(), text: text.to_owned() })
 }
@@ -407,6 +415,10 @@ mod tests {
     fn a_prefix_is_an_identifier() {
         let options = |prefix: &str| Options { prefix: Some(prefix.to_owned()), ..Options::default() };
         assert_eq!(options("Motor_2").prefix_or("od").ok().as_deref(), Some("motor_2"));
+        for text in ["self", "mod", "stdint", "String"] {
+            let error = options(text).prefix_or("od");
+            assert!(matches!(error, Err(GenerateError::Hides { option: "prefix", .. })), "{text}");
+        }
         for text in ["", "2nd", "a b", "ä", "a__b", "a_", "abcdefghijklmnopq"] {
             let error = options(text).prefix_or("od");
             assert!(matches!(error, Err(GenerateError::Identifier { option: "prefix", .. })), "{text}");

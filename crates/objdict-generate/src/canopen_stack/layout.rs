@@ -132,8 +132,8 @@ impl Layout {
         notes: &mut Vec<Note>,
     ) -> Self {
         let mut scope = Scope::of_lower_case(
-            "objects store restore nothing rest block block_size block_read block_write rewind
-             bytes bytes_size bytes_read bytes_write",
+            "objects store restore nothing rest block block_size block_read block_write block_reset
+             bytes bytes_size bytes_read bytes_write bytes_reset",
         );
         let mut layout = Self {
             data: planned.iter().map(|entries| vec![String::new(); entries.len()]).collect(),

@@ -22,7 +22,7 @@ pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
 /// Communication parameters are stored by default; commands, states and application values are not.
 fn by_index(index: u16) -> &'static str {
     match index {
-        0x1001..=0x1003 | 0x1010 | 0x1011 | 0x1020..=0x1027 | 0x1200 => "RAM",
+        0x1001..=0x1003 | 0x1010 | 0x1011 | 0x1020..=0x1027 | 0x1200 | 0x1F50..=0x1F57 => "RAM",
         0x1000..=0x1FFF => "PERSIST_COMM",
         _ => "RAM",
     }
@@ -47,5 +47,6 @@ mod tests {
         assert_eq!(by_index(0x1003), "RAM");
         assert_eq!(by_index(0x1400), "PERSIST_COMM");
         assert_eq!(by_index(0x2000), "RAM");
+        assert_eq!([by_index(0x1F51), by_index(0x1F80)], ["RAM", "PERSIST_COMM"]);
     }
 }

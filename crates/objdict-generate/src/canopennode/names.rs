@@ -22,7 +22,12 @@ const RESERVED: &str = "
     reinterpret_cast requires static_cast template this throw true try typeid typename using virtual
     wchar_t xor xor_eq
     bool_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float32_t float64_t
-    NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386
+    NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386 stdin stdout stderr setjmp
+    I EOF BUFSIZ FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_SET SEEK_CUR SEEK_END _IOFBF _IOLBF _IONBF
+    EXIT_SUCCESS EXIT_FAILURE RAND_MAX MB_CUR_MAX MB_LEN_MAX CHAR_BIT CLOCKS_PER_SEC TIME_UTC TRUE FALSE
+    EDOM EILSEQ ERANGE ENOENT EINVAL EIO EAGAIN ENOMEM EACCES EBUSY EEXIST EPERM EPIPE EINTR ENODEV ENOSPC
+    ETIMEDOUT SIGABRT SIGFPE SIGILL SIGINT SIGSEGV SIGTERM SIGKILL SIGHUP SIGALRM SIGPIPE SIG_DFL SIG_IGN SIG_ERR
+    MATH_ERRNO MATH_ERREXCEPT DECIMAL_DIG
 ";
 
 /// The C name of an object or entry; empty if the text has no usable character.
@@ -99,9 +104,13 @@ fn is_reserved(name: &str) -> bool {
     RESERVED.split_ascii_whitespace().any(|word| word == name)
         || name.starts_with("__")
         || starts(&["OD_", "CO_"])
+        || is_macro && starts(&["FLT_", "DBL_", "LDBL_", "FP_", "FE_", "LC_", "M_"])
         || is_macro
-            && starts(&["INT", "UINT", "SIZE", "PTRDIFF", "SIG", "WCHAR", "WINT"])
-            && ends(&["_MAX", "_MIN", "_C"])
+            && starts(&[
+                "INT", "UINT", "SIZE", "PTRDIFF", "SIG", "WCHAR", "WINT", "CHAR", "SCHAR", "UCHAR", "SHRT",
+                "USHRT", "LONG", "ULONG", "LLONG", "ULLONG",
+            ])
+            && ends(&["_MAX", "_MIN", "_C", "_WIDTH"])
 }
 
 fn is_capital(c: char) -> bool {

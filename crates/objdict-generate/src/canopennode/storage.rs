@@ -1,5 +1,6 @@
 //! Storage of a value in CANopenNode: type, length, attributes and initialiser in C.
 
+use crate::LONGEST_VALUE;
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
@@ -26,9 +27,11 @@ impl Storage {
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
             (Shape::Word(data_type), default) => word(data_type, bits(default)),
             (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
-                let has_room =
-                    entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
-                text(data_type, usize::from(room), has_room, bytes)
+                let stated = entry.entry.stack.as_ref().and_then(|stack| stack.min_string_length);
+                let width = if data_type == DataType::UNICODE_STRING { 2 } else { 1 };
+                let stated =
+                    usize::try_from(stated.unwrap_or(0)).unwrap_or(0).min(LONGEST_VALUE / width) * width;
+                text(data_type, stated.max(usize::from(room)), stated > 0, bytes)
             }
             (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers do not have this shape
             (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
@@ -135,7 +138,7 @@ fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> Kept 
             let numbers = units.clone().map(|unit| format!("0x{unit:04X}"));
             (Some("uint16_t"), Some(length + 1), 2 * length, up_to_last(numbers, units.map(|unit| unit != 0)))
         }
-        TypeKind::OctetString if value.is_empty() && has_room => bytes(room, &[]),
+        TypeKind::OctetString if has_room => bytes(room.max(value.len()), value),
         TypeKind::OctetString | TypeKind::Domain if !value.is_empty() => bytes(value.len(), value),
         _ => (None, None, 0, Vec::new()),
     }
@@ -227,6 +230,7 @@ mod tests {
         assert_eq!(text(DataType::UNICODE_STRING, 4, false, &[0xE9, 0]).3, ["0x00E9"]);
         assert_eq!(text(DataType::OCTET_STRING, 8, false, &[]).0, None);
         assert_eq!(text(DataType::OCTET_STRING, 8, true, &[]).1, Some(8));
+        assert_eq!(text(DataType::OCTET_STRING, 10, true, &[1, 2, 3]).1, Some(10));
         assert_eq!(text(DataType::DOMAIN, 0, false, &[1, 0, 0]).3, ["0x01"]);
     }
 }
