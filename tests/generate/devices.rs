@@ -13,7 +13,7 @@ use objdict::source::SourceOptions;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 
-use crate::{odd, support};
+use crate::{odd, support, words};
 
 /// The device of a file.
 pub(crate) fn device(path: &Path) -> Device {
@@ -30,7 +30,7 @@ pub(crate) fn devices() -> Vec<(String, Device)> {
     let mut devices: Vec<(String, Device)> = paths.iter().map(|path| (name(path), device(path))).collect();
     devices.push(("odd".to_owned(), odd::device()));
     devices.push(("constant".to_owned(), odd::constant()));
-    devices.push(("words".to_owned(), odd::words()));
+    devices.push(("words".to_owned(), words::device()));
     if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
         further(Path::new(&folder), &mut devices);
     }

@@ -26,6 +26,7 @@ mod stored;
 mod support;
 #[cfg(feature = "template")]
 mod template;
+mod words;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -1,15 +1,10 @@
 //! A device with everything that no fixture has.
 
-use std::collections::BTreeSet;
-use std::path::Path;
-
 use objdict::model::{
     Access, Compact, DataType, Device, DeviceInfo, Entry, Object, ObjectType, PdoMapping, Time, Value,
 };
 
-use crate::support;
-
-fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>) -> Entry {
+pub(crate) fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>) -> Entry {
     Entry {
         name: name.into(),
         object_type: Some(ObjectType::Var),
@@ -20,11 +15,15 @@ fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>
     }
 }
 
-fn var(main: Entry) -> Object {
+pub(crate) fn var(main: Entry) -> Object {
     Object { main, ..Object::default() }
 }
 
-fn of_type(object_type: ObjectType, name: &str, subs: impl IntoIterator<Item = (u8, Entry)>) -> Object {
+pub(crate) fn of_type(
+    object_type: ObjectType,
+    name: &str,
+    subs: impl IntoIterator<Item = (u8, Entry)>,
+) -> Object {
     let main = Entry { name: name.into(), object_type: Some(object_type), ..Entry::default() };
     Object { main, subs: subs.into_iter().collect(), ..Object::default() }
 }
@@ -58,53 +57,6 @@ pub(crate) fn device() -> Device {
     arrays(&mut put);
     mappings(&mut put);
     names(&mut put);
-    device
-}
-
-/// Macros of the headers of C, keywords of C++ and names that files and modules have.
-const WORDS: &str = "
-    EOF BUFSIZ FILENAME_MAX FOPEN_MAX SEEK_SET RAND_MAX EXIT_FAILURE CLOCKS_PER_SEC NULL TRUE FALSE
-    EDOM EILSEQ ERANGE ENOENT EINVAL SIGABRT SIGFPE SIGINT SIGTERM SIG_DFL CHAR_BIT INT_MAX LONG_MIN
-    UCHAR_MAX FLT_EPSILON DBL_MAX HUGE_VAL INFINITY NAN FP_NAN M_PI INT8_MAX UINT32_MAX INT64_C PRId32
-    LC_ALL I assert errno stdin stdout stderr setjmp isalpha tolower signal time abs div exit main
-    alignas and and_eq asm bitand bool catch char16_t class compl concept const_cast constexpr delete
-    explicit export false friend mutable namespace new noexcept not nullptr operator private public
-    requires static_assert template this throw true try typeid typename using virtual wchar_t xor
-    self super crate mod lib main async dyn gen Bytes reset Block_read od OD stdint string stdio
-";
-
-/// A device whose objects and entries have every word of the templates as a name, and some more.
-pub(crate) fn words() -> Device {
-    let mut words: BTreeSet<String> = WORDS.split_ascii_whitespace().map(str::to_owned).collect();
-    for file in
-        support::files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("templates/code"), &["rs", "c", "h"])
-    {
-        let text = std::fs::read_to_string(file).unwrap();
-        let of_text = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        words.extend(of_text.map(|word| word.trim_matches('_').to_owned()));
-    }
-    let words = words.into_iter().filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()));
-    let words: Vec<String> = words.collect();
-    let mut device = Device::default();
-    let kinds = [
-        (DataType::UNSIGNED8, Access::Rw),
-        (DataType::VISIBLE_STRING, Access::Rw),
-        (DataType::UNSIGNED64, Access::Rw),
-        (DataType::UNSIGNED32, Access::Const),
-    ];
-    for ((word, index), (data_type, access)) in words.iter().zip(0x2000..).zip(kinds.into_iter().cycle()) {
-        device.objects.insert(index, var(entry(word, data_type, access, None)));
-    }
-    for (words, index) in words.chunks(250).zip(0x5000..) {
-        let subs = words
-            .iter()
-            .zip(1..)
-            .map(|(word, sub)| (sub, entry(word, DataType::UNSIGNED8, Access::Rw, None)));
-        let count =
-            entry("Count", DataType::UNSIGNED8, Access::Ro, Some(Value::Unsigned(words.len() as u64)));
-        let record = of_type(ObjectType::Record, "Words", std::iter::once((0, count)).chain(subs));
-        device.objects.insert(index, record);
-    }
     device
 }
 
