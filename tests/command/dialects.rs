@@ -56,7 +56,10 @@ fn dialects_are_judged_like_other_files() {
         let source = fixture(name);
         let line = |rest: &str| format!("{} {rest}", source.display());
         for (dialect, tool) in [("lely", "dcf-tools"), ("python-canopen", "python-canopen")] {
-            done(folder, &format!("convert {}", line(&format!("-o a.eds --dialect {dialect}"))));
+            done(
+                folder,
+                &format!("convert {}", line(&format!("-o a.eds --keep-disabled --dialect {dialect}"))),
+            );
             let report = objdict(folder, &format!("check a.eds --compat {tool} --format concise"));
             let report = String::from_utf8(report.stdout).unwrap();
             let refused = report.lines().filter(|line| line.contains("the file is refused"));
